@@ -1,0 +1,30 @@
+// The whole method: one RGB-D frame in, the unknown objects in it out.
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+
+#include "core/options.h"
+#include "core/types/detections.h"
+#include "core/types/rgbd_frame.h"
+
+namespace fovea {
+
+// Thrown by Detect when `should_stop` answered true.
+struct Cancelled : std::runtime_error {
+  Cancelled() : std::runtime_error("the detection was cancelled") {}
+};
+
+// Detects the objects of a frame (Bao et al. 2015, sections 3.1 to 3.3).
+//
+// The same frame and options give the same answer bit for bit, on any machine and thread; there
+// is no shared state, so any number of calls may run at once. Nothing found is an answer whose
+// diagnostics say why. `trace`, if given, receives the intermediate results; `should_stop`, if
+// given, is asked between the stages.
+//
+// Throws std::invalid_argument for a frame or options that do not validate, Cancelled when
+// stopped. Cost: see docs/performance.md.
+Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace* trace = nullptr,
+                  const std::function<bool()>& should_stop = {});
+
+}  // namespace fovea

@@ -1,0 +1,42 @@
+// All options of the method, their two profiles, and access by name.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fovea {
+
+struct DetectorOptions {};
+
+// "paper": the method as Bao et al. describe it. "default": the best settings of the same code.
+// An empty name means "default". Throws std::invalid_argument for any other name.
+DetectorOptions OptionsOfProfile(std::string_view profile);
+
+// The names of all profiles, the default one first.
+std::vector<std::string> ProfileNames();
+
+// One option as people meet it: in requests, on the command line, in the documentation.
+struct OptionInfo {
+  std::string name;  // for example "mrf.gamma_per_m2"
+  double minimum = 0;
+  double maximum = 0;
+  bool integral = false;    // whole numbers only (a switch is 0 or 1)
+  std::string description;  // what it does, its unit and its source
+};
+
+// Every option, in the order of the pipeline.
+std::vector<OptionInfo> ListOptions();
+
+// The value of each option by name.
+std::map<std::string, double> OptionValues(const DetectorOptions& options);
+
+// Sets one option. Throws std::invalid_argument, naming option, value and range, for a name that
+// does not exist or a value out of its range.
+void SetOption(DetectorOptions& options, std::string_view name, double value);
+
+// Checks every option against its range; throws like SetOption.
+void Validate(const DetectorOptions& options);
+
+}  // namespace fovea

@@ -1,0 +1,30 @@
+// Depth saliency by anisotropic centre-surround difference (Ju et al. 2014), which the paper
+// employs in section 3.1.
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+namespace fovea {
+
+struct DepthSaliencyOptions {
+  // Number of superpixels on which the map is constant, as a multiple of the image diagonal in
+  // pixels (Ju: 1); 0 evaluates every pixel on its own, which is faster.
+  double superpixels_per_diagonal = 1.0;
+  // Length of the scan lines as a share of the image diagonal. Ju: 0.4.
+  double line_length = 0.4;
+  // Distance between samples on a scan line, in pixels. Ju: 5.
+  int line_step_px = 5;
+  // Weights the farther half of the pixels down (Ju's depth prior).
+  bool depth_prior = true;
+  // Weights pixels down towards the image border; hurts objects off the centre.
+  bool center_prior = false;
+};
+
+// How far each pixel stands out towards the camera from its surroundings: the sum over eight
+// directions of its nearness minus the least nearness along a scan line.
+//
+// `depth_m`: CV_32FC1, metres along z, NaN = none. Returns CV_32FC1 of its size in [0, 1]; 0
+// where there is no depth; all 0 where no pixel has depth.
+cv::Mat DepthSaliency(const cv::Mat& depth_m, const DepthSaliencyOptions& options = {});
+
+}  // namespace fovea

@@ -1,0 +1,112 @@
+// What the detector answers. All positions are in the camera frame (optical: x right, y down,
+// z forward) in metres; colours are RGB.
+#pragma once
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <opencv2/core/mat.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fovea {
+
+// The plane n·x + d = 0 that objects stand on; the normal n is a unit vector that points up.
+struct SupportSurface {
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+  float offset_m = 0;  // d
+  std::size_t num_points = 0;
+
+  // Signed height of a point above the surface.
+  float HeightOf(const Eigen::Vector3f& point) const { return normal.dot(point) + offset_m; }
+};
+
+struct Gravity {
+  enum class Source { kEstimated, kGiven };
+  Eigen::Vector3f direction = Eigen::Vector3f::UnitY();  // unit vector, points down
+  Source source = Source::kEstimated;
+};
+
+// The smallest box around an object among those with one axis along gravity.
+// Columns of `rotation` are the box axes in the camera frame: x along the longer side of the
+// footprint, y along the shorter, z up (against gravity); right-handed.
+struct OrientedBox {
+  Eigen::Vector3f center = Eigen::Vector3f::Zero();
+  Eigen::Matrix3f rotation = Eigen::Matrix3f::Identity();
+  Eigen::Vector3f size_m = Eigen::Vector3f::Zero();  // full extents along the box axes
+};
+
+// A grasp of a parallel gripper. The tool centre point lies midway between the finger tips.
+struct Grasp {
+  Eigen::Vector3f tool_center_point = Eigen::Vector3f::Zero();
+  Eigen::Vector3f approach = Eigen::Vector3f::UnitZ();  // unit: the way the hand moves in
+  Eigen::Vector3f closing = Eigen::Vector3f::UnitX();   // unit: the way the fingers close
+  float opening_m = 0;  // distance between the fingers that the object needs, without clearance
+};
+
+struct DetectedObject {
+  int label = 0;               // 1, 2, … : its value in Detections::labels
+  float confidence = 0;        // 0 … 1, see core/objects/confidence.h
+  cv::Rect bounds_px;          // smallest upright rectangle around the mask
+  std::size_t num_pixels = 0;  // of the mask
+  OrientedBox box;             // stands on the support where one was found
+  Eigen::Vector3f centroid = Eigen::Vector3f::Zero();  // mean of the visible points
+  std::array<std::uint8_t, 3> mean_color{};            // RGB
+  std::optional<float> height_above_support_m;         // of its lowest point
+  bool truncated = false;                              // the mask touches the image border
+  std::vector<Grasp> grasps;                           // best first
+  pcl::PointCloud<pcl::PointXYZRGB> cloud;             // one point per mask pixel, row-major order
+};
+
+// A position at which an object is looked for.
+struct Seed {
+  enum class Source { kColorSaliency, kDepthSaliency, kUnexplainedRegion };
+  cv::Point pixel;
+  Eigen::Vector3f position = Eigen::Vector3f::Zero();
+  Source source = Source::kColorSaliency;
+};
+
+// How much was left after each step: says why there are few objects, or none.
+struct Diagnostics {
+  std::size_t num_pixels = 0;
+  std::size_t num_measured = 0;      // pixels with depth in the frame
+  std::size_t num_points = 0;        // after hole filling and the range limit
+  std::size_t seeds_from_color = 0;  // regional maxima of the colour saliency map
+  std::size_t seeds_from_depth = 0;  // regional maxima of the depth saliency map
+  std::size_t seeds_without_depth = 0;
+  std::size_t seeds_on_support = 0;
+  std::size_t num_voxels = 0;
+  std::size_t num_segments = 0;  // after the graph cut
+  std::size_t num_merged = 0;    // segments that refinement joined to another
+  std::size_t segments_too_small = 0;
+  std::vector<std::string> messages;  // for people: what limited the result, most telling first
+};
+
+struct StageTime {
+  std::string stage;
+  double duration_ms = 0;
+};
+
+struct Detections {
+  cv::Mat labels;  // CV_16UC1, frame size: 0 = background, k = object k; only where depth was
+                   // measured
+  std::vector<DetectedObject> objects;  // by falling confidence; object k has label k
+  Gravity gravity;
+  std::optional<SupportSurface> support;
+  Diagnostics diagnostics;
+  std::vector<StageTime> stage_times;  // in the order of the pipeline
+};
+
+// What a caller may want to see of the steps in between; filled only on request.
+struct Trace {
+  cv::Mat color_saliency;   // CV_32FC1 in [0, 1], frame size
+  cv::Mat depth_saliency;   // CV_32FC1 in [0, 1], frame size
+  std::vector<Seed> seeds;  // those that became object hypotheses
+};
+
+}  // namespace fovea

@@ -1,0 +1,33 @@
+#!/bin/sh
+# Installs the Debian 12 packages that building and testing Fovea needs, if any is missing.
+# Runs as root, or as a user with sudo. Prints nothing when all are there.
+set -eu
+
+packages="
+build-essential cmake ninja-build ccache pkg-config
+libeigen3-dev libopencv-dev libpcl-dev
+libgrpc-dev libgrpc++-dev libprotobuf-dev protobuf-compiler protobuf-compiler-grpc grpc-proto
+libspdlog-dev libcli11-dev libzstd-dev
+libgtest-dev libgmock-dev libbenchmark-dev libembree-dev
+"
+
+missing=""
+for package in $packages; do
+  status=$(dpkg-query -W -f '${Status}' "$package" 2>/dev/null || true)
+  [ "$status" = "install ok installed" ] || missing="$missing $package"
+done
+[ -n "$missing" ] || exit 0
+
+if [ "$(id -u)" -eq 0 ]; then
+  as_root=""
+elif command -v sudo >/dev/null 2>&1; then
+  as_root="sudo"
+else
+  echo "install_dependencies: these packages are missing, and neither root nor sudo is here:$missing" >&2
+  exit 1
+fi
+
+echo "Installing:$missing"
+$as_root apt-get update -q
+# shellcheck disable=SC2086  # a list of package names
+$as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $missing
