@@ -6,6 +6,7 @@ find_package(PCL REQUIRED QUIET COMPONENTS common)
 find_package(Protobuf REQUIRED) # module mode, before gRPC: Debian ships no protobuf CMake config
 find_package(gRPC CONFIG REQUIRED)
 find_package(spdlog REQUIRED)
+find_package(fmt REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(ZSTD REQUIRED IMPORTED_TARGET libzstd)
