@@ -57,12 +57,21 @@ TEST(Scores, GiveOnePredictionToOneObject) {
   EXPECT_EQ(split.counts.matched_75, 1) << "F of the larger part is 2·600/1400";
 }
 
+// Objects of two pixels each, the corners of boxes from `top` to `bottom`.
+cv::Mat Corners(const std::vector<cv::Vec2i>& rows) {
+  cv::Mat labels = cv::Mat::zeros(kSize, CV_16UC1);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    labels.at<std::uint16_t>(rows[k][0], 10) = static_cast<std::uint16_t>(k + 1);
+    labels.at<std::uint16_t>(rows[k][1] - 1, 20) = static_cast<std::uint16_t>(k + 1);
+  }
+  return labels;
+}
+
 TEST(Scores, MatchAsManyBoxesAsPossible) {
-  // Both predictions reach the first object, only the first one reaches the second: a greedy
-  // choice by IoU would give the first object its best box and leave one pair out.
-  const cv::Mat truth = Labels({{10, 10, 20, 10}, {10, 20, 20, 1}});
-  cv::Mat prediction = Labels({{10, 10, 20, 11}});
-  EXPECT_EQ(ScoreScene(truth, prediction, kAllValid).counts.matched_boxes, 1);
+  // The first prediction overlaps the first object most (0.76) and the second enough (0.67); the
+  // second prediction overlaps only the first object (0.6). A greedy choice finds one pair.
+  const cv::Mat truth = Corners({{15, 75}, {35, 95}}), prediction = Corners({{23, 83}, {0, 60}});
+  EXPECT_EQ(ScoreScene(truth, prediction, kAllValid).counts.matched_boxes, 2);
 }
 
 TEST(Scores, LeaveOutPixelsWithoutDepth) {
@@ -78,20 +87,16 @@ TEST(Scores, LeaveOutPixelsWithoutDepth) {
 
 TEST(Scores, OfBoundariesForgiveTheReach) {
   const cv::Mat truth = Labels({{20, 20, 30, 30}});
-  ExpectScore(ScoreScene(truth, Labels({{19, 19, 32, 32}}), kAllValid).boundary, 1, 1, 1);
-  const Score far = ScoreScene(truth, Labels({{10, 10, 50, 50}}), kAllValid).boundary;
-  ExpectScore(far, 0, 0, 0);
+  ExpectScore(ScoreScene(truth, Labels({{21, 20, 30, 30}}), kAllValid).boundary, 1, 1, 1);
+  ExpectScore(ScoreScene(truth, Labels({{10, 10, 50, 50}}), kAllValid).boundary, 0, 0, 0);
 }
 
 TEST(Scores, OfBoundariesCountByHand) {
-  // Two pixels right of the truth: the vertical edges miss, of the horizontal ones all but the
-  // ends hit.
+  // Either boundary is the ring of an 11×11 square (40 pixels), two columns apart. Hits: ten
+  // pixels of each horizontal edge, and the two of the inner vertical edge next to them.
   const SceneScores scores =
       ScoreScene(Labels({{20, 20, 10, 10}}), Labels({{22, 20, 10, 10}}), kAllValid);
-  // Boundary pixels: the ring of an 11×11 square that begins one pixel up and left (40 pixels).
-  // Per horizontal edge 9 columns are shared and one more is within one pixel: 20 in all; of the
-  // shifted vertical edges none is within one pixel.
-  ExpectScore(scores.boundary, 20.0 / 40, 20.0 / 40, 0.5);
+  ExpectScore(scores.boundary, 22.0 / 40, 22.0 / 40, 22.0 / 40);
 }
 
 TEST(Scores, OfNothing) {
