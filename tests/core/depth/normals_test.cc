@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <opencv2/core.hpp>
 #include <random>
 #include <vector>
 
@@ -63,7 +64,8 @@ TEST(EstimateNormals, HasNoneWhereThereIsNoDepthOrOnlyALine) {
 
 TEST(EstimateNormals, WithAStepEqualsTheDenseResultOnItsGrid) {
   cv::Mat depth = PlaneDepth({0.1, -0.5, -0.8}, -0.9);
-  depth(cv::Rect(10, 10, 15, 12)) *= 0.9F;
+  cv::Mat near = depth(cv::Rect(10, 10, 15, 12));
+  near *= 0.9;
   const cv::Mat points = BackProject(depth, kCamera, 10);
   const cv::Mat dense = EstimateNormals(points, kCamera);
   const cv::Mat sparse = EstimateNormals(points, kCamera, {}, 4);
