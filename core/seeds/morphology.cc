@@ -1,10 +1,12 @@
 #include "core/seeds/morphology.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <deque>
 #include <limits>
 #include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 #include <utility>
 #include <vector>
 
@@ -30,7 +32,23 @@ std::vector<cv::Mat> RowMinima(const cv::Mat& map, int widest) {
   return minima;
 }
 
-// The minimum over a run of pixels is the smaller of two overlapping power-of-two runs.
+// A row of the disk. Its minimum is the smaller of two overlapping runs of 2^level pixels.
+struct DiskRow {
+  int rise = 0;  // above and below the centre
+  int half_width = 0;
+  int level = 0;
+};
+
+std::vector<DiskRow> DiskRows(int radius_px) {
+  std::vector<DiskRow> rows;
+  for (int rise = 0; rise <= radius_px; ++rise) {
+    const int half_width = static_cast<int>(std::sqrt(radius_px * radius_px - rise * rise));
+    const auto width = static_cast<unsigned>(2 * half_width + 1);
+    rows.push_back({rise, half_width, static_cast<int>(std::bit_width(width)) - 1});
+  }
+  return rows;
+}
+
 void TakeRunMinimum(const float* left_run, const float* right_run, int count, float* to) {
   for (int x = 0; x < count; ++x) {
     const float run = std::min(left_run[x], right_run[x]);
@@ -51,7 +69,7 @@ void ForEachNeighbour(cv::Size size, cv::Point pixel, Visit visit) {
   }
 }
 
-// One sweep of Vincent's reconstruction: raises row `to` from the adjacent row `from` (null at the
+// A step of Vincent's sweeps: raises row `to` from the adjacent row `from` (null at the
 // image's edge), then along itself in the direction of `step`.
 void RaiseRow(const float* from, const float* mask, int cols, int step, float* to) {
   if (from != nullptr) {
@@ -70,28 +88,39 @@ void RaiseRow(const float* from, const float* mask, int cols, int step, float* t
   }
 }
 
-bool CanRaiseANeighbour(const cv::Mat& map, const cv::Mat& mask, cv::Point pixel) {
-  const float value = map.at<float>(pixel);
-  bool can = false;
-  ForEachNeighbour(map.size(), pixel, [&](int y, int x) {
-    const float neighbour = map.at<float>(y, x);
-    can |= neighbour < value && neighbour < mask.at<float>(y, x);
-  });
-  return can;
+// Raises what the two sweeps left, from pixel to pixel.
+void RaiseRest(const cv::Mat& mask, cv::Mat& map) {
+  cv::Mat highest;
+  cv::dilate(map, highest, cv::Mat());
+  std::deque<cv::Point> grown;
+  for (int y = 0; y < map.rows; ++y) {
+    float* values = map.ptr<float>(y);
+    for (int x = 0; x < map.cols; ++x) {
+      const float raised = std::min(highest.at<float>(y, x), mask.at<float>(y, x));
+      if (raised <= values[x]) continue;
+      values[x] = raised;
+      grown.emplace_back(x, y);
+    }
+  }
+  for (; !grown.empty(); grown.pop_front()) {
+    const float value = map.at<float>(grown.front());
+    ForEachNeighbour(map.size(), grown.front(), [&](int y, int x) {
+      const float raised = std::min(value, mask.at<float>(y, x));
+      if (raised <= map.at<float>(y, x)) return;
+      map.at<float>(y, x) = raised;
+      grown.emplace_back(x, y);
+    });
+  }
 }
 
-// Raises what the two sweeps left, from pixel to pixel.
-void RaiseFrom(std::deque<cv::Point> queue, const cv::Mat& mask, cv::Mat& map) {
-  for (; !queue.empty(); queue.pop_front()) {
-    const float value = map.at<float>(queue.front());
-    ForEachNeighbour(map.size(), queue.front(), [&](int y, int x) {
-      float& neighbour = map.at<float>(y, x);
-      const float limit = mask.at<float>(y, x);
-      if (neighbour < value && neighbour < limit) {
-        neighbour = std::min(value, limit);
-        queue.emplace_back(x, y);
-      }
-    });
+// Numbers the components anew, 1 … n by their first pixels, without those that are not kept.
+void Renumber(const std::vector<char>& keep, cv::Mat& labels) {
+  std::vector<int> numbers(keep.size(), 0);
+  int count = 0;
+  for (int& label : cv::Mat_<int>(labels)) {
+    const auto component = static_cast<std::size_t>(label);
+    if (keep[component] != 0 && numbers[component] == 0) numbers[component] = ++count;
+    label = numbers[component];
   }
 }
 
@@ -102,16 +131,19 @@ cv::Mat ErodeByDisk(const cv::Mat& map, int radius_px) {
   cv::copyMakeBorder(map, padded, 0, 0, radius_px, radius_px, cv::BORDER_CONSTANT,
                      cv::Scalar::all(kNothing));
   const std::vector<cv::Mat> minima = RowMinima(padded, 2 * radius_px + 1);
+  const std::vector<DiskRow> disk = DiskRows(radius_px);
 
   cv::Mat eroded(map.size(), CV_32F, cv::Scalar::all(kNothing));
   for (int y = 0; y < map.rows; ++y) {
-    const int last = std::min(y + radius_px, map.rows - 1);
-    for (int from = std::max(y - radius_px, 0); from <= last; ++from) {
-      const int rise = from - y;
-      const int half = static_cast<int>(std::sqrt(radius_px * radius_px - rise * rise));
-      const int level = static_cast<int>(std::log2(2 * half + 1));
-      const float* runs = minima[static_cast<std::size_t>(level)].ptr<float>(from) + radius_px;
-      TakeRunMinimum(runs - half, runs + half + 1 - (1 << level), map.cols, eroded.ptr<float>(y));
+    for (const DiskRow& row : disk) {
+      for (const int from : {y - row.rise, y + row.rise}) {
+        if (from < 0 || from >= map.rows) continue;
+        const float* center =
+            minima[static_cast<std::size_t>(row.level)].ptr<float>(from) + radius_px;
+        const float* left_run = center - row.half_width;
+        const float* right_run = center + row.half_width + 1 - (1 << row.level);
+        TakeRunMinimum(left_run, right_run, map.cols, eroded.ptr<float>(y));
+      }
     }
   }
   return eroded;
@@ -124,47 +156,37 @@ cv::Mat ReconstructByDilation(const cv::Mat& marker, const cv::Mat& mask) {
     const float* above = y > 0 ? map.ptr<float>(y - 1) : nullptr;
     RaiseRow(above, mask.ptr<float>(y), map.cols, +1, map.ptr<float>(y));
   }
-  std::deque<cv::Point> queue;
   for (int y = rows - 1; y >= 0; --y) {
     const float* below = y + 1 < rows ? map.ptr<float>(y + 1) : nullptr;
     RaiseRow(below, mask.ptr<float>(y), map.cols, -1, map.ptr<float>(y));
   }
-  for (int y = rows - 1; y >= 0; --y) {
-    for (int x = map.cols - 1; x >= 0; --x) {
-      if (CanRaiseANeighbour(map, mask, {x, y})) queue.emplace_back(x, y);
-    }
-  }
-  RaiseFrom(std::move(queue), mask, map);
+  RaiseRest(mask, map);
   return map;
 }
 
 cv::Mat LabelRegionalMaxima(const cv::Mat& map) {
-  constexpr int kRejected = -1;
-  cv::Mat labels = cv::Mat::zeros(map.size(), CV_32S);
-  int count = 0;
-  std::vector<cv::Point> plateau;
-  for (int row = 0; row < map.rows; ++row) {
-    for (int col = 0; col < map.cols; ++col) {
-      if (labels.at<int>(row, col) != 0) continue;
-      const float value = map.at<float>(row, col);
-      bool is_maximum = true;
-      plateau.assign(1, {col, row});
-      labels.at<int>(row, col) = kRejected;
-      for (std::size_t next = 0; next < plateau.size(); ++next) {
-        ForEachNeighbour(map.size(), cv::Point(plateau[next]), [&](int y, int x) {
-          const float neighbour = map.at<float>(y, x);
-          if (neighbour > value) is_maximum = false;
-          if (neighbour != value || labels.at<int>(y, x) != 0) return;
-          labels.at<int>(y, x) = kRejected;
-          plateau.emplace_back(x, y);
-        });
-      }
-      if (!is_maximum || plateau.size() == map.total()) continue;
-      ++count;
-      for (const cv::Point& pixel : plateau) labels.at<int>(pixel) = count;
+  // Pixels with no higher neighbour; neighbours among them are equal, so that a component is a
+  // plateau, or a part of one whose other pixels have a higher neighbour.
+  cv::Mat highest, labels;
+  cv::dilate(map, highest, cv::Mat());
+  const cv::Mat candidates = map == highest;
+  const int components = cv::connectedComponents(candidates, labels, 8, CV_32S);
+  std::vector<char> keep(static_cast<std::size_t>(components), 1);
+  keep[0] = 0;  // the rest of the map
+  if (cv::countNonZero(candidates) == static_cast<int>(map.total())) {
+    return cv::Mat::zeros(map.size(), CV_32S);  // constant
+  }
+
+  cv::Mat rest = map.clone();
+  rest.setTo(-kNothing, candidates);
+  cv::dilate(rest, highest, cv::Mat());
+  for (int y = 0; y < map.rows; ++y) {
+    for (int x = 0; x < map.cols; ++x) {
+      const bool goes_on = highest.at<float>(y, x) == map.at<float>(y, x);
+      if (goes_on) keep[static_cast<std::size_t>(labels.at<int>(y, x))] = 0;
     }
   }
-  labels.setTo(0, labels == kRejected);
+  Renumber(keep, labels);
   return labels;
 }
 
