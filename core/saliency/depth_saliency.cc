@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <opencv2/core.hpp>
+#include <span>
 #include <vector>
 
 #include "core/saliency/superpixels.h"
@@ -98,7 +99,8 @@ cv::Mat SmoothNearness(const cv::Mat& depth_m) {
     float* near = nearness.ptr<float>(y);
     float* present = presence.ptr<float>(y);
     for (int x = 0; x < depth_m.cols; ++x) {
-      near[x] = HasDepth(depth[x]) ? 1.0F / depth[x] : 0.0F;
+      const float inverse = 1.0F / depth[x];
+      near[x] = HasDepth(depth[x]) ? inverse : 0.0F;
       present[x] = HasDepth(depth[x]) ? 1.0F : 0.0F;
     }
   }
@@ -220,14 +222,15 @@ void ScaleToOne(cv::Mat& map) {
 // their bits: a histogram of the upper half of the bits leaves few candidates to sort.
 float NearerHalf(const cv::Mat& nearness) {
   const auto bin_of = [](float value) { return std::bit_cast<std::uint32_t>(value) >> 16; };
+  const std::span values(nearness.ptr<float>(), nearness.total());  // continuous, being our own
   std::vector<int> histogram(bin_of(kNone) + 1, 0);
-  for (const float value : cv::Mat_<float>(nearness)) ++histogram[bin_of(value)];
+  for (const float value : values) ++histogram[bin_of(value)];
   int below = (static_cast<int>(nearness.total()) - histogram[bin_of(kNone)]) / 2;
   std::uint32_t bin = 0;
   for (; histogram[bin] <= below; ++bin) below -= histogram[bin];
 
   std::vector<float> candidates;
-  for (const float value : cv::Mat_<float>(nearness)) {
+  for (const float value : values) {
     if (bin_of(value) == bin) candidates.push_back(value);
   }
   std::nth_element(candidates.begin(), candidates.begin() + below, candidates.end());
