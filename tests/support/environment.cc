@@ -9,7 +9,7 @@ Material Plain(const Eigen::Vector3d& color) { return {.color = color, .second_c
 
 Material RandomWood(Random& random) {
   const Eigen::Vector3d color =
-      ColorOf(random.Uniform(0.06, 0.1), random.Uniform(0.3, 0.7), random.Uniform(0.2, 0.6));
+      ColorOf(random.Uniform(0.06, 0.1), random.Uniform(0.2, 0.6), random.Uniform(0.45, 0.85));
   return {Pattern::kWood, color, 0.6 * color, random.Uniform(0.015, 0.04),
           static_cast<std::uint32_t>(random.Bits())};
 }
@@ -24,7 +24,7 @@ Material RandomTableTop(Random& random) {
 Material RandomFloor(Random& random) {
   if (random.Chance(0.4)) return RandomWood(random);
   const Eigen::Vector3d color =
-      ColorOf(random.Unit(), random.Uniform(0, 0.3), random.Uniform(0.15, 0.5));
+      ColorOf(random.Unit(), random.Uniform(0, 0.3), random.Uniform(0.4, 0.75));
   const bool tiles = random.Chance(0.4);
   return {tiles ? Pattern::kChecker : Pattern::kNoise, color, (tiles ? 0.8 : 0.6) * color,
           tiles ? 0.3 : 0.008, static_cast<std::uint32_t>(random.Bits())};
@@ -60,7 +60,7 @@ void AddRoom(Scene& scene, double distance_m, Random& random) {
   scene.bodies.push_back(Block("floor", {0, 0, -kThickness_m / 2},
                                {kExtent_m, kExtent_m, kThickness_m}, RandomFloor(random)));
   const Material paint =
-      Plain(ColorOf(random.Unit(), random.Uniform(0, 0.2), random.Uniform(0.5, 0.85)));
+      Plain(ColorOf(random.Unit(), random.Uniform(0, 0.2), random.Uniform(0.75, 0.95)));
   const double side = random.Chance(0.5) ? 1 : -1;
   const double beyond_m = distance_m + kThickness_m / 2;
   scene.bodies.push_back(

@@ -15,9 +15,9 @@ Material RandomMaterial(Random& random) {
   Material material;
   material.pattern = random.Pick(kPatterns);
   const double hue = random.Unit();
-  material.color = ColorOf(hue, random.Uniform(0.2, 0.9), random.Uniform(0.15, 0.8));
+  material.color = ColorOf(hue, random.Uniform(0.3, 0.95), random.Uniform(0.3, 0.95));
   material.second_color =
-      ColorOf(hue + random.Uniform(0.2, 0.8), random.Uniform(0, 0.8), random.Uniform(0.1, 0.9));
+      ColorOf(hue + random.Uniform(0.2, 0.8), random.Uniform(0, 0.8), random.Uniform(0.25, 1));
   material.scale_m = random.Uniform(0.012, 0.035);
   material.seed = static_cast<std::uint32_t>(random.Bits());
   return material;
@@ -95,7 +95,7 @@ Eigen::Vector3d ColorOf(double hue, double saturation, double value) {
   for (int channel = 0; channel < 3; ++channel) {
     const double phase = std::fmod(hue * 6 + 6 - 2 * channel, 6);
     const double share = std::clamp(std::abs(phase - 3) - 1, 0.0, 1.0);
-    color[channel] = value * (1 - saturation * (1 - share));
+    color[channel] = std::pow(value * (1 - saturation * (1 - share)), 2.2);
   }
   return color;
 }

@@ -17,7 +17,8 @@ bool HasFlatTop(const Body& body);
 // `yaw_rad` about the vertical from the orientation it has.
 void Rest(Body& body, const Eigen::Vector2d& center, double height_m, double yaw_rad);
 
-// Linear RGB of a hue (0 … 1, from red over green and blue back to red), saturation and value.
+// Linear RGB of a displayed colour: hue (0 … 1, from red over green and blue back to red),
+// saturation and value.
 Eigen::Vector3d ColorOf(double hue, double saturation, double value);
 
 }  // namespace fovea::scenes

@@ -57,7 +57,8 @@ const Recipe& RecipeOf(std::string_view kind) {
 
 // Adds room, tables and furniture.
 void Furnish(Scene& scene, const Recipe& recipe, Random& random) {
-  AddRoom(scene, random.Uniform(1.3, 2.2), random);
+  const double wall_m = random.Uniform(1.6, 2.3);
+  AddRoom(scene, wall_m, random);
   const double height_m = random.Uniform(0.68, 0.8);
   switch (recipe.surfaces) {
     case Surfaces::kTable:
@@ -75,7 +76,7 @@ void Furnish(Scene& scene, const Recipe& recipe, Random& random) {
   if (!recipe.furnished) return;
   const bool on_floor = recipe.surfaces == Surfaces::kFloor;
   AddChair(scene, {random.Uniform(-0.6, 0.6), on_floor ? 0.95 : 0.75}, random);
-  AddCabinet(scene, {random.Uniform(-1.0, 1.0), 1.75}, random);
+  AddCabinet(scene, {random.Uniform(-1.0, 1.0), wall_m - 0.2}, random);
 }
 
 void AddObjects(Scene& scene, const Recipe& recipe, int count, Random& random) {
@@ -102,8 +103,8 @@ void Illuminate(Scene& scene, Random& random) {
   const double elevation = Radians(random.Uniform(55, 75)), azimuth = random.Uniform(0, 6.28);
   scene.light.towards = {std::cos(elevation) * std::cos(azimuth),
                          std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
-  scene.light.strength = random.Uniform(0.55, 0.8);
-  scene.light.ambient = random.Uniform(0.35, 0.5);
+  scene.light.strength = random.Uniform(0.7, 0.95);
+  scene.light.ambient = random.Uniform(0.4, 0.55);
 }
 
 // Whether every object can be seen, judged on a small picture.
@@ -134,7 +135,8 @@ const std::vector<std::string>& SceneKinds() {
 
 Scene RandomScene(std::string_view kind, std::uint64_t seed, const cv::Size& size_px) {
   const Recipe& recipe = RecipeOf(kind);
-  Random random(seed);
+  const auto kind_number = static_cast<std::uint64_t>(&recipe - kRecipes.data());
+  Random random(seed * 64 + kind_number);  // other objects in every kind
   Scene scene;
   scene.camera = CameraOfSize(size_px);
   Furnish(scene, recipe, random);

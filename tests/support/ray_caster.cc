@@ -32,8 +32,9 @@ std::optional<RayCaster::Result> RayCaster::Nearest(const Ray& ray) const {
   for (std::size_t i = 0; i < instances_.size(); ++i) {
     const Instance& instance = instances_[i];
     if (Misses(ray, instance.center, instance.squared_radius_m2)) continue;
-    const auto hit = Intersect(*instance.shape, Transformed(instance.body_from_world, ray));
-    if (hit && (!nearest || hit->t < nearest->hit.t)) nearest = {static_cast<int>(i), *hit};
+    const double max_t = nearest ? nearest->hit.t : std::numeric_limits<double>::infinity();
+    const auto hit = Intersect(*instance.shape, Transformed(instance.body_from_world, ray), max_t);
+    if (hit) nearest = {static_cast<int>(i), *hit};
   }
   if (nearest) {
     const auto to_world = instances_[nearest->body].body_from_world.linear().transpose();
@@ -45,8 +46,7 @@ std::optional<RayCaster::Result> RayCaster::Nearest(const Ray& ray) const {
 bool RayCaster::Blocked(const Ray& ray, double max_t) const {
   for (const Instance& instance : instances_) {
     if (Misses(ray, instance.center, instance.squared_radius_m2)) continue;
-    const auto hit = Intersect(*instance.shape, Transformed(instance.body_from_world, ray));
-    if (hit && hit->t < max_t) return true;
+    if (Intersect(*instance.shape, Transformed(instance.body_from_world, ray), max_t)) return true;
   }
   return false;
 }

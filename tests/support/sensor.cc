@@ -29,12 +29,13 @@ cv::Mat Noise(const cv::Size& size, double sigma_px, Random& random) {
   return noise * (2 * std::sqrt(std::numbers::pi) * sigma_px);  // what the blur took away
 }
 
-// 255 where depth jumps by more than 2 cm + 1 % to a neighbour, or ends.
-cv::Mat DepthEdges(const cv::Mat& depth_m) {
+// 255 where depth jumps by more than 2 cm + 1 % within `window`, or ends.
+cv::Mat DepthEdges(const cv::Mat& depth_m, const cv::Size& window) {
   cv::Mat known = depth_m.clone(), nearest, farthest;
   cv::patchNaNs(known, 100);
-  cv::erode(known, nearest, {});
-  cv::dilate(known, farthest, {});
+  const cv::Mat neighbours = cv::Mat::ones(window, CV_8UC1);
+  cv::erode(known, nearest, neighbours);
+  cv::dilate(known, farthest, neighbours);
   return farthest - nearest > 0.02 + 0.01 * nearest;
 }
 
@@ -42,7 +43,7 @@ cv::Mat DepthEdges(const cv::Mat& depth_m) {
 void ErodeEdges(cv::Mat& depth_m, const cv::Mat& edges, double low, double high, Random& random) {
   cv::Mat distance;
   cv::distanceTransform(edges == 0, distance, cv::DIST_L2, cv::DIST_MASK_5);
-  const cv::Mat noise = Noise(edges.size(), 4, random);
+  const cv::Mat noise = Noise(edges.size(), 2, random);
   const cv::Mat width = (low + high) / 2 + (high - low) / 4 * noise;
   depth_m.setTo(kNone, distance < cv::min(cv::max(width, low), high));
 }
@@ -84,7 +85,9 @@ cv::Mat MeasureWithKinect(const Rendering& rendering, Random& random) {
       depth = static_cast<float>(kKinectStep_m / std::max(1.0, std::round(steps)));
     }
   }
-  ErodeEdges(depth_m, DepthEdges(rendering.depth_m), 1, 3.5, random);
+  // Disparity runs along rows: upright edges lose a broad band, level ones hardly any.
+  ErodeEdges(depth_m, DepthEdges(rendering.depth_m, {3, 1}), 1, 4, random);
+  ErodeEdges(depth_m, DepthEdges(rendering.depth_m, {3, 3}), 0, 1.5, random);
   depth_m.setTo(kNone, rendering.in_second_view == 0);
   depth_m.setTo(kNone, rendering.cosine < std::cos(80 * std::numbers::pi / 180));
   LimitRange(depth_m, 0.5, 8);

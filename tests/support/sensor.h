@@ -30,8 +30,8 @@ double DepthNoise_m(SensorKind sensor, double depth_m, double focal_length_px);
 //
 // kKinect: lateral noise of half a pixel, disparity noise over neighbouring pixels as its 9×9
 //   correlation window gives it, quantisation (after Handa et al. 2014); no depth where the
-//   projector does not reach (a shadow to the left of objects), in a band of 3 to 8 px along depth
-//   edges, beyond 80° of incidence, and outside 0.5 … 8 m.
+//   projector does not reach (a shadow to the left of objects), in a band of 3 to 8 px along
+//   upright depth edges (level ones: up to 3 px), beyond 80° of incidence, and outside 0.5 … 8 m.
 // kRealSense: smooth noise over some 10 px, foreground fattened by 2 px at depth edges; holes
 //   where the other eye does not see, on dark surfaces, here and there on plain ones, and outside
 //   0.3 … 6 m.

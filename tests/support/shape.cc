@@ -83,18 +83,27 @@ std::pair<Span, Span> BodyAndCavity(const Shape& shape, const Ray& ray) {
   return {kNothing, kNothing};
 }
 
+// The test of the bounding box alone, which most rays fail.
+bool MissesBounds(const Shape& shape, const Ray& ray, double max_t) {
+  const Eigen::Array3d half = shape.size_m.array() / 2;
+  const Eigen::Array3d inverse = ray.direction.array().inverse();
+  const Eigen::Array3d low = (-half - ray.origin.array()) * inverse;
+  const Eigen::Array3d high = (half - ray.origin.array()) * inverse;
+  const double in = low.min(high).maxCoeff(), out = low.max(high).minCoeff();
+  return in > out || out <= 0 || in >= max_t;
+}
+
 }  // namespace
 
-std::optional<Hit> Intersect(const Shape& shape, const Ray& ray) {
+std::optional<Hit> Intersect(const Shape& shape, const Ray& ray, double max_t) {
+  if (MissesBounds(shape, ray, max_t)) return std::nullopt;
   const auto [body, cavity] = BodyAndCavity(shape, ray);
   if (body.Empty() || body.out <= 0) return std::nullopt;
   const double enter = std::max(body.in, 0.0);
   const bool in_cavity = !cavity.Empty() && cavity.in <= enter && enter < cavity.out;
-  if (!in_cavity) {
-    return body.in > 0 ? std::optional(Hit{body.in, body.normal_in}) : std::nullopt;
-  }
-  if (cavity.out >= body.out) return std::nullopt;  // through the open top and out again
-  return Hit{cavity.out, -cavity.normal_out};
+  if (in_cavity && cavity.out >= body.out) return std::nullopt;  // out again by the open top
+  const Hit hit = in_cavity ? Hit{cavity.out, -cavity.normal_out} : Hit{body.in, body.normal_in};
+  return hit.t > 0 && hit.t < max_t ? std::optional(hit) : std::nullopt;
 }
 
 bool IsRound(ShapeKind kind) { return kind != ShapeKind::kBox; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <optional>
 
 namespace fovea::scenes {
@@ -35,9 +36,10 @@ struct Hit {
   Eigen::Vector3d normal;  // unit vector, out of the solid
 };
 
-// The first point at which the ray enters the shape from outside; none if it misses, or starts
-// within the material.
-std::optional<Hit> Intersect(const Shape& shape, const Ray& ray);
+// The first point with 0 < t < max_t at which the ray enters the shape from outside; none if it
+// misses, or starts within the material.
+std::optional<Hit> Intersect(const Shape& shape, const Ray& ray,
+                             double max_t = std::numeric_limits<double>::infinity());
 
 // True for the shapes that are round about their z axis.
 bool IsRound(ShapeKind kind);
