@@ -109,7 +109,7 @@ bool PlaceOnTop(Scene& scene, Body object, Random& random) {
     const Eigen::Vector2d at = carrier.world_from_body.translation().head<2>() +
                                reach_m * Direction(random.Uniform(0, kFullTurn));
     Rest(object, at, top, random.Uniform(0, kFullTurn));
-    const bool steady = object.shape.size_m.maxCoeff() < 1.6 * carrier.shape.size_m.maxCoeff();
+    const bool steady = object.shape.size_m.maxCoeff() < 1.3 * carrier.shape.size_m.maxCoeff();
     const bool low_enough =
         VerticalExtent(object).second - scene.supports.at(0).height_m < kHighest_m;
     if (AddIf(steady && low_enough && IsClear(scene, object, 0), scene, object)) return true;

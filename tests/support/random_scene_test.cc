@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <opencv2/core.hpp>
 
 #include "tests/support/labelled_frame.h"
 #include "tests/support/placement.h"
