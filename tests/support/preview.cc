@@ -2,6 +2,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "tests/support/label_colors.h"
+
 namespace fovea::scenes {
 namespace {
 
@@ -15,27 +17,13 @@ cv::Mat DrawDepth(const cv::Mat& depth_m) {
   return colors;
 }
 
-cv::Mat DrawLabels(const cv::Mat& labels) {
-  cv::Mat hues(labels.size(), CV_8UC3), colors;
-  for (int y = 0; y < labels.rows; ++y) {
-    for (int x = 0; x < labels.cols; ++x) {
-      const int label = labels.at<std::uint16_t>(y, x);
-      // Steps of the golden section keep the hues of neighbouring labels apart.
-      const auto hue = static_cast<std::uint8_t>(label * 111 % 180);
-      hues.at<cv::Vec3b>(y, x) = {hue, 200, static_cast<std::uint8_t>(label == 0 ? 0 : 255)};
-    }
-  }
-  cv::cvtColor(hues, colors, cv::COLOR_HSV2BGR);
-  return colors;
-}
-
 }  // namespace
 
 cv::Mat DrawPreview(const LabelledFrame& labelled) {
   cv::Mat color_bgr, picture;
   cv::cvtColor(labelled.frame.color_rgb, color_bgr, cv::COLOR_RGB2BGR);
   cv::hconcat(color_bgr, DrawDepth(labelled.frame.depth_m), picture);
-  cv::hconcat(picture, DrawLabels(labelled.labels), picture);
+  cv::hconcat(picture, ColorLabels(labelled.labels), picture);
   return picture;
 }
 

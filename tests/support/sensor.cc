@@ -102,7 +102,7 @@ cv::Mat Unmatched(const Rendering& rendering, Random& random) {
   cv::sqrBoxFilter(luminance, mean_square, CV_32F, {9, 9});
   const cv::Mat contrast = mean_square - mean.mul(mean);
   const cv::Mat blobs = Noise(luminance.size(), 3, random);
-  return (luminance < 0.03 + 0.01 * blobs) | ((contrast < 1e-5) & (blobs > 2.6));
+  return (luminance < 0.02 + 0.007 * blobs) | ((contrast < 1e-5) & (blobs > 2.6));
 }
 
 cv::Mat MeasureWithStereo(const Rendering& rendering, double focal_length_px, Random& random) {
