@@ -11,7 +11,7 @@ struct NormalOptions {
   // The window of the fit reaches this far from its centre; pixels. Gupta: 3 (7×7).
   int window_radius_px = 3;
   // Pixels of the window whose depth differs from the centre's by more than this share of it
-  // belong to another surface and are left out; 0.001 … 1.
+  // belong to another surface and are left out; 0.001 … 0.5.
   double max_depth_change = 0.02;
 };
 

@@ -43,6 +43,7 @@ std::set<std::pair<int, int>> NeighboringLabels(const VoxelGrid& grid,
 
 std::vector<int> MergeByColor(const VoxelGrid& grid, const std::vector<int>& labels,
                               const cv::Mat& color_rgb, const ColorMergeOptions& options) {
+  if (options.min_correlation >= 1) return labels;
   const int num_labels = static_cast<int>(CountLabels(labels));
   const std::vector<cv::Mat> histograms =
       ColorHistograms(grid, labels, num_labels, color_rgb, options.bins);

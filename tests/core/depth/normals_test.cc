@@ -21,8 +21,8 @@ cv::Mat PlaneDepth(const cv::Vec3d& n, double d) {
   cv::Mat depth(41, 61, CV_32FC1);
   for (int row = 0; row < depth.rows; ++row) {
     for (int col = 0; col < depth.cols; ++col) {
-      const cv::Vec3d ray((col - kCamera.cx_px) / kCamera.fx_px, (row - kCamera.cy_px) / kCamera.fy_px,
-                          1);
+      const cv::Vec3d ray((col - kCamera.cx_px) / kCamera.fx_px,
+                          (row - kCamera.cy_px) / kCamera.fy_px, 1);
       depth.at<float>(row, col) = static_cast<float>(d / n.dot(ray));
     }
   }

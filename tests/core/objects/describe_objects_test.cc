@@ -45,7 +45,7 @@ TEST(DescribeObjects, DropsAndCountsWhatIsTooSmall) {
   Scene scene;
   scene.Label({100, 100, 17, 17}, 1);  // 289
   scene.Label({200, 100, 20, 15}, 2);  // 300
-  scene.Describe();  // min_pixels is 300
+  scene.Describe();                    // min_pixels is 300
   EXPECT_EQ(scene.detections.objects.size(), 1U);
   EXPECT_EQ(scene.detections.diagnostics.segments_too_small, 1U);
   EXPECT_EQ(scene.detections.labels.at<std::uint16_t>(101, 101), 0);

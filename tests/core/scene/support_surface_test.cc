@@ -54,8 +54,7 @@ TEST(FindSupportSurface, FollowsASlightTiltByLeastSquares) {
   const auto fitted = FindSupportSurface(cloud.Points(), cloud.Normals(), kDown);
   ASSERT_TRUE(fitted.has_value());
   EXPECT_NEAR(fitted->HeightOf({0, 0.705F, 2.0F}), 0.0F, 1e-3F);
-  const auto level =
-      FindSupportSurface(cloud.Points(), cloud.Normals(), kDown, {.plane_fits = 0});
+  const auto level = FindSupportSurface(cloud.Points(), cloud.Normals(), kDown, {.plane_fits = 0});
   ASSERT_TRUE(level.has_value());
   EXPECT_EQ(level->normal, Eigen::Vector3f(-kDown));
 }

@@ -36,7 +36,8 @@ PottsEnergy RandomEnergy(std::mt19937& random, int num_nodes, int num_labels) {
   }
   for (int a = 0; a < num_nodes; ++a) {
     for (int b = a + 1; b < num_nodes; ++b) {
-      if (random() % 3 == 0) energy.edges.push_back({a, b, static_cast<float>(random() % 500) / 100});
+      if (random() % 3 == 0)
+        energy.edges.push_back({a, b, static_cast<float>(random() % 500) / 100});
     }
   }
   return energy;

@@ -19,9 +19,7 @@ VoxelGrid Chain(int length) {
   return grid;
 }
 
-cv::Mat Colors(const std::vector<cv::Vec3b>& colors) {
-  return cv::Mat(colors, true).reshape(3, 1);
-}
+cv::Mat Colors(const std::vector<cv::Vec3b>& colors) { return cv::Mat(colors, true).reshape(3, 1); }
 
 const cv::Vec3b kRed(200, 10, 10);
 const cv::Vec3b kBlue(10, 10, 200);

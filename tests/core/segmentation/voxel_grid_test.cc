@@ -75,10 +75,11 @@ TEST(BuildVoxelGrid, ConnectsExactlyTheNeighborsOfEachKind) {
 
 TEST(BuildVoxelGrid, TellsTheVoxelOfEachPixel) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  const cv::Mat points = cv::Mat(std::vector<cv::Vec3f>{{0.001F, 0, 1}, {nan, nan, nan},
-                                                        {0.002F, 0, 1}, {-0.001F, 0, 1}},
-                                 true)
-                             .reshape(3, 1);
+  const cv::Mat points =
+      cv::Mat(
+          std::vector<cv::Vec3f>{{0.001F, 0, 1}, {nan, nan, nan}, {0.002F, 0, 1}, {-0.001F, 0, 1}},
+          true)
+          .reshape(3, 1);
   const VoxelGrid grid = BuildVoxelGrid(points, Upwards(points), {.size_m = 0.01});
   EXPECT_EQ(grid.voxels.size(), 2U);
   EXPECT_EQ(grid.voxel_of_pixel.at<int>(0), 0);
