@@ -1,0 +1,52 @@
+#include "tests/support/sensor_noise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <opencv2/imgproc.hpp>
+
+namespace fovea::scenes {
+
+cv::Mat Noise(const cv::Size& size, double sigma_px, Random& random) {
+  cv::Mat noise(size, CV_32FC1);
+  for (auto value = noise.begin<float>(); value != noise.end<float>(); ++value) {
+    *value = static_cast<float>(random.Normal());
+  }
+  if (sigma_px <= 0) return noise;
+  cv::GaussianBlur(noise, noise, {}, sigma_px, sigma_px, cv::BORDER_REFLECT);
+  return noise * (2 * std::sqrt(std::numbers::pi) * sigma_px);  // what the blur took away
+}
+
+cv::Mat DepthEdges(const cv::Mat& depth_m, const cv::Size& window) {
+  cv::Mat known = depth_m.clone(), nearest, farthest;
+  cv::patchNaNs(known, 100);
+  const cv::Mat neighbours = cv::Mat::ones(window, CV_8UC1);
+  cv::erode(known, nearest, neighbours);
+  cv::dilate(known, farthest, neighbours);
+  return farthest - nearest > 0.02 + 0.01 * nearest;
+}
+
+void ErodeEdges(cv::Mat& depth_m, const cv::Mat& edges, double low, double high, Random& random) {
+  cv::Mat distance;
+  cv::distanceTransform(edges == 0, distance, cv::DIST_L2, cv::DIST_MASK_5);
+  const cv::Mat noise = Noise(edges.size(), 2, random);
+  const cv::Mat width = (low + high) / 2 + (high - low) / 4 * noise;
+  depth_m.setTo(std::numeric_limits<float>::quiet_NaN(),
+                distance < cv::min(cv::max(width, low), high));
+}
+
+cv::Mat WithLateralNoise(const cv::Mat& depth_m, Random& random) {
+  cv::Mat moved(depth_m.size(), CV_32FC1);
+  for (int y = 0; y < depth_m.rows; ++y) {
+    for (int x = 0; x < depth_m.cols; ++x) {
+      const int dx = static_cast<int>(std::lround(0.5 * random.Normal()));
+      const int dy = static_cast<int>(std::lround(0.5 * random.Normal()));
+      moved.at<float>(y, x) = depth_m.at<float>(std::clamp(y + dy, 0, depth_m.rows - 1),
+                                                std::clamp(x + dx, 0, depth_m.cols - 1));
+    }
+  }
+  return moved;
+}
+
+}  // namespace fovea::scenes
