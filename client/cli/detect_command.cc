@@ -51,11 +51,18 @@ bool WantsSingleOutputs(const OutputPaths& paths) {
   return !(paths.labels + paths.json + paths.overlay + paths.cloud + paths.saliency_prefix).empty();
 }
 
+// "learn0" of "frames/learn0_color.png".
+std::string NameOf(const std::string& color_path) {
+  const std::string stem = std::filesystem::path(color_path).stem().string();
+  const std::size_t end = stem.rfind("_color");
+  return end == std::string::npos || end == 0 ? stem : stem.substr(0, end);
+}
+
 int DetectOne(const DetectFlags& flags, const client::Client& client) {
   FrameSettings settings = SettingsOf(flags);
   RequestFor(flags.outputs, &settings.options);
-  const std::string stem = std::filesystem::path(flags.color).stem().string();
-  const FrameFiles files{flags.id.empty() ? stem : flags.id, flags.color, flags.depth};
+  const FrameFiles files{flags.id.empty() ? NameOf(flags.color) : flags.id, flags.color,
+                         flags.depth};
   const v1::DetectRequest request = MakeRequest(files, settings);
 
   const auto start = std::chrono::steady_clock::now();
@@ -77,51 +84,70 @@ int DetectMany(const DetectFlags& flags, const client::Client& client) {
   return all_done ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
+CLI::Option* AddFlag(CLI::App& command, const char* flag, std::string& value, const char* type,
+                     const char* help) {
+  return command.add_option(flag, value, help)->type_name(type);
+}
+
+void AddCommonFlags(CLI::App& command, DetectFlags& flags) {
+  AddFlag(command, "--server", flags.server, "HOST:PORT", "Address of the server")
+      ->capture_default_str();
+  command.add_option("--timeout", flags.timeout_s, "Longest wait for one answer")
+      ->type_name("SECONDS")
+      ->capture_default_str();
+  AddFlag(command, "--intrinsics", flags.intrinsics, "FX,FY,CX,CY",
+          "Of the colour camera in pixels, for example 525,525,319.5,239.5")
+      ->required();
+  command.add_option("--depth-unit", flags.depth_unit_m, "Metres per unit of the depth image")
+      ->type_name("METRES")
+      ->capture_default_str();
+  AddFlag(command, "--gravity", flags.gravity, "X,Y,Z",
+          "Unit vector that points down in the camera frame (x right, y down, z forward); "
+          "estimated from the scene where absent");
+  AddFlag(command, "--profile", flags.profile, "NAME", "Settings to start from: default or paper");
+  command.add_option("--set", flags.settings, "Changes one option; may be repeated")
+      ->type_name("NAME=NUMBER")
+      ->allow_extra_args(false);
+}
+
+void AddFrameFlags(CLI::App& command, DetectFlags& flags) {
+  const char* group = "One frame";
+  OutputPaths& outputs = flags.outputs;
+  AddFlag(command, "--color", flags.color, "FILE", "Colour image, PNG or JPEG")->group(group);
+  AddFlag(command, "--depth", flags.depth, "FILE",
+          "16-bit PNG, registered to colour, 0 = not measured")
+      ->group(group);
+  AddFlag(command, "--id", flags.id, "NAME", "Name of the frame; else that of the colour file")
+      ->group(group);
+  AddFlag(command, "--labels", outputs.labels, "FILE",
+          "Write the label image: 0 = background, k = object k")
+      ->group(group);
+  AddFlag(command, "--json", outputs.json, "FILE", "Write the whole answer")->group(group);
+  AddFlag(command, "--overlay", outputs.overlay, "FILE", "Write a picture of what was found")
+      ->group(group);
+  AddFlag(command, "--cloud", outputs.cloud, "FILE", "Write the coloured point cloud as PLY")
+      ->group(group);
+  AddFlag(command, "--saliency", outputs.saliency_prefix, "PREFIX",
+          "Write the saliency maps to PREFIX_color.png and PREFIX_depth.png")
+      ->group(group);
+}
+
+void AddFolderFlags(CLI::App& command, DetectFlags& flags) {
+  const char* group = "A folder of frames";
+  AddFlag(command, "--input", flags.input, "FOLDER",
+          "Every NAME_color.png (or .jpg) with its NAME_depth.png")
+      ->group(group);
+  AddFlag(command, "--output", flags.output, "FOLDER",
+          "For NAME.png (labels), NAME.json and NAME_overlay.png")
+      ->group(group);
+}
+
 }  // namespace
 
 void AddDetectFlags(CLI::App& command, DetectFlags& flags) {
-  command.add_option("--server", flags.server, "Address of the server, HOST:PORT")
-      ->capture_default_str();
-  command.add_option("--timeout", flags.timeout_s, "Longest wait for an answer in seconds")
-      ->capture_default_str();
-  command
-      .add_option("--intrinsics", flags.intrinsics,
-                  "FX,FY,CX,CY of the colour camera in pixels, for example 525,525,319.5,239.5")
-      ->required();
-  command.add_option("--depth-unit", flags.depth_unit_m, "Metres per unit of the depth image")
-      ->capture_default_str();
-  command.add_option("--gravity", flags.gravity,
-                     "X,Y,Z: unit vector that points down in the camera frame (x right, y down, z "
-                     "forward); estimated from the scene where absent");
-  command.add_option("--profile", flags.profile, "Settings to start from: default or paper");
-  command.add_option("--set", flags.settings, "NAME=NUMBER: changes one option; may be repeated");
-
-  const char* one = "One frame";
-  command.add_option("--color", flags.color, "Colour image, PNG or JPEG")->group(one);
-  command.add_option("--depth", flags.depth, "16-bit PNG, registered to colour, 0 = not measured")
-      ->group(one);
-  command.add_option("--id", flags.id, "Name of the frame; else that of the colour file")
-      ->group(one);
-  command.add_option("--labels", flags.outputs.labels, "Write label image: 0 = none, k = object k")
-      ->group(one);
-  command.add_option("--json", flags.outputs.json, "Write the whole answer as JSON")->group(one);
-  command.add_option("--overlay", flags.outputs.overlay, "Write a picture of what was found")
-      ->group(one);
-  command.add_option("--cloud", flags.outputs.cloud, "Write the coloured point cloud as PLY")
-      ->group(one);
-  command
-      .add_option("--saliency", flags.outputs.saliency_prefix,
-                  "Write saliency maps to PREFIX_color.png and PREFIX_depth.png")
-      ->group(one);
-
-  const char* folder = "A folder of frames";
-  command
-      .add_option("--input", flags.input, "Folder with NAME_color.png (or .jpg), NAME_depth.png")
-      ->group(folder);
-  command
-      .add_option("--output", flags.output,
-                  "Folder for NAME.png (labels), NAME.json and NAME_overlay.png")
-      ->group(folder);
+  AddCommonFlags(command, flags);
+  AddFrameFlags(command, flags);
+  AddFolderFlags(command, flags);
 }
 
 int RunDetect(const DetectFlags& flags) {

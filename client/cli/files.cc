@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <opencv2/imgcodecs.hpp>
@@ -27,10 +28,15 @@ cv::Mat Decode(const std::string& file, int flags) {
 }  // namespace
 
 std::string ReadFile(const std::string& path) {
+  // Opening a folder works; reading from it fails deep inside of the library.
+  if (std::filesystem::is_directory(path)) {
+    throw std::runtime_error("cannot read " + path + ": it is a folder");
+  }
   errno = 0;
   std::ifstream file(path, std::ios::binary);
+  if (!file) Fail("cannot read", path);
   std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  if (!file.is_open() || file.bad() || errno == EISDIR) Fail("cannot read", path);
+  if (file.bad()) Fail("cannot read", path);
   if (bytes.empty()) throw std::runtime_error(path + " is empty");
   return bytes;
 }

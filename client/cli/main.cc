@@ -12,6 +12,13 @@
 
 namespace {
 
+// gRPC's text about a server that is away names neither the cause nor a remedy.
+std::string Explain(const fovea::client::RpcError& error, const std::string& server) {
+  if (error.code() != grpc::StatusCode::UNAVAILABLE) return error.what();
+  return "no server answers at " + server + "; is fovea-server running there? (" + error.message() +
+         ")";
+}
+
 int CheckHealth(const std::string& server) {
   if (!fovea::client::Client(server).IsServing()) {
     throw std::runtime_error(server + " answers, but does not serve (it is stopping)");
@@ -32,6 +39,7 @@ int Run(int argc, char** argv) {
   std::string health_server = "127.0.0.1:50051";
   CLI::App* health = app.add_subcommand("health", "Ask whether the server serves");
   health->add_option("--server", health_server, "Address of the server, HOST:PORT")
+      ->type_name("HOST:PORT")
       ->capture_default_str();
 
   try {
@@ -41,7 +49,12 @@ int Run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     throw std::invalid_argument(std::string(error.what()) + " (--help lists the flags)");
   }
-  return *health ? CheckHealth(health_server) : fovea::cli::RunDetect(detect_flags);
+  const std::string& server = *health ? health_server : detect_flags.server;
+  try {
+    return *health ? CheckHealth(health_server) : fovea::cli::RunDetect(detect_flags);
+  } catch (const fovea::client::RpcError& error) {
+    throw std::runtime_error(Explain(error, server));
+  }
 }
 
 }  // namespace
