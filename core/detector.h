@@ -2,18 +2,13 @@
 #pragma once
 
 #include <functional>
-#include <stdexcept>
 
 #include "core/options.h"
+#include "core/types/cancelled.h"
 #include "core/types/detections.h"
 #include "core/types/rgbd_frame.h"
 
 namespace fovea {
-
-// Thrown by Detect when `should_stop` answered true.
-struct Cancelled : std::runtime_error {
-  Cancelled() : std::runtime_error("the detection was cancelled") {}
-};
 
 // Detects the objects of a frame (Bao et al. 2015, sections 3.1 to 3.3).
 //

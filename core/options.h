@@ -1,4 +1,4 @@
-// All options of the method, their two profiles, and access by name.
+// All options of the method, their profiles, and access to them by name.
 #pragma once
 
 #include <map>
@@ -6,9 +6,35 @@
 #include <string_view>
 #include <vector>
 
+#include "core/depth/fill_depth_holes.h"
+#include "core/depth/normals.h"
+#include "core/objects/describe_objects.h"
+#include "core/saliency/depth_saliency.h"
+#include "core/saliency/strength_saliency.h"
+#include "core/scene/gravity.h"
+#include "core/scene/support_surface.h"
+#include "core/seeds/saliency_seeds.h"
+#include "core/segmentation/color_merge.h"
+#include "core/segmentation/mrf_energy.h"
+#include "core/segmentation/voxel_grid.h"
+
 namespace fovea {
 
-struct DetectorOptions {};
+// In the order of the pipeline. Units, meanings and sources stand with each stage's options.
+struct DetectorOptions {
+  double max_depth_m = 10;  // points farther away are left out
+  DepthFillOptions depth_fill;
+  NormalOptions normals;
+  StrengthSaliencyOptions color_saliency;
+  DepthSaliencyOptions depth_saliency;
+  SeedOptions seeds;
+  GravityOptions gravity;
+  SupportOptions support;
+  VoxelOptions voxels;
+  MrfOptions mrf;
+  ColorMergeOptions color_merge;
+  ObjectOptions objects;
+};
 
 // "paper": the method as Bao et al. describe it. "default": the best settings of the same code.
 // An empty name means "default". Throws std::invalid_argument for any other name.

@@ -80,6 +80,7 @@ struct Diagnostics {
   std::size_t seeds_from_depth = 0;  // regional maxima of the depth saliency map
   std::size_t seeds_without_depth = 0;
   std::size_t seeds_on_support = 0;
+  std::size_t num_seeds = 0;  // that became object hypotheses
   std::size_t num_voxels = 0;
   std::size_t num_segments = 0;  // after the graph cut
   std::size_t num_merged = 0;    // segments that refinement joined to another

@@ -35,6 +35,7 @@ v1::Diagnostics DiagnosticsToProto(const Diagnostics& diagnostics) {
   proto.set_seeds_from_depth(diagnostics.seeds_from_depth);
   proto.set_seeds_without_depth(diagnostics.seeds_without_depth);
   proto.set_seeds_on_support(diagnostics.seeds_on_support);
+  proto.set_num_seeds(diagnostics.num_seeds);
   proto.set_num_voxels(diagnostics.num_voxels);
   proto.set_num_segments(diagnostics.num_segments);
   proto.set_num_merged(diagnostics.num_merged);

@@ -1,0 +1,28 @@
+// Surface normals of an organised point cloud.
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+#include "core/types/rgbd_frame.h"
+
+namespace fovea {
+
+struct NormalOptions {
+  // The window of the fit reaches this far from its centre; pixels. Gupta: 3 (7×7).
+  int window_radius_px = 3;
+  // Pixels of the window whose depth differs from the centre's by more than this share of it
+  // belong to another surface and are left out; 0.001 … 1.
+  double max_depth_change = 0.02;
+};
+
+// Least-squares fit of a plane to each pixel's window. On a plane 1/z is linear in the pixel
+// coordinates, so the fit is 1/z = a·u + b·v + c (Gupta et al. 2013).
+//
+// `points`: CV_32FC3 as of BackProject. Normals are computed on every `step`-th row and column
+// (step ≥ 1) and left NaN elsewhere. Returns CV_32FC3: unit vectors that point towards the camera;
+// NaN where the pixel has no depth or fewer than three pixels off a line fit.
+// Cost: proportional to (width · height / step²) · window².
+cv::Mat EstimateNormals(const cv::Mat& points, const CameraIntrinsics& intrinsics,
+                        const NormalOptions& options = {}, int step = 1);
+
+}  // namespace fovea

@@ -1,0 +1,59 @@
+#include "core/explanation.h"
+
+#include <fmt/format.h>
+
+namespace fovea {
+namespace {
+
+double Percent(std::size_t part, std::size_t whole) {
+  return whole == 0 ? 0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+std::string DepthLoss(const Diagnostics& d) {
+  if (d.num_measured == 0) {
+    return "no pixel has depth: check that depth is sent, its encoding and its unit";
+  }
+  if (d.num_points == 0) {
+    return "every measured depth is beyond max_depth_m: check the depth unit";
+  }
+  const double measured = Percent(d.num_measured, d.num_pixels);
+  if (measured < 20) return fmt::format("only {:.1f} % of the pixels have depth", measured);
+  return "";
+}
+
+std::string SeedLoss(const Diagnostics& d, std::size_t num_seeds) {
+  const std::size_t found = d.seeds_from_color + d.seeds_from_depth;
+  if (found == 0) return "nothing stands out in colour or depth, so there are no seeds";
+  if (num_seeds > 0) return "";
+  return fmt::format(
+      "none of the {} salient positions became a seed: {} lie where there is no depth, {} on or "
+      "below the support surface",
+      found, d.seeds_without_depth, d.seeds_on_support);
+}
+
+std::string SegmentLoss(const Diagnostics& d) {
+  if (d.num_segments == 0) return "every voxel was labelled background";
+  if (d.segments_too_small == 0) return "";
+  return fmt::format("{} of {} segments have fewer pixels than objects.min_pixels",
+                     d.segments_too_small, d.num_segments - d.num_merged);
+}
+
+}  // namespace
+
+std::vector<std::string> ExplainLosses(const Detections& detections) {
+  const Diagnostics& d = detections.diagnostics;
+  std::vector<std::string> messages;
+  const auto say = [&](std::string message) {
+    if (!message.empty()) messages.push_back(std::move(message));
+  };
+  say(DepthLoss(d));
+  if (d.num_points == 0) return messages;
+  if (!detections.support) {
+    say("no support surface was found: no level surface is large enough, or gravity is wrong");
+  }
+  say(SeedLoss(d, d.num_seeds));
+  if (d.num_seeds > 0 && detections.objects.empty()) say(SegmentLoss(d));
+  return messages;
+}
+
+}  // namespace fovea

@@ -1,0 +1,15 @@
+// Says in words why a detection found few objects, or none.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/types/detections.h"
+
+namespace fovea {
+
+// One sentence for each step that left little or nothing, the most telling first; empty where
+// nothing is unusual. Looks at everything in `detections` but the messages.
+std::vector<std::string> ExplainLosses(const Detections& detections);
+
+}  // namespace fovea

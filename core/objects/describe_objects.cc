@@ -1,0 +1,115 @@
+#include "core/objects/describe_objects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <opencv2/imgproc.hpp>
+
+#include "core/objects/confidence.h"
+
+namespace fovea {
+namespace {
+
+using PixelsOfLabel = std::vector<std::vector<cv::Point>>;
+
+PixelsOfLabel CollectPixels(const cv::Mat& labels) {
+  double max_label = 0;
+  cv::minMaxLoc(labels, nullptr, &max_label);
+  PixelsOfLabel pixels(static_cast<std::size_t>(max_label) + 1);
+  for (int row = 0; row < labels.rows; ++row) {
+    const auto* label = labels.ptr<std::uint16_t>(row);
+    for (int col = 0; col < labels.cols; ++col) {
+      if (label[col] != 0) pixels[label[col]].emplace_back(col, row);
+    }
+  }
+  return pixels;
+}
+
+void SetColoredCloud(const RgbdFrame& frame, const cv::Mat& points,
+                     const std::vector<cv::Point>& pixels, DetectedObject& object) {
+  std::array<double, 3> color_sum{};
+  Eigen::Vector3d position_sum = Eigen::Vector3d::Zero();
+  object.cloud.reserve(pixels.size());
+  for (const cv::Point& pixel : pixels) {
+    const cv::Vec3f& p = points.at<cv::Vec3f>(pixel);
+    const cv::Vec3b& c = frame.color_rgb.at<cv::Vec3b>(pixel);
+    object.cloud.push_back({p[0], p[1], p[2], c[0], c[1], c[2]});
+    position_sum += Eigen::Vector3d(p[0], p[1], p[2]);
+    for (int channel = 0; channel < 3; ++channel) color_sum[channel] += c[channel];
+  }
+  const double count = static_cast<double>(pixels.size());
+  object.centroid = (position_sum / count).cast<float>();
+  for (int channel = 0; channel < 3; ++channel) {
+    object.mean_color[channel] = static_cast<std::uint8_t>(std::lround(color_sum[channel] / count));
+  }
+}
+
+bool TouchesBorder(const cv::Rect& bounds, const cv::Size& image) {
+  return bounds.x == 0 || bounds.y == 0 || bounds.br().x == image.width ||
+         bounds.br().y == image.height;
+}
+
+float LowestHeight(const std::vector<Eigen::Vector3f>& positions, const SupportSurface& support) {
+  float lowest = support.HeightOf(positions.front());
+  for (const Eigen::Vector3f& p : positions) lowest = std::min(lowest, support.HeightOf(p));
+  return lowest;
+}
+
+DetectedObject Describe(const RgbdFrame& frame, const cv::Mat& points,
+                        const std::vector<cv::Point>& pixels, const Detections& scene,
+                        const ObjectOptions& options) {
+  DetectedObject object;
+  object.bounds_px = cv::boundingRect(pixels);
+  object.num_pixels = pixels.size();
+  object.truncated = TouchesBorder(object.bounds_px, frame.depth_m.size());
+  SetColoredCloud(frame, points, pixels, object);
+
+  std::vector<Eigen::Vector3f> positions;
+  for (const pcl::PointXYZRGB& p : object.cloud) positions.emplace_back(p.x, p.y, p.z);
+  const Eigen::Vector3f up = scene.support ? scene.support->normal : -scene.gravity.direction;
+  object.box = FitOrientedBox(positions, up, scene.support, options.box);
+  if (scene.support) object.height_above_support_m = LowestHeight(positions, *scene.support);
+  object.confidence = Confidence(object, frame.depth_m.size());
+  object.grasps.push_back(GraspFromAbove(object.box, options.grasp));
+  return object;
+}
+
+// Old labels of the objects to keep, in their new order: larger first, which is also the order of
+// confidence.
+std::vector<int> LabelsToKeep(const PixelsOfLabel& pixels, std::size_t min_pixels,
+                              std::size_t& num_too_small) {
+  std::vector<int> kept;
+  for (int label = 1; label < static_cast<int>(pixels.size()); ++label) {
+    if (pixels[label].empty()) continue;
+    if (pixels[label].size() >= min_pixels) {
+      kept.push_back(label);
+    } else {
+      ++num_too_small;
+    }
+  }
+  std::stable_sort(kept.begin(), kept.end(),
+                   [&](int a, int b) { return pixels[a].size() > pixels[b].size(); });
+  return kept;
+}
+
+}  // namespace
+
+void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points, const ObjectOptions& options,
+                     Detections& detections) {
+  const PixelsOfLabel pixels = CollectPixels(detections.labels);
+  const double area_scale = static_cast<double>(frame.depth_m.total()) / (640.0 * 480.0);
+  const auto min_pixels =
+      static_cast<std::size_t>(std::max(1.0, std::round(options.min_pixels * area_scale)));
+  detections.labels = cv::Mat::zeros(frame.depth_m.size(), CV_16UC1);
+  for (const int old_label :
+       LabelsToKeep(pixels, min_pixels, detections.diagnostics.segments_too_small)) {
+    DetectedObject object = Describe(frame, points, pixels[old_label], detections, options);
+    object.label = static_cast<int>(detections.objects.size()) + 1;
+    for (const cv::Point& pixel : pixels[old_label]) {
+      detections.labels.at<std::uint16_t>(pixel) = static_cast<std::uint16_t>(object.label);
+    }
+    detections.objects.push_back(std::move(object));
+  }
+}
+
+}  // namespace fovea

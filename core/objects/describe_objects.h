@@ -1,0 +1,29 @@
+// From labelled pixels to described objects.
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+#include "core/objects/oriented_box.h"
+#include "core/objects/top_grasp.h"
+#include "core/types/detections.h"
+#include "core/types/rgbd_frame.h"
+
+namespace fovea {
+
+struct ObjectOptions {
+  // Objects with fewer mask pixels are dropped; at an image of 640×480 (scaled with its area).
+  double min_pixels = 300;
+  BoxOptions box;
+  GraspOptions grasp;
+};
+
+// Drops the labels with too few pixels, orders the others by falling confidence (number of pixels,
+// then old label), renumbers `detections.labels` in that order and fills `detections.objects` and
+// `diagnostics.segments_too_small`. Takes gravity and support from `detections`.
+//
+// `detections.labels`: CV_16UC1, 0 = background; `points`: CV_32FC3 with a point wherever there is
+// a label.
+void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points, const ObjectOptions& options,
+                     Detections& detections);
+
+}  // namespace fovea

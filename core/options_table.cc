@@ -1,0 +1,117 @@
+#include "core/options_table.h"
+
+#include <type_traits>
+
+namespace fovea {
+namespace {
+
+using O = DetectorOptions;
+
+template <typename Locate>
+OptionEntry Entry(const char* name, double minimum, double maximum, const char* description,
+                  Locate locate) {
+  constexpr bool kReal = std::is_same_v<std::invoke_result_t<Locate, O&>, double*>;
+  return {{name, minimum, maximum, !kReal, description}, locate};
+}
+
+}  // namespace
+
+const std::vector<OptionEntry>& OptionTable() {
+  static const std::vector<OptionEntry> table = {
+      Entry("max_depth_m", 0.1, 100, "points farther away are left out; metres",
+            [](O& o) { return &o.max_depth_m; }),
+
+      Entry("depth_fill.passes", 0, 10, "repetitions of the 5x5 hole filling; paper: unstated",
+            [](O& o) { return &o.depth_fill.passes; }),
+      Entry("depth_fill.bin_m", 0, 0.1, "width of the interval that the mode is; metres",
+            [](O& o) { return &o.depth_fill.bin_m; }),
+
+      Entry("normals.window_radius_px", 1, 15, "reach of the window; pixels; Gupta 2013: 3",
+            [](O& o) { return &o.normals.window_radius_px; }),
+      Entry("normals.max_depth_change", 0.001, 1, "depth step that ends a surface; share of depth",
+            [](O& o) { return &o.normals.max_depth_change; }),
+
+      Entry("color_saliency.num_scales", 1, 8, "rings of 8s pixels, s = 1 to this; paper: 4",
+            [](O& o) { return &o.color_saliency.num_scales; }),
+      Entry("color_saliency.downscale", 1, 8, "factor that the image is reduced by; paper: 1",
+            [](O& o) { return &o.color_saliency.downscale; }),
+
+      Entry("depth_saliency.superpixels_per_diagonal", 0, 4,
+            "superpixels per pixel of the image diagonal; 0: every pixel; Ju 2014: 1",
+            [](O& o) { return &o.depth_saliency.superpixels_per_diagonal; }),
+      Entry("depth_saliency.line_length", 0.05, 1,
+            "length of the scan lines; share of the image diagonal; Ju 2014: 0.4",
+            [](O& o) { return &o.depth_saliency.line_length; }),
+      Entry("depth_saliency.line_step_px", 1, 32, "distance of samples; pixels; Ju 2014: 5",
+            [](O& o) { return &o.depth_saliency.line_step_px; }),
+      Entry("depth_saliency.depth_prior", 0, 1, "1 weights the farther half down; Ju 2014: 1",
+            [](O& o) { return &o.depth_saliency.depth_prior; }),
+      Entry("depth_saliency.center_prior", 0, 1, "1 weights the image border down; Ju 2014: 1",
+            [](O& o) { return &o.depth_saliency.center_prior; }),
+
+      Entry("seeds.disk_radius_px", 0, 100,
+            "disk of the opening by reconstruction; pixels at a width of 640; paper: 20",
+            [](O& o) { return &o.seeds.disk_radius_px; }),
+      Entry("seeds.on_peak", 0, 1, "1 moves a seed to the nearest measured pixel of its peak",
+            [](O& o) { return &o.seeds.on_peak; }),
+
+      Entry("gravity.coarse_angle_deg", 1, 45, "gate of the first stage; degrees; Gupta 2013: 45",
+            [](O& o) { return &o.gravity.coarse_angle_deg; }),
+      Entry("gravity.fine_angle_deg", 1, 45, "gate of the second stage; degrees; Gupta 2013: 15",
+            [](O& o) { return &o.gravity.fine_angle_deg; }),
+      Entry("gravity.iterations", 0, 100, "of each stage; Gupta 2013: 5",
+            [](O& o) { return &o.gravity.iterations; }),
+      Entry("gravity.window_radius_px", 1, 15, "reach of the normals' window; Gupta 2013: 10",
+            [](O& o) { return &o.gravity.window_radius_px; }),
+      Entry("gravity.step_px", 1, 64, "distance of the normals used; pixels",
+            [](O& o) { return &o.gravity.step_px; }),
+
+      Entry("support.max_angle_deg", 1, 90,
+            "how far from vertical a support normal may be; degrees",
+            [](O& o) { return &o.support.max_angle_deg; }),
+      Entry("support.height_bin_m", 0.001, 0.2, "interval of the height histogram; metres",
+            [](O& o) { return &o.support.height_bin_m; }),
+      Entry("support.tolerance_m", 0.001, 0.2, "distance that still counts as surface; metres",
+            [](O& o) { return &o.support.tolerance_m; }),
+      Entry("support.tolerance_per_m", 0, 0.1, "what is added to it per square metre of distance",
+            [](O& o) { return &o.support.tolerance_per_m; }),
+      Entry("support.plane_fits", 0, 20, "least-squares refinements; 0: perpendicular to gravity",
+            [](O& o) { return &o.support.plane_fits; }),
+      Entry("support.min_share", 0, 1, "fewer of all points make no surface; share",
+            [](O& o) { return &o.support.min_share; }),
+
+      Entry("voxels.size_m", 0.003, 0.1, "edge length; metres",
+            [](O& o) { return &o.voxels.size_m; }),
+      Entry("voxels.neighbor_axes", 1, 3, "1, 2, 3: 6, 18 or 26 neighbours",
+            [](O& o) { return &o.voxels.neighbor_axes; }),
+
+      Entry("mrf.gamma_per_m2", 0.1, 10000, "Eq. 5: fading of a hypothesis; 1/m2; paper: 180",
+            [](O& o) { return &o.mrf.gamma_per_m2; }),
+      Entry("mrf.alpha", 1e-6, 1, "Eq. 6: weight of the background; paper: 0.1",
+            [](O& o) { return &o.mrf.alpha; }),
+      Entry("mrf.lambda", 0, 1000, "Eq. 7: weight of the pairwise term",
+            [](O& o) { return &o.mrf.lambda; }),
+      Entry("mrf.epsilon", 0, 10, "Eq. 7: share of it at concave transitions",
+            [](O& o) { return &o.mrf.epsilon; }),
+      Entry("mrf.normal_constant", 1e-3, 10, "Eq. 7: added to the distance of normals",
+            [](O& o) { return &o.mrf.normal_constant; }),
+      Entry("mrf.min_probability", 1e-30, 0.1, "floor of the probabilities of Eq. 5 and 6",
+            [](O& o) { return &o.mrf.min_probability; }),
+      Entry("mrf.max_sweeps", 1, 100, "of alpha-expansion", [](O& o) { return &o.mrf.max_sweeps; }),
+
+      Entry("color_merge.min_correlation", -1, 1, "that joins neighbours; 1: never; paper: 0.5",
+            [](O& o) { return &o.color_merge.min_correlation; }),
+      Entry("color_merge.bins", 2, 32, "of each RGB channel; paper: 20",
+            [](O& o) { return &o.color_merge.bins; }),
+
+      Entry("objects.min_pixels", 0, 100000, "smaller objects are dropped; pixels at 640x480",
+            [](O& o) { return &o.objects.min_pixels; }),
+      Entry("objects.box.max_gap_m", 0, 1, "a box reaches down to a support this close; metres",
+            [](O& o) { return &o.objects.box.max_gap_m; }),
+      Entry("objects.grasp.finger_depth_m", 0, 0.2, "reach of the fingers below the top; metres",
+            [](O& o) { return &o.objects.grasp.finger_depth_m; }),
+  };
+  return table;
+}
+
+}  // namespace fovea

@@ -1,0 +1,32 @@
+// The direction of gravity from the surfaces of a room (Gupta et al. 2013, which the paper uses in
+// section 3.2).
+#pragma once
+
+#include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+
+namespace fovea {
+
+struct GravityOptions {
+  // Normals within this angle of the estimate count as floor-like, those within it of the
+  // horizon as wall-like; first and second stage. Gupta: 45° and 15°.
+  double coarse_angle_deg = 45;
+  double fine_angle_deg = 15;
+  // Iterations of each stage. Gupta: 5.
+  int iterations = 5;
+  // The window of the normals reaches this far from its centre; pixels. Gupta: 10 (21×21).
+  int window_radius_px = 10;
+  // Normals are taken on every n-th row and column.
+  int step_px = 6;
+};
+
+// The direction that is most aligned with, or orthogonal to, as many normals as possible, starting
+// from the camera's y axis: each iteration takes the eigenvector of the smallest eigenvalue of
+// Σ_wall n nᵀ − Σ_floor n nᵀ.
+//
+// `normals`: CV_32FC3 unit vectors in the camera frame, NaN = none. Returns a unit vector in the
+// camera frame that points down (its y is that of the start's sign); the start where no normal
+// counts.
+Eigen::Vector3f EstimateGravity(const cv::Mat& normals, const GravityOptions& options = {});
+
+}  // namespace fovea

@@ -1,0 +1,76 @@
+#include "core/seeds/saliency_seeds.h"
+
+#include <cmath>
+#include <opencv2/core.hpp>
+
+#include "core/seeds/morphology.h"
+
+namespace fovea {
+namespace {
+
+bool HasPoint(const cv::Mat& points, const cv::Point& pixel) {
+  return !std::isnan(points.at<cv::Vec3f>(pixel)[2]);
+}
+
+std::vector<std::vector<cv::Point>> PixelsOfPeaks(const cv::Mat& peaks) {
+  double num_peaks = 0;
+  cv::minMaxLoc(peaks, nullptr, &num_peaks);
+  std::vector<std::vector<cv::Point>> pixels(static_cast<std::size_t>(num_peaks));
+  for (int row = 0; row < peaks.rows; ++row) {
+    const int* peak = peaks.ptr<int>(row);
+    for (int col = 0; col < peaks.cols; ++col) {
+      if (peak[col] > 0) pixels[peak[col] - 1].emplace_back(col, row);
+    }
+  }
+  return pixels;
+}
+
+cv::Point Centroid(const std::vector<cv::Point>& pixels) {
+  cv::Point2d sum;
+  for (const cv::Point& pixel : pixels) sum += cv::Point2d(pixel);
+  const double count = static_cast<double>(pixels.size());
+  return {cvRound(sum.x / count), cvRound(sum.y / count)};
+}
+
+std::optional<cv::Point> NearestMeasured(const std::vector<cv::Point>& pixels,
+                                         const cv::Point& center, const cv::Mat& points) {
+  std::optional<cv::Point> nearest;
+  int nearest_distance = 0;
+  for (const cv::Point& pixel : pixels) {
+    const cv::Point offset = pixel - center;
+    const int distance = offset.dot(offset);
+    if (!HasPoint(points, pixel) || (nearest && distance >= nearest_distance)) continue;
+    nearest = pixel;
+    nearest_distance = distance;
+  }
+  return nearest;
+}
+
+std::optional<cv::Point> PixelOfPeak(const std::vector<cv::Point>& pixels, const cv::Mat& points,
+                                     bool on_peak) {
+  const cv::Point center = Centroid(pixels);
+  if (on_peak) return NearestMeasured(pixels, center, points);
+  if (HasPoint(points, center)) return center;
+  return std::nullopt;
+}
+
+}  // namespace
+
+SeedCandidates FindSeeds(const cv::Mat& saliency, const cv::Mat& points, Seed::Source source,
+                         const SeedOptions& options) {
+  const int radius_px = cvRound(options.disk_radius_px * saliency.cols / 640);
+  const cv::Mat opened = ReconstructByDilation(ErodeByDisk(saliency, radius_px), saliency);
+  SeedCandidates candidates;
+  for (const std::vector<cv::Point>& peak : PixelsOfPeaks(LabelRegionalMaxima(opened))) {
+    const std::optional<cv::Point> pixel = PixelOfPeak(peak, points, options.on_peak);
+    if (!pixel) {
+      ++candidates.without_depth;
+      continue;
+    }
+    const cv::Vec3f& p = points.at<cv::Vec3f>(*pixel);
+    candidates.seeds.push_back({*pixel, {p[0], p[1], p[2]}, source});
+  }
+  return candidates;
+}
+
+}  // namespace fovea

@@ -1,0 +1,32 @@
+// From a saliency map to the positions at which objects are looked for (paper section 3.2).
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <optional>
+#include <vector>
+
+#include "core/types/detections.h"
+
+namespace fovea {
+
+struct SeedOptions {
+  // Radius of the disk of the opening by reconstruction; pixels, at an image width of 640 (scaled
+  // with the width). Paper: "a 20-pixel disk".
+  double disk_radius_px = 20;
+  // 1: a seed is the measured pixel of its flat peak nearest to the peak's centroid. 0: it is the
+  // centroid itself and is lost where that has no depth.
+  bool on_peak = true;
+};
+
+struct SeedCandidates {
+  std::vector<Seed> seeds;        // in row-major order of their peaks
+  std::size_t without_depth = 0;  // peaks that gave no seed, as there was no depth
+};
+
+// Opening by reconstruction with a disk, regional maxima, one seed for each flat peak.
+//
+// `saliency`: CV_32FC1 without NaN; `points`: CV_32FC3 of the same size, NaN = none.
+SeedCandidates FindSeeds(const cv::Mat& saliency, const cv::Mat& points, Seed::Source source,
+                         const SeedOptions& options = {});
+
+}  // namespace fovea

@@ -1,0 +1,150 @@
+#include "core/segmentation/alpha_expansion.h"
+
+#include <limits>
+#include <opencv2/core.hpp>
+// OpenCV's Boykov-Kolmogorov maximum flow (BSD licence); an internal header that is installed.
+#include <opencv2/imgproc/detail/gcgraph.hpp>
+
+namespace fovea {
+namespace {
+
+// The edges of each node, so that an expansion only looks at its own part of the graph.
+class Adjacency {
+ public:
+  explicit Adjacency(const PottsEnergy& energy) : first_(energy.num_nodes + 1, 0) {
+    for (const PottsEnergy::Edge& edge : energy.edges) {
+      ++first_[edge.a + 1];
+      ++first_[edge.b + 1];
+    }
+    for (std::size_t node = 1; node < first_.size(); ++node) first_[node] += first_[node - 1];
+    links_.resize(first_.back());
+    std::vector<int> next(first_.begin(), first_.end() - 1);
+    for (const PottsEnergy::Edge& edge : energy.edges) {
+      links_[next[edge.a]++] = {edge.b, edge.weight};
+      links_[next[edge.b]++] = {edge.a, edge.weight};
+    }
+  }
+
+  struct Link {
+    int node;
+    float weight;
+  };
+  const Link* begin(int node) const { return links_.data() + first_[node]; }
+  const Link* end(int node) const { return links_.data() + first_[node + 1]; }
+
+ private:
+  std::vector<int> first_;
+  std::vector<Link> links_;
+};
+
+struct Labelling {
+  std::vector<int> labels;
+  std::vector<float> costs;  // of each node's own label
+};
+
+Labelling CheapestLabels(const PottsEnergy& energy) {
+  Labelling start{std::vector<int>(energy.num_nodes, 0),
+                  std::vector<float>(energy.num_nodes, std::numeric_limits<float>::infinity())};
+  for (int label = 0; label < static_cast<int>(energy.choices.size()); ++label) {
+    for (const PottsEnergy::Choice& choice : energy.choices[label]) {
+      if (choice.cost >= start.costs[choice.node]) continue;
+      start.labels[choice.node] = label;
+      start.costs[choice.node] = choice.cost;
+    }
+  }
+  return start;
+}
+
+// One move: every node that `alpha` offers itself to either keeps its label or takes alpha. In the
+// graph the source side keeps. `variable_of` is scratch: -1 for every node, before and after.
+class Expansion {
+ public:
+  Expansion(const PottsEnergy& energy, const Adjacency& adjacency, const Labelling& current,
+            int alpha, std::vector<int>& variable_of)
+      : adjacency_(adjacency), current_(current), alpha_(alpha), variable_of_(variable_of) {
+    for (const PottsEnergy::Choice& choice : energy.choices[alpha]) {
+      if (current.labels[choice.node] == alpha) continue;
+      variable_of_[choice.node] = static_cast<int>(moves_.size());
+      moves_.push_back(choice);
+      keep_cost_.push_back(current.costs[choice.node]);
+      take_cost_.push_back(choice.cost);
+    }
+    for (std::size_t i = 0; i < moves_.size(); ++i) AddLinks(static_cast<int>(i));
+    for (const PottsEnergy::Choice& move : moves_) variable_of_[move.node] = -1;
+  }
+
+  // The moves that lower the energy.
+  std::vector<PottsEnergy::Choice> Solve() const {
+    if (moves_.empty()) return {};
+    // The flow needs at least one edge to be solvable, so there is a vertex and an edge more.
+    cv::detail::GCGraph<float> graph(static_cast<unsigned>(moves_.size()) + 1,
+                                     static_cast<unsigned>(pairs_.size()) + 1);
+    for (std::size_t i = 0; i < moves_.size(); ++i) {
+      graph.addTermWeights(graph.addVtx(), take_cost_[i], keep_cost_[i]);
+    }
+    graph.addEdges(0, graph.addVtx(), 0, 0);
+    for (const Pair& pair : pairs_) graph.addEdges(pair.a, pair.b, pair.forward, pair.backward);
+    graph.maxFlow();
+    std::vector<PottsEnergy::Choice> taken;
+    for (std::size_t i = 0; i < moves_.size(); ++i) {
+      if (!graph.inSourceSegment(static_cast<int>(i))) taken.push_back(moves_[i]);
+    }
+    return taken;
+  }
+
+ private:
+  struct Pair {
+    int a, b;
+    float forward;   // cost of a keeping while b takes
+    float backward;  // cost of b keeping while a takes
+  };
+
+  void AddLinks(int a) {
+    const int node = moves_[a].node;
+    for (const auto* link = adjacency_.begin(node); link != adjacency_.end(node); ++link) {
+      const int b = variable_of_[link->node];
+      const bool differ = current_.labels[node] != current_.labels[link->node];
+      if (b < 0) {  // the neighbour stays as it is
+        if (differ) keep_cost_[a] += link->weight;
+        if (current_.labels[link->node] != alpha_) take_cost_[a] += link->weight;
+      } else if (a < b && !differ) {
+        pairs_.push_back({a, b, link->weight, link->weight});
+      } else if (a < b) {
+        // Costs the weight unless both take (Kolmogorov and Zabih 2004).
+        keep_cost_[a] += link->weight;
+        pairs_.push_back({a, b, 0, link->weight});
+      }
+    }
+  }
+
+  const Adjacency& adjacency_;
+  const Labelling& current_;
+  int alpha_;
+  std::vector<int>& variable_of_;
+  std::vector<PottsEnergy::Choice> moves_;
+  std::vector<float> keep_cost_;
+  std::vector<float> take_cost_;
+  std::vector<Pair> pairs_;
+};
+
+}  // namespace
+
+std::vector<int> MinimizeByAlphaExpansion(const PottsEnergy& energy, int max_sweeps) {
+  const Adjacency adjacency(energy);
+  Labelling current = CheapestLabels(energy);
+  std::vector<int> scratch(energy.num_nodes, -1);
+  for (int sweep = 0; sweep < max_sweeps; ++sweep) {
+    bool changed = false;
+    for (int alpha = 0; alpha < static_cast<int>(energy.choices.size()); ++alpha) {
+      for (const auto& move : Expansion(energy, adjacency, current, alpha, scratch).Solve()) {
+        current.labels[move.node] = alpha;
+        current.costs[move.node] = move.cost;
+        changed = true;
+      }
+    }
+    if (!changed) break;
+  }
+  return current.labels;
+}
+
+}  // namespace fovea

@@ -1,0 +1,114 @@
+#include "core/segmentation/mrf_energy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace fovea {
+namespace {
+
+// What the data term needs of a voxel's points.
+struct PointStatistics {
+  std::vector<float> variance;         // mean squared distance of the points to their mean
+  std::vector<float> background_cost;  // Eq. 2 for the background label
+};
+
+float SquaredDistanceToNearest(const Eigen::Vector3f& point, const std::vector<Seed>& seeds) {
+  float nearest = std::numeric_limits<float>::infinity();
+  for (const Seed& seed : seeds) nearest = std::min(nearest, (point - seed.position).squaredNorm());
+  return nearest;
+}
+
+// Eq. 6: −ln(α · min_c(1 − p(c|x))). The minimum is at the nearest seed.
+float BackgroundCost(float squared_distance, const MrfOptions& options) {
+  const double p_object = std::exp(-options.gamma_per_m2 * squared_distance);
+  return static_cast<float>(
+      -std::log(options.alpha * std::max(1 - p_object, options.min_probability)));
+}
+
+PointStatistics Collect(const VoxelGrid& grid, const cv::Mat& points,
+                        const std::vector<char>& is_background, const std::vector<Seed>& seeds,
+                        const MrfOptions& options) {
+  PointStatistics statistics{std::vector<float>(grid.voxels.size()),
+                             std::vector<float>(grid.voxels.size())};
+  for (int row = 0; row < points.rows; ++row) {
+    const int* voxel_of_pixel = grid.voxel_of_pixel.ptr<int>(row);
+    const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
+    for (int col = 0; col < points.cols; ++col) {
+      const int v = voxel_of_pixel[col];
+      if (v < 0 || is_background[v]) continue;
+      const Eigen::Vector3f x(point[col][0], point[col][1], point[col][2]);
+      const float share = 1.0F / static_cast<float>(grid.voxels[v].num_points);
+      statistics.variance[v] += share * (x - grid.voxels[v].mean).squaredNorm();
+      statistics.background_cost[v] +=
+          share * BackgroundCost(SquaredDistanceToNearest(x, seeds), options);
+    }
+  }
+  return statistics;
+}
+
+// Eq. 2 and 5 in closed form: the mean of γ‖x − x₀‖² over a voxel's points is
+// γ(‖mean − x₀‖² + variance).
+float HypothesisCost(const Voxel& voxel, float variance, const Seed& seed,
+                     const MrfOptions& options) {
+  const double squared = (voxel.mean - seed.position).squaredNorm() + variance;
+  const double cost = options.gamma_per_m2 * squared;
+  return static_cast<float>(cost);
+}
+
+constexpr std::size_t kMaxChoices = std::size_t{1} << 25U;
+
+std::vector<PottsEnergy::Choice> ChoicesOfSeed(const VoxelGrid& grid,
+                                               const std::vector<float>& variance,
+                                               const std::vector<char>& is_background,
+                                               const Seed& seed, const MrfOptions& options) {
+  const float max_cost = static_cast<float>(-std::log(options.min_probability));
+  std::vector<PottsEnergy::Choice> choices;
+  for (int v = 0; v < static_cast<int>(grid.voxels.size()); ++v) {
+    if (is_background[v]) continue;
+    const float cost = HypothesisCost(grid.voxels[v], variance[v], seed, options);
+    if (cost < max_cost) choices.push_back({v, cost});
+  }
+  return choices;
+}
+
+}  // namespace
+
+float PairwiseWeight(const Voxel& a, const Voxel& b, const MrfOptions& options) {
+  const Eigen::Vector3f difference = a.normal - b.normal;
+  const bool convex = difference.dot(a.mean - b.mean) > 0;  // Eq. 8
+  const double distance = difference.norm() + options.normal_constant;
+  return static_cast<float>(options.lambda / distance * ((convex ? 1 : 0) + options.epsilon));
+}
+
+PottsEnergy BuildEnergy(const VoxelGrid& grid, const cv::Mat& points,
+                        const std::vector<char>& is_background, const std::vector<Seed>& seeds,
+                        const MrfOptions& options) {
+  const PointStatistics statistics = Collect(grid, points, is_background, seeds, options);
+  PottsEnergy energy;
+  energy.num_nodes = static_cast<int>(grid.voxels.size());
+  std::vector<PottsEnergy::Choice>& background = energy.choices.emplace_back();
+  for (int v = 0; v < energy.num_nodes; ++v) {
+    background.push_back({v, statistics.background_cost[v]});
+  }
+  std::size_t num_choices = 0;
+  for (const Seed& seed : seeds) {
+    energy.choices.push_back(
+        ChoicesOfSeed(grid, statistics.variance, is_background, seed, options));
+    num_choices += energy.choices.back().size();
+    if (num_choices > kMaxChoices) {
+      throw std::length_error(
+          "mrf: too many voxels within reach of too many seeds; raise mrf.gamma_per_m2 or "
+          "voxels.size_m");
+    }
+  }
+  for (const VoxelEdge& edge : grid.edges) {
+    if (is_background[edge.a] && is_background[edge.b]) continue;
+    energy.edges.push_back(
+        {edge.a, edge.b, PairwiseWeight(grid.voxels[edge.a], grid.voxels[edge.b], options)});
+  }
+  return energy;
+}
+
+}  // namespace fovea

@@ -1,0 +1,39 @@
+// The energy of the scene labelling (paper Eq. 1): data term from the object hypotheses (Eq. 2, 5,
+// 6), pairwise term from the surface shape (Eq. 7, 8).
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "core/segmentation/potts_energy.h"
+#include "core/segmentation/voxel_grid.h"
+#include "core/types/detections.h"
+
+namespace fovea {
+
+struct MrfOptions {
+  double gamma_per_m2 = 180;  // Eq. 5: how fast a hypothesis fades with distance; 1/m². Paper: 180
+  double alpha = 0.1;         // Eq. 6: weight of the background. Paper: 0.1
+  double lambda = 4;          // Eq. 7: weight of the pairwise term
+  double epsilon = 0.1;       // Eq. 7: share of the weight left at concave transitions
+  double normal_constant = 0.1;  // Eq. 7: the "small constant" added to the normals' distance
+  // Probabilities below this count as this, since Eq. 6 is 0 at a seed; a hypothesis is no choice
+  // for voxels where Eq. 5 is below it.
+  double min_probability = 1e-6;
+  int max_sweeps = 5;  // of alpha-expansion
+};
+
+// The energy over the voxels of `grid`: label 0 is the background, label k the hypothesis of
+// seeds[k - 1]. Voxels with `is_background` set (one entry a voxel) can only be background: the
+// support surface, where the paper sets the background's probability to one. A hypothesis offers
+// itself to the voxels where Eq. 5 is above `min_probability`.
+// `points`: CV_32FC3, the image that the grid was built from. Throws std::length_error if there
+// are more choices of voxel and hypothesis than memory should hold (2^25).
+PottsEnergy BuildEnergy(const VoxelGrid& grid, const cv::Mat& points,
+                        const std::vector<char>& is_background, const std::vector<Seed>& seeds,
+                        const MrfOptions& options = {});
+
+// Eq. 7 without the indicator: the cost of cutting between two neighbouring voxels.
+float PairwiseWeight(const Voxel& a, const Voxel& b, const MrfOptions& options);
+
+}  // namespace fovea

@@ -1,0 +1,29 @@
+// Multi-label energies with Potts-like pairwise terms: the form of the paper's Eq. 1.
+#pragma once
+
+#include <vector>
+
+namespace fovea {
+
+// E(y) = Σ_v cost(v, y_v) + Σ_(a,b) weight · [y_a ≠ y_b]. A node can only take the labels that
+// offer it as a choice; label 0 offers every node.
+struct PottsEnergy {
+  struct Choice {
+    int node = 0;
+    float cost = 0;
+  };
+  struct Edge {
+    int a = 0;
+    int b = 0;
+    float weight = 0;  // ≥ 0
+  };
+
+  int num_nodes = 0;
+  std::vector<std::vector<Choice>> choices;  // of each label, nodes ascending
+  std::vector<Edge> edges;
+};
+
+// The energy of a labelling, one entry a node; infinite if a node has a label it cannot take.
+double EnergyOf(const PottsEnergy& energy, const std::vector<int>& labels);
+
+}  // namespace fovea

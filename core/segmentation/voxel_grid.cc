@@ -1,0 +1,101 @@
+#include "core/segmentation/voxel_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+
+namespace fovea {
+namespace {
+
+// 21 bits an axis: ± 10 km at 1 cm, far beyond any depth camera.
+std::uint64_t KeyOf(const Eigen::Vector3i& cell) {
+  constexpr std::uint64_t kMask = (1U << 21U) - 1;
+  const auto part = [](int value) { return static_cast<std::uint64_t>(value + (1 << 20)) & kMask; };
+  return part(cell.x()) << 42U | part(cell.y()) << 21U | part(cell.z());
+}
+
+struct KeyHash {
+  std::size_t operator()(std::uint64_t key) const {
+    key *= 0x9E3779B97F4A7C15ULL;  // Fibonacci hashing spreads neighbouring cells
+    return key ^ (key >> 32U);
+  }
+};
+
+using CellIndex = std::unordered_map<std::uint64_t, int, KeyHash>;
+
+// Half of the neighbourhood, so that each pair is met once.
+std::vector<Eigen::Vector3i> HalfNeighborhood(int neighbor_axes) {
+  std::vector<Eigen::Vector3i> offsets;
+  for (int x = -1; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      for (int z = -1; z <= 1; ++z) {
+        const bool second_half = x > 0 || (x == 0 && (y > 0 || (y == 0 && z > 0)));
+        if (second_half && std::abs(x) + std::abs(y) + std::abs(z) <= neighbor_axes) {
+          offsets.emplace_back(x, y, z);
+        }
+      }
+    }
+  }
+  return offsets;
+}
+
+// Adds each point to its voxel; means and normals are sums until Finish.
+CellIndex CollectVoxels(const cv::Mat& points, const cv::Mat& normals, float size,
+                        VoxelGrid& grid) {
+  CellIndex index;
+  for (int row = 0; row < points.rows; ++row) {
+    for (int col = 0; col < points.cols; ++col) {
+      const cv::Vec3f& p = points.at<cv::Vec3f>(row, col);
+      if (std::isnan(p[2])) continue;
+      const Eigen::Vector3f position(p[0], p[1], p[2]);
+      const Eigen::Vector3i cell = (position / size).array().floor().cast<int>();
+      const auto [entry, is_new] =
+          index.try_emplace(KeyOf(cell), static_cast<int>(grid.voxels.size()));
+      if (is_new) grid.voxels.push_back({.cell = cell});
+      Voxel& voxel = grid.voxels[entry->second];
+      voxel.mean += position;
+      const cv::Vec3f& n = normals.at<cv::Vec3f>(row, col);
+      if (!std::isnan(n[0])) voxel.normal += Eigen::Vector3f(n[0], n[1], n[2]);
+      ++voxel.num_points;
+      grid.voxel_of_pixel.at<int>(row, col) = entry->second;
+    }
+  }
+  return index;
+}
+
+void Finish(std::vector<Voxel>& voxels) {
+  for (Voxel& voxel : voxels) {
+    voxel.mean /= static_cast<float>(voxel.num_points);
+    const float length = voxel.normal.norm();
+    if (length > 1e-3F) voxel.normal /= length;
+  }
+}
+
+void Connect(const CellIndex& index, int neighbor_axes, VoxelGrid& grid) {
+  const std::vector<Eigen::Vector3i> offsets = HalfNeighborhood(neighbor_axes);
+  for (int i = 0; i < static_cast<int>(grid.voxels.size()); ++i) {
+    for (const Eigen::Vector3i& offset : offsets) {
+      const auto neighbor = index.find(KeyOf(grid.voxels[i].cell + offset));
+      if (neighbor == index.end()) continue;
+      grid.edges.push_back({std::min(i, neighbor->second), std::max(i, neighbor->second)});
+    }
+  }
+  std::sort(grid.edges.begin(), grid.edges.end(), [](const VoxelEdge& x, const VoxelEdge& y) {
+    return x.a != y.a ? x.a < y.a : x.b < y.b;
+  });
+}
+
+}  // namespace
+
+VoxelGrid BuildVoxelGrid(const cv::Mat& points, const cv::Mat& normals,
+                         const VoxelOptions& options) {
+  VoxelGrid grid;
+  grid.voxel_of_pixel = cv::Mat(points.size(), CV_32SC1, cv::Scalar(-1));
+  const CellIndex index = CollectVoxels(points, normals, static_cast<float>(options.size_m), grid);
+  Finish(grid.voxels);
+  Connect(index, options.neighbor_axes, grid);
+  return grid;
+}
+
+}  // namespace fovea

@@ -1,0 +1,40 @@
+// The voxels of a scene and their neighbours: the nodes and edges of the Markov random field
+// (paper section 3).
+#pragma once
+
+#include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+namespace fovea {
+
+struct VoxelOptions {
+  double size_m = 0.01;  // edge length
+  // Along how many axes a neighbour may differ: 1 (6 neighbours, by faces), 2 (18, and by edges)
+  // or 3 (26, and by corners).
+  int neighbor_axes = 3;
+};
+
+struct Voxel {
+  Eigen::Vector3i cell = Eigen::Vector3i::Zero();    // floor(position / size)
+  Eigen::Vector3f mean = Eigen::Vector3f::Zero();    // of its points, camera frame, metres
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();  // unit, towards the camera; zero = none
+  int num_points = 0;
+};
+
+struct VoxelEdge {
+  int a = 0;  // a < b, indices of voxels
+  int b = 0;
+};
+
+struct VoxelGrid {
+  std::vector<Voxel> voxels;     // in row-major order of their first pixel
+  std::vector<VoxelEdge> edges;  // every pair of neighbours once, ascending
+  cv::Mat voxel_of_pixel;        // CV_32SC1, frame size; -1 = no point
+};
+
+// Sorts the points into cubes. `points`, `normals`: CV_32FC3, NaN = none.
+VoxelGrid BuildVoxelGrid(const cv::Mat& points, const cv::Mat& normals,
+                         const VoxelOptions& options = {});
+
+}  // namespace fovea

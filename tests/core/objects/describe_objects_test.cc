@@ -1,0 +1,83 @@
+#include "core/objects/describe_objects.h"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/core.hpp>
+
+#include "core/depth/back_projection.h"
+
+namespace fovea {
+namespace {
+
+// A 640×480 frame at 1 m with rectangles of labels.
+struct Scene {
+  RgbdFrame frame{cv::Mat(480, 640, CV_8UC3, cv::Scalar(10, 20, 30)),
+                  cv::Mat(480, 640, CV_32FC1, cv::Scalar(1.0F)),
+                  {500, 500, 320, 240},
+                  std::nullopt};
+  Detections detections;
+
+  Scene() { detections.labels = cv::Mat::zeros(480, 640, CV_16UC1); }
+  void Label(const cv::Rect& rectangle, int label) { detections.labels(rectangle).setTo(label); }
+  void Describe(const ObjectOptions& options = {}) {
+    const cv::Mat points = BackProject(frame.depth_m, frame.intrinsics, 10);
+    DescribeObjects(frame, points, options, detections);
+  }
+};
+
+TEST(DescribeObjects, OrdersByConfidenceAndRenumbers) {
+  Scene scene;
+  scene.Label({100, 100, 20, 20}, 4);
+  scene.Label({200, 200, 40, 50}, 9);
+  scene.Describe();
+  ASSERT_EQ(scene.detections.objects.size(), 2U);
+  const DetectedObject& first = scene.detections.objects[0];
+  EXPECT_EQ(first.label, 1);
+  EXPECT_EQ(first.bounds_px, cv::Rect(200, 200, 40, 50));
+  EXPECT_EQ(first.num_pixels, 2000U);
+  EXPECT_GT(first.confidence, scene.detections.objects[1].confidence);
+  EXPECT_EQ(scene.detections.labels.at<std::uint16_t>(210, 210), 1);
+  EXPECT_EQ(scene.detections.labels.at<std::uint16_t>(110, 110), 2);
+  EXPECT_EQ(cv::countNonZero(scene.detections.labels), 2400);
+}
+
+TEST(DescribeObjects, DropsAndCountsWhatIsTooSmall) {
+  Scene scene;
+  scene.Label({100, 100, 17, 17}, 1);  // 289
+  scene.Label({200, 100, 20, 15}, 2);  // 300
+  scene.Describe();  // min_pixels is 300
+  EXPECT_EQ(scene.detections.objects.size(), 1U);
+  EXPECT_EQ(scene.detections.diagnostics.segments_too_small, 1U);
+  EXPECT_EQ(scene.detections.labels.at<std::uint16_t>(101, 101), 0);
+}
+
+TEST(DescribeObjects, GivesCentroidColorCloudAndHeight) {
+  Scene scene;
+  scene.detections.support = SupportSurface{-Eigen::Vector3f::UnitY(), 0.3F, 100};
+  scene.Label({310, 230, 21, 21}, 1);  // centred on the optical axis
+  scene.Describe();
+  ASSERT_EQ(scene.detections.objects.size(), 1U);
+  const DetectedObject& object = scene.detections.objects[0];
+  EXPECT_TRUE(object.centroid.isApprox(Eigen::Vector3f(0, 0, 1), 1e-5F));
+  EXPECT_EQ(object.mean_color, (std::array<std::uint8_t, 3>{10, 20, 30}));
+  ASSERT_EQ(object.cloud.size(), 441U);
+  EXPECT_FLOAT_EQ(object.cloud[0].x, -10.0F / 500);
+  EXPECT_EQ(object.cloud[0].g, 20);
+  EXPECT_NEAR(object.height_above_support_m.value(), 0.3F - 10.0F / 500, 1e-5F);
+  EXPECT_EQ(object.grasps.size(), 1U);
+}
+
+TEST(DescribeObjects, FlagsObjectsAtTheImageBorder) {
+  Scene scene;
+  scene.Label({0, 100, 30, 30}, 1);
+  scene.Label({610, 200, 30, 29}, 2);
+  scene.Label({300, 200, 28, 28}, 3);
+  scene.Describe();
+  ASSERT_EQ(scene.detections.objects.size(), 3U);
+  EXPECT_TRUE(scene.detections.objects[0].truncated);
+  EXPECT_TRUE(scene.detections.objects[1].truncated);
+  EXPECT_FALSE(scene.detections.objects[2].truncated);
+}
+
+}  // namespace
+}  // namespace fovea

@@ -1,0 +1,67 @@
+#include "core/segmentation/color_merge.h"
+
+#include <gtest/gtest.h>
+
+namespace fovea {
+namespace {
+
+// A row of voxels, one pixel each, all neighbours in a chain.
+VoxelGrid Chain(int length) {
+  VoxelGrid grid;
+  grid.voxels.resize(length);
+  grid.voxel_of_pixel = cv::Mat(1, length, CV_32SC1);
+  for (int i = 0; i < length; ++i) {
+    grid.voxel_of_pixel.at<int>(i) = i;
+    if (i > 0) grid.edges.push_back({i - 1, i});
+  }
+  return grid;
+}
+
+cv::Mat Colors(const std::vector<cv::Vec3b>& colors) {
+  return cv::Mat(colors, true).reshape(3, 1);
+}
+
+const cv::Vec3b kRed(200, 10, 10);
+const cv::Vec3b kBlue(10, 10, 200);
+
+TEST(SplitIntoSegments, SeparatesPartsThatDoNotTouch) {
+  EXPECT_EQ(SplitIntoSegments(Chain(7), {5, 5, 0, 5, 2, 2, 0}),
+            (std::vector<int>{1, 1, 0, 2, 3, 3, 0}));
+}
+
+TEST(MergeByColor, JoinsNeighborsThatLookAlike) {
+  EXPECT_EQ(MergeByColor(Chain(4), {1, 1, 2, 2}, Colors({kRed, kRed, kRed, kRed})),
+            (std::vector<int>{1, 1, 1, 1}));
+}
+
+TEST(MergeByColor, KeepsNeighborsOfDifferentColor) {
+  EXPECT_EQ(MergeByColor(Chain(4), {1, 1, 2, 2}, Colors({kRed, kRed, kBlue, kBlue})),
+            (std::vector<int>{1, 1, 2, 2}));
+}
+
+TEST(MergeByColor, KeepsSegmentsApartThatDoNotTouch) {
+  EXPECT_EQ(MergeByColor(Chain(3), {1, 0, 2}, Colors({kRed, kRed, kRed})),
+            (std::vector<int>{1, 0, 2}));
+}
+
+TEST(MergeByColor, NumbersWhatIsLeftConsecutively) {
+  EXPECT_EQ(MergeByColor(Chain(4), {1, 2, 0, 3}, Colors({kRed, kRed, kRed, kBlue})),
+            (std::vector<int>{1, 1, 0, 2}));
+}
+
+// Histograms (1, 1) and (1, 0) over 8000 bins correlate by 1/√2 (but for the mean): 0.707.
+TEST(MergeByColor, ComparesTheCorrelationWithItsThreshold) {
+  const cv::Mat colors = Colors({kRed, kBlue, kRed, kRed});
+  EXPECT_EQ(MergeByColor(Chain(4), {1, 1, 2, 2}, colors, {.min_correlation = 0.70}),
+            (std::vector<int>{1, 1, 1, 1}));
+  EXPECT_EQ(MergeByColor(Chain(4), {1, 1, 2, 2}, colors, {.min_correlation = 0.71}),
+            (std::vector<int>{1, 1, 2, 2}));
+}
+
+TEST(MergeByColor, AcceptsNoSegments) {
+  EXPECT_EQ(MergeByColor(Chain(2), {0, 0}, Colors({kRed, kRed})), (std::vector<int>{0, 0}));
+  EXPECT_TRUE(MergeByColor(VoxelGrid{}, {}, cv::Mat()).empty());
+}
+
+}  // namespace
+}  // namespace fovea

@@ -1,0 +1,111 @@
+#include "core/segmentation/mrf_energy.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace fovea {
+namespace {
+
+struct Scene {
+  cv::Mat points = cv::Mat(12, 12, CV_32FC3);
+  VoxelGrid grid;
+  std::vector<Seed> seeds;
+};
+
+Scene RandomScene(unsigned seed) {
+  Scene scene;
+  std::mt19937 random(seed);
+  const auto uniform = [&] { return static_cast<float>(random() % 1001) / 1000.0F; };
+  for (auto it = scene.points.begin<cv::Vec3f>(); it != scene.points.end<cv::Vec3f>(); ++it) {
+    *it = {0.1F * uniform(), 0.1F * uniform(), 1 + 0.1F * uniform()};
+  }
+  const cv::Mat normals(scene.points.size(), CV_32FC3, cv::Scalar(0, 0, -1));
+  scene.grid = BuildVoxelGrid(scene.points, normals, {.size_m = 0.05});
+  for (int i = 0; i < 3; ++i) {
+    scene.seeds.push_back({{}, {0.1F * uniform(), 0.1F * uniform(), 1.0F}});
+  }
+  return scene;
+}
+
+// Eq. 2 as printed: the mean over the voxel's points of −ln p(label | x).
+double LiteralCost(const Scene& scene, int voxel, int label, const MrfOptions& options) {
+  double sum = 0;
+  int count = 0;
+  for (int row = 0; row < scene.points.rows; ++row) {
+    for (int col = 0; col < scene.points.cols; ++col) {
+      if (scene.grid.voxel_of_pixel.at<int>(row, col) != voxel) continue;
+      const cv::Vec3f& p = scene.points.at<cv::Vec3f>(row, col);
+      const auto probability = [&](int c) {  // Eq. 5
+        const Eigen::Vector3d d =
+            Eigen::Vector3d(p[0], p[1], p[2]) - scene.seeds[c].position.cast<double>();
+        return std::exp(-options.gamma_per_m2 * d.squaredNorm());
+      };
+      double value = 0;
+      if (label > 0) {
+        value = probability(label - 1);
+      } else {  // Eq. 6
+        double least = 1;
+        for (int c = 0; c < 3; ++c) least = std::min(least, 1 - probability(c));
+        value = options.alpha * std::max(least, options.min_probability);
+      }
+      sum -= std::log(value);
+      ++count;
+    }
+  }
+  return sum / count;
+}
+
+TEST(BuildEnergy, HasTheDataTermAsPrinted) {
+  const Scene scene = RandomScene(11);
+  const MrfOptions options;
+  const std::vector<char> none(scene.grid.voxels.size(), 0);
+  const PottsEnergy energy = BuildEnergy(scene.grid, scene.points, none, scene.seeds, options);
+  ASSERT_EQ(energy.choices.size(), 4U);
+  for (int label = 0; label < 4; ++label) {
+    ASSERT_EQ(energy.choices[label].size(), scene.grid.voxels.size());
+    for (const auto& choice : energy.choices[label]) {
+      EXPECT_NEAR(choice.cost, LiteralCost(scene, choice.node, label, options), 2e-3)
+          << "voxel " << choice.node << " label " << label;
+    }
+  }
+}
+
+TEST(BuildEnergy, OffersNothingOnTheSupportAndBeyondReach) {
+  Scene scene = RandomScene(12);
+  scene.seeds[2].position.z() = 3.0F;  // two metres off: Eq. 5 is below min_probability
+  std::vector<char> is_background(scene.grid.voxels.size(), 0);
+  is_background[0] = 1;
+  const PottsEnergy energy = BuildEnergy(scene.grid, scene.points, is_background, scene.seeds);
+  EXPECT_EQ(energy.choices[0].size(), scene.grid.voxels.size());
+  EXPECT_EQ(energy.choices[1].size(), scene.grid.voxels.size() - 1);
+  EXPECT_EQ(energy.choices[1].front().node, 1);
+  EXPECT_TRUE(energy.choices[3].empty());
+}
+
+Voxel At(float x, const Eigen::Vector3f& normal) {
+  return {.mean = {x, 0, 1}, .normal = normal.normalized(), .num_points = 1};
+}
+
+TEST(PairwiseWeight, IsEquation7) {
+  const MrfOptions options{.lambda = 4, .epsilon = 0.1, .normal_constant = 0.1};
+  const Eigen::Vector3f left(-1, 0, -1);
+  const Eigen::Vector3f right(1, 0, -1);
+  const double distance = std::sqrt(2.0) + 0.1;  // of the two unit normals, plus the constant
+  // Normals that part are an edge seen from outside: convex, expensive to cut.
+  EXPECT_NEAR(PairwiseWeight(At(0, left), At(0.01F, right), options), 4 / distance * 1.1, 1e-5);
+  // Normals that meet are a groove: concave, cheap.
+  EXPECT_NEAR(PairwiseWeight(At(0, right), At(0.01F, left), options), 4 / distance * 0.1, 1e-5);
+  // Equal normals: the sign of Eq. 8 is not above 0.
+  EXPECT_NEAR(PairwiseWeight(At(0, left), At(0.01F, left), options), 4 / 0.1 * 0.1, 1e-5);
+}
+
+TEST(PairwiseWeight, DoesNotDependOnTheOrder) {
+  const Voxel a = At(0, {-0.2F, 0.1F, -1});
+  const Voxel b = At(0.01F, {0.3F, 0.2F, -1});
+  EXPECT_EQ(PairwiseWeight(a, b, {}), PairwiseWeight(b, a, {}));
+}
+
+}  // namespace
+}  // namespace fovea

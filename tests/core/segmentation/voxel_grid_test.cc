@@ -1,0 +1,102 @@
+#include "core/segmentation/voxel_grid.h"
+
+#include <gtest/gtest.h>
+#include <pcl/filters/voxel_grid.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <set>
+
+namespace fovea {
+namespace {
+
+cv::Mat RandomPoints(unsigned seed, int rows, int cols) {
+  std::mt19937 random(seed);
+  cv::Mat points(rows, cols, CV_32FC3);
+  for (auto it = points.begin<cv::Vec3f>(); it != points.end<cv::Vec3f>(); ++it) {
+    for (int axis = 0; axis < 3; ++axis) {
+      (*it)[axis] = static_cast<float>(random() % 100000) / 1e6F - 0.05F;
+    }
+    if (random() % 10 == 0) *it = cv::Vec3f::all(std::numeric_limits<float>::quiet_NaN());
+  }
+  return points;
+}
+
+cv::Mat Upwards(const cv::Mat& points) {
+  return cv::Mat(points.size(), CV_32FC3, cv::Scalar(0, -1, 0));
+}
+
+bool AreNeighbors(const Voxel& a, const Voxel& b, int axes) {
+  const Eigen::Vector3i d = (a.cell - b.cell).cwiseAbs();
+  return d.maxCoeff() == 1 && d.sum() <= axes;
+}
+
+TEST(BuildVoxelGrid, HasTheCentroidsOfPclsVoxelGrid) {
+  const cv::Mat points = RandomPoints(1, 30, 40);
+  const VoxelGrid grid = BuildVoxelGrid(points, Upwards(points), {.size_m = 0.01});
+
+  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
+  for (auto it = points.begin<cv::Vec3f>(); it != points.end<cv::Vec3f>(); ++it) {
+    if (!std::isnan((*it)[2])) cloud->push_back({(*it)[0], (*it)[1], (*it)[2]});
+  }
+  pcl::VoxelGrid<pcl::PointXYZ> filter;
+  filter.setInputCloud(cloud);
+  filter.setLeafSize(0.01F, 0.01F, 0.01F);
+  pcl::PointCloud<pcl::PointXYZ> expected;
+  filter.filter(expected);
+
+  ASSERT_EQ(grid.voxels.size(), expected.size());
+  for (const pcl::PointXYZ& p : expected) {
+    const bool found = std::any_of(grid.voxels.begin(), grid.voxels.end(), [&](const Voxel& v) {
+      return (v.mean - p.getVector3fMap()).norm() < 1e-5F;
+    });
+    EXPECT_TRUE(found) << p;
+  }
+}
+
+TEST(BuildVoxelGrid, ConnectsExactlyTheNeighborsOfEachKind) {
+  const cv::Mat points = RandomPoints(2, 20, 20);
+  for (const int axes : {1, 2, 3}) {
+    const VoxelGrid grid =
+        BuildVoxelGrid(points, Upwards(points), {.size_m = 0.015, .neighbor_axes = axes});
+    std::set<std::pair<int, int>> expected;
+    for (int a = 0; a < static_cast<int>(grid.voxels.size()); ++a) {
+      for (int b = a + 1; b < static_cast<int>(grid.voxels.size()); ++b) {
+        if (AreNeighbors(grid.voxels[a], grid.voxels[b], axes)) expected.emplace(a, b);
+      }
+    }
+    std::set<std::pair<int, int>> actual;
+    for (const VoxelEdge& edge : grid.edges) actual.emplace(edge.a, edge.b);
+    EXPECT_EQ(actual, expected) << axes;
+    EXPECT_EQ(actual.size(), grid.edges.size()) << "an edge is there twice";
+  }
+}
+
+TEST(BuildVoxelGrid, TellsTheVoxelOfEachPixel) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const cv::Mat points = cv::Mat(std::vector<cv::Vec3f>{{0.001F, 0, 1}, {nan, nan, nan},
+                                                        {0.002F, 0, 1}, {-0.001F, 0, 1}},
+                                 true)
+                             .reshape(3, 1);
+  const VoxelGrid grid = BuildVoxelGrid(points, Upwards(points), {.size_m = 0.01});
+  EXPECT_EQ(grid.voxels.size(), 2U);
+  EXPECT_EQ(grid.voxel_of_pixel.at<int>(0), 0);
+  EXPECT_EQ(grid.voxel_of_pixel.at<int>(1), -1);
+  EXPECT_EQ(grid.voxel_of_pixel.at<int>(2), 0);
+  EXPECT_EQ(grid.voxel_of_pixel.at<int>(3), 1);
+  EXPECT_EQ(grid.voxels[0].num_points, 2);
+  EXPECT_FLOAT_EQ(grid.voxels[0].mean.x(), 0.0015F);
+  EXPECT_EQ(grid.voxels[0].normal, Eigen::Vector3f(0, -1, 0));
+}
+
+TEST(BuildVoxelGrid, IsEmptyWithoutPoints) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const cv::Mat none(2, 2, CV_32FC3, cv::Scalar::all(nan));
+  const VoxelGrid grid = BuildVoxelGrid(none, none);
+  EXPECT_TRUE(grid.voxels.empty());
+  EXPECT_TRUE(grid.edges.empty());
+}
+
+}  // namespace
+}  // namespace fovea

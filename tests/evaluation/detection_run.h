@@ -1,0 +1,45 @@
+// Runs the detector over scenes and adds up how it did.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/detector.h"
+#include "tests/evaluation/dataset.h"
+#include "tests/evaluation/scores.h"
+
+namespace fovea::evaluation {
+
+struct SceneResult {
+  std::string name;
+  SceneScores scores;
+  double total_ms = 0;  // wall time of Detect
+  std::vector<StageTime> stage_times;
+};
+
+// Called once per scene, one call at a time, from the thread that ran it.
+using SceneDone = std::function<void(const Scene&, const Detections&)>;
+
+// Detects in every scene, `num_threads` scenes at a time, and scores the answers. Results come in
+// the order of `scenes`. Throws what Detect throws.
+std::vector<SceneResult> RunDetection(const std::vector<Scene>& scenes,
+                                      const DetectorOptions& options, int num_threads,
+                                      const SceneDone& done = {});
+
+struct Summary {
+  ObjectCounts counts;
+  Score boxes;          // over all objects of all scenes
+  Score overlap;        // mean over the scenes
+  Score boundary;       // mean over the scenes
+  double share_75 = 0;  // of all true objects
+  double median_ms = 0;
+  std::vector<StageTime> median_stage_ms;  // in the order of the pipeline
+  // Spread of the box F1 over groups of consecutive scenes; 0 with fewer than two groups.
+  double fold_mean = 0;
+  double fold_deviation = 0;
+};
+
+Summary Summarize(const std::vector<SceneResult>& results, int num_folds = 0);
+
+}  // namespace fovea::evaluation

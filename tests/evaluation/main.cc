@@ -1,0 +1,23 @@
+// fovea-eval: the detector against ground truth.
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+#include <opencv2/core/utility.hpp>
+
+#include "tests/evaluation/detection_command.h"
+
+int main(int argc, char** argv) {
+  cv::setNumThreads(1);  // times are those of one thread per frame
+  CLI::App app{"Scores the detector against ground truth."};
+  app.require_subcommand(1);
+  fovea::evaluation::AddDetectionCommand(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error);
+  } catch (const std::exception& error) {
+    std::cerr << "fovea-eval: " << error.what() << '\n';
+    return 1;
+  }
+  return 0;
+}
