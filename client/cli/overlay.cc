@@ -67,18 +67,30 @@ void DrawMask(cv::Mat& picture, const cv::Mat& bright, const v1::Object& object,
   DrawContours(picture, contours, color);
 }
 
-void DrawBoxes(cv::Mat& picture, const v1::Object& object, const View& view) {
+void DrawUprightBox(cv::Mat& picture, const v1::Object& object, const View& view) {
   const auto& bounds = object.bounding_box();
-  const cv::Rect box(
-      cv::Point(view.At(bounds.x(), bounds.y())),
-      cv::Size(static_cast<int>(bounds.width()), static_cast<int>(bounds.height())) * view.scale);
+  const cv::Size size(static_cast<int>(bounds.width()), static_cast<int>(bounds.height()));
+  const cv::Rect box(cv::Point(view.At(bounds.x(), bounds.y())), size * view.scale);
   cv::rectangle(picture, box, ColorOf(object.label()), 1);
+}
 
+void DrawOrientedBox(cv::Mat& picture, const v1::Object& object, const View& view) {
+  const cv::Scalar color = 0.5 * ColorOf(object.label()) + 0.5 * kWhite;
   const auto corners = CornersOf(object.oriented_box());
   for (const auto& [from, to] : kBoxEdges) {
     const auto start = view.Project(corners[from]), end = view.Project(corners[to]);
-    if (start && end) cv::line(picture, *start, *end, kWhite, 1, cv::LINE_AA);
+    if (start && end) cv::line(picture, *start, *end, color, 1, cv::LINE_AA);
   }
+}
+
+// Boxes shine through: in a pile they would else hide what is in them.
+void DrawBoxes(cv::Mat& picture, const v1::Detections& detections, const View& view) {
+  cv::Mat boxes = picture.clone();
+  for (const v1::Object& object : detections.objects()) {
+    DrawUprightBox(boxes, object, view);
+    DrawOrientedBox(boxes, object, view);
+  }
+  cv::addWeighted(picture, 0.35, boxes, 0.65, 0, picture);
 }
 
 // The best grasp: a line between the finger tips, a bar at each.
@@ -133,7 +145,7 @@ cv::Mat DrawOverlay(const cv::Mat& color, const v1::CameraIntrinsics& intrinsics
 
   // What says more is drawn later and covers what says less.
   for (const v1::Object& object : detections.objects()) DrawMask(picture, bright, object, view);
-  for (const v1::Object& object : detections.objects()) DrawBoxes(picture, object, view);
+  DrawBoxes(picture, detections, view);
   for (const v1::Seed& seed : detections.seeds()) {
     DrawCross(picture, view.At(seed.x(), seed.y()), 6, kRed);
   }
