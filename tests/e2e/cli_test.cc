@@ -41,7 +41,7 @@ class CliTest : public ::testing::Test {
   Finished Detect(std::vector<std::string> flags) {
     flags.insert(flags.begin(), {FOVEA_CLI, "detect", "--server", server_.address(), "--intrinsics",
                                  "30,30,15.5,11.5"});
-    return Run(flags);
+    return Execute(flags);
   }
 
   Finished DetectFrame(std::vector<std::string> flags = {}) {
@@ -123,14 +123,14 @@ TEST_F(CliTest, SaysInOneLineWhatIsWrong) {
 }
 
 TEST_F(CliTest, AsksForHealth) {
-  const Finished healthy = Run({FOVEA_CLI, "health", "--server", server_.address()});
+  const Finished healthy = Execute({FOVEA_CLI, "health", "--server", server_.address()});
   EXPECT_EQ(healthy.exit_code, 0);
   EXPECT_EQ(healthy.out, server_.address() + " is serving\n");
 
   server_.process().Signal(SIGTERM);
   server_.process().Wait();
   const std::string text = "no server answers at " + server_.address();
-  ExpectOneLineError(Run({FOVEA_CLI, "health", "--server", server_.address()}), text);
+  ExpectOneLineError(Execute({FOVEA_CLI, "health", "--server", server_.address()}), text);
   ExpectOneLineError(DetectFrame(), text);
 }
 

@@ -79,6 +79,6 @@ Finished Process::Wait() {
   return finished;
 }
 
-Finished Run(const std::vector<std::string>& arguments) { return Process(arguments).Wait(); }
+Finished Execute(const std::vector<std::string>& arguments) { return Process(arguments).Wait(); }
 
 }  // namespace fovea::testing

@@ -35,6 +35,6 @@ class Process {
 };
 
 // Runs to the end.
-Finished Run(const std::vector<std::string>& arguments);
+Finished Execute(const std::vector<std::string>& arguments);
 
 }  // namespace fovea::testing

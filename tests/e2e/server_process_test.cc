@@ -36,7 +36,7 @@ TEST(ServerProcess, StopsOnSigint) {
 
 TEST(ServerProcess, SaysThatThePortIsTaken) {
   ServerProcess server;
-  const Finished second = Run({FOVEA_SERVER, "--listen", server.address()});
+  const Finished second = Execute({FOVEA_SERVER, "--listen", server.address()});
   EXPECT_NE(second.exit_code, 0);
   EXPECT_EQ(second.out, "");
   EXPECT_EQ(second.err, "fovea-server: --listen: cannot listen on " + server.address() +
@@ -51,7 +51,7 @@ TEST(ServerProcess, RefusesBadFlagsInOneLine) {
       {{"--max-message-mib", "4096"}, "--max-message-mib: 4096 is not between 1 and 1024"}};
   for (auto [arguments, error] : cases) {
     arguments.insert(arguments.begin(), FOVEA_SERVER);
-    const Finished finished = Run(arguments);
+    const Finished finished = Execute(arguments);
     EXPECT_NE(finished.exit_code, 0) << error;
     EXPECT_THAT(finished.err, StartsWith("fovea-server: "));
     EXPECT_THAT(finished.err, HasSubstr(error));
@@ -60,12 +60,12 @@ TEST(ServerProcess, RefusesBadFlagsInOneLine) {
 }
 
 TEST(ServerProcess, ExplainsItself) {
-  const Finished help = Run({FOVEA_SERVER, "--help"});
+  const Finished help = Execute({FOVEA_SERVER, "--help"});
   EXPECT_EQ(help.exit_code, 0);
   for (const char* flag : {"--listen", "--max-message-mib", "--max-pixels", "--log-level"}) {
     EXPECT_THAT(help.out, HasSubstr(flag));
   }
-  const Finished version = Run({FOVEA_SERVER, "--version"});
+  const Finished version = Execute({FOVEA_SERVER, "--version"});
   EXPECT_EQ(version.exit_code, 0);
   EXPECT_THAT(version.out, MatchesRegex("fovea-server [0-9]+\\.[0-9]+\\.[0-9]+\n"));
 }
