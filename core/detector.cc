@@ -8,6 +8,7 @@
 #include "core/depth/back_projection.h"
 #include "core/explanation.h"
 #include "core/segmentation/alpha_expansion.h"
+#include "core/segmentation/labels.h"
 #include "core/stage_clock.h"
 
 namespace fovea {
@@ -82,11 +83,6 @@ cv::Mat LabelsOfPixels(const VoxelGrid& grid, const std::vector<int>& labels,
   return image;
 }
 
-std::size_t CountLabels(const std::vector<int>& labels) {
-  return labels.empty() ? 0
-                        : static_cast<std::size_t>(*std::max_element(labels.begin(), labels.end()));
-}
-
 }  // namespace
 
 Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace* trace,
@@ -132,13 +128,13 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   const std::size_t num_candidates = seeds.size();
   seeds = SeedsAboveSupport(seeds, result.support, options.support);
   counts.seeds_on_support = num_candidates - seeds.size();
-  counts.num_seeds = seeds.size();
   clock.Finish("support");
 
   // Section 3: the scene as voxels, labelled by a Markov random field.
   const VoxelGrid grid = BuildVoxelGrid(points, normals, options.voxels);
   const PottsEnergy energy = BuildEnergy(
       grid, points, VoxelsOnSupport(grid, result.support, options.support), seeds, options.mrf);
+  counts.num_seeds = seeds.size();
   counts.num_voxels = grid.voxels.size();
   clock.Finish("energy");
   const std::vector<int> labels = MinimizeByAlphaExpansion(energy, options.mrf.max_sweeps);
@@ -147,7 +143,8 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   // Section 3.3: touching segments that look alike are one object.
   const std::vector<int> segments = SplitIntoSegments(grid, labels);
   const std::vector<int> objects =
-      MergeByColor(grid, segments, frame.color_rgb, options.color_merge);
+      MergeByShape(grid, MergeByColor(grid, segments, frame.color_rgb, options.color_merge),
+                   frame.color_rgb, options.shape_merge);
   counts.num_segments = CountLabels(segments);
   counts.num_merged = counts.num_segments - CountLabels(objects);
   clock.Finish("refinement");

@@ -13,9 +13,11 @@
 #include "core/saliency/strength_saliency.h"
 #include "core/scene/gravity.h"
 #include "core/scene/support_surface.h"
+#include "core/seeds/covering_seeds.h"
 #include "core/seeds/saliency_seeds.h"
 #include "core/segmentation/color_merge.h"
 #include "core/segmentation/mrf_energy.h"
+#include "core/segmentation/shape_merge.h"
 #include "core/segmentation/voxel_grid.h"
 
 namespace fovea {
@@ -31,8 +33,10 @@ struct DetectorOptions {
   GravityOptions gravity;
   SupportOptions support;
   VoxelOptions voxels;
+  CoverOptions cover;
   MrfOptions mrf;
   ColorMergeOptions color_merge;
+  ShapeMergeOptions shape_merge;
   ObjectOptions objects;
 };
 

@@ -85,6 +85,15 @@ const std::vector<OptionEntry>& OptionTable() {
       Entry("voxels.neighbor_axes", 1, 3, "1, 2, 3: 6, 18 or 26 neighbours",
             [](O& o) { return &o.voxels.neighbor_axes; }),
 
+      Entry("voxels.normal_smoothing", 0, 5, "passes of averaging a normal with its neighbours'",
+            [](O& o) { return &o.voxels.normal_smoothing; }),
+
+      Entry("cover.spacing_m", 0, 1,
+            "farthest a voxel may be from a seed; metres; 0: any; paper: 0",
+            [](O& o) { return &o.cover.spacing_m; }),
+      Entry("cover.min_voxels", 1, 10000, "connected parts with fewer get no seed of their own",
+            [](O& o) { return &o.cover.min_voxels; }),
+
       Entry("mrf.gamma_per_m2", 0.1, 10000, "Eq. 5: fading of a hypothesis; 1/m2; paper: 180",
             [](O& o) { return &o.mrf.gamma_per_m2; }),
       Entry("mrf.alpha", 1e-6, 1, "Eq. 6: weight of the background; paper: 0.1",
@@ -95,6 +104,9 @@ const std::vector<OptionEntry>& OptionTable() {
             [](O& o) { return &o.mrf.epsilon; }),
       Entry("mrf.normal_constant", 1e-3, 10, "Eq. 7: added to the distance of normals",
             [](O& o) { return &o.mrf.normal_constant; }),
+      Entry("mrf.concave_angle_deg", 0, 90,
+            "0: weights of Eq. 7; else the concave angle at which they fall to 1/e; degrees",
+            [](O& o) { return &o.mrf.concave_angle_deg; }),
       Entry("mrf.min_probability", 1e-30, 0.1, "floor of the probabilities of Eq. 5 and 6",
             [](O& o) { return &o.mrf.min_probability; }),
       Entry("mrf.max_sweeps", 1, 100, "of alpha-expansion", [](O& o) { return &o.mrf.max_sweeps; }),
@@ -103,6 +115,16 @@ const std::vector<OptionEntry>& OptionTable() {
             [](O& o) { return &o.color_merge.min_correlation; }),
       Entry("color_merge.bins", 2, 32, "of each RGB channel; paper: 20",
             [](O& o) { return &o.color_merge.bins; }),
+
+      Entry("shape_merge.max_concavity_deg", 0, 90,
+            "mean concavity of a boundary that still joins; degrees; 0: never; paper: 0",
+            [](O& o) { return &o.shape_merge.max_concavity_deg; }),
+      Entry("shape_merge.color_weight_deg", 0, 10, "degrees taken off for each unit of CIELAB",
+            [](O& o) { return &o.shape_merge.color_weight_deg; }),
+      Entry("shape_merge.reach_cells", 1, 4, "voxels this many cells apart share a boundary",
+            [](O& o) { return &o.shape_merge.reach_cells; }),
+      Entry("shape_merge.min_pairs", 1, 10000, "pairs of voxels that make a boundary",
+            [](O& o) { return &o.shape_merge.min_pairs; }),
 
       Entry("objects.min_pixels", 0, 100000, "smaller objects are dropped; pixels at 640x480",
             [](O& o) { return &o.objects.min_pixels; }),

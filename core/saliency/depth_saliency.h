@@ -21,10 +21,11 @@ struct DepthSaliencyOptions {
 };
 
 // How far each pixel stands out towards the camera from its surroundings: the sum over eight
-// directions of its nearness minus the least nearness along a scan line.
+// directions of its nearness (1/depth) minus the least nearness along a scan line. Pixels without
+// depth are unknown, not far: they count in no minimum. The map's maximum is 1 before the priors.
 //
-// `depth_m`: CV_32FC1, metres along z, NaN = none. Returns CV_32FC1 of its size in [0, 1]; 0
-// where there is no depth; all 0 where no pixel has depth.
+// `depth_m`: CV_32FC1, not empty, metres along z, NaN = none. Returns CV_32FC1 of its size in
+// [0, 1]; 0 where there is no depth; all 0 where no pixel has depth or nothing stands out.
 cv::Mat DepthSaliency(const cv::Mat& depth_m, const DepthSaliencyOptions& options = {});
 
 }  // namespace fovea

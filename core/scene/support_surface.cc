@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <opencv2/core.hpp>
 #include <vector>
 
 namespace fovea {

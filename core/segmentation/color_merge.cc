@@ -6,20 +6,10 @@
 #include <utility>
 
 #include "core/segmentation/disjoint_sets.h"
+#include "core/segmentation/labels.h"
 
 namespace fovea {
 namespace {
-
-// 1 … n in order of first appearance; 0 stays.
-void NumberConsecutively(std::vector<int>& labels) {
-  std::vector<int> number(labels.size() + 1, 0);
-  int count = 0;
-  for (int& label : labels) {
-    if (label == 0) continue;
-    if (number[label] == 0) number[label] = ++count;
-    label = number[label];
-  }
-}
 
 std::vector<cv::Mat> ColorHistograms(const VoxelGrid& grid, const std::vector<int>& labels,
                                      int num_labels, const cv::Mat& color_rgb, int bins) {
@@ -51,23 +41,9 @@ std::set<std::pair<int, int>> NeighboringLabels(const VoxelGrid& grid,
 
 }  // namespace
 
-std::vector<int> SplitIntoSegments(const VoxelGrid& grid, const std::vector<int>& labels) {
-  DisjointSets parts(static_cast<int>(labels.size()));
-  for (const VoxelEdge& edge : grid.edges) {
-    if (labels[edge.a] == labels[edge.b]) parts.Join(edge.a, edge.b);
-  }
-  std::vector<int> segments(labels.size(), 0);
-  for (std::size_t v = 0; v < labels.size(); ++v) {
-    if (labels[v] != 0) segments[v] = parts.Find(static_cast<int>(v)) + 1;
-  }
-  NumberConsecutively(segments);
-  return segments;
-}
-
 std::vector<int> MergeByColor(const VoxelGrid& grid, const std::vector<int>& labels,
                               const cv::Mat& color_rgb, const ColorMergeOptions& options) {
-  if (labels.empty()) return labels;
-  const int num_labels = *std::max_element(labels.begin(), labels.end());
+  const int num_labels = static_cast<int>(CountLabels(labels));
   const std::vector<cv::Mat> histograms =
       ColorHistograms(grid, labels, num_labels, color_rgb, options.bins);
   DisjointSets objects(num_labels + 1);
@@ -77,11 +53,7 @@ std::vector<int> MergeByColor(const VoxelGrid& grid, const std::vector<int>& lab
       objects.Join(a, b);
     }
   }
-  std::vector<int> merged(labels.size());
-  std::transform(labels.begin(), labels.end(), merged.begin(),
-                 [&](int label) { return objects.Find(label); });
-  NumberConsecutively(merged);
-  return merged;
+  return Renumbered(labels, objects);
 }
 
 }  // namespace fovea

@@ -15,14 +15,10 @@ struct ColorMergeOptions {
   int bins = 20;  // of each RGB channel. Paper: 20
 };
 
-// Splits every label into its connected parts, so that each segment is one piece.
-// `labels`: one entry a voxel, 0 = background. Returns new labels, 1 … n in order of their first
-// voxel, 0 = background.
-std::vector<int> SplitIntoSegments(const VoxelGrid& grid, const std::vector<int>& labels);
-
 // Joins neighbouring segments with similar colour histograms (bins³ bins, L2-normalised,
 // compared by their correlation coefficient), all pairs at once. `color_rgb`: CV_8UC3 of the frame.
-// Labels as above; the result is again numbered 1 … n.
+// `labels`: one entry a voxel, 0 = background; the result is numbered 1 … n in order of the first
+// voxel.
 std::vector<int> MergeByColor(const VoxelGrid& grid, const std::vector<int>& labels,
                               const cv::Mat& color_rgb, const ColorMergeOptions& options = {});
 

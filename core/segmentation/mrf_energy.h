@@ -17,6 +17,10 @@ struct MrfOptions {
   double lambda = 4;          // Eq. 7: weight of the pairwise term
   double epsilon = 0.1;       // Eq. 7: share of the weight left at concave transitions
   double normal_constant = 0.1;  // Eq. 7: the "small constant" added to the normals' distance
+  // 0: weights by Eq. 7. Otherwise the weight is λ on flat and convex transitions and falls with
+  // the concave angle a as exp(−a / concave_angle); degrees. Eq. 7 leaves flat surfaces, where the
+  // sign of Eq. 8 is noise, to chance.
+  double concave_angle_deg = 0;
   // Probabilities below this count as this, since Eq. 6 is 0 at a seed; a hypothesis is no choice
   // for voxels where Eq. 5 is below it.
   double min_probability = 1e-6;

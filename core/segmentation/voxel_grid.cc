@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <unordered_map>
 
 namespace fovea {
@@ -24,20 +25,28 @@ struct KeyHash {
 
 using CellIndex = std::unordered_map<std::uint64_t, int, KeyHash>;
 
-// Half of the neighbourhood, so that each pair is met once.
-std::vector<Eigen::Vector3i> HalfNeighborhood(int neighbor_axes) {
+// Half of the cells within `reach` that differ along at most `axes` axes, so that each pair is met
+// once.
+std::vector<Eigen::Vector3i> HalfNeighborhood(int reach, int axes) {
   std::vector<Eigen::Vector3i> offsets;
-  for (int x = -1; x <= 1; ++x) {
-    for (int y = -1; y <= 1; ++y) {
-      for (int z = -1; z <= 1; ++z) {
-        const bool second_half = x > 0 || (x == 0 && (y > 0 || (y == 0 && z > 0)));
-        if (second_half && std::abs(x) + std::abs(y) + std::abs(z) <= neighbor_axes) {
-          offsets.emplace_back(x, y, z);
-        }
+  for (int x = 0; x <= reach; ++x) {
+    for (int y = -reach; y <= reach; ++y) {
+      for (int z = -reach; z <= reach; ++z) {
+        const bool second_half = x > 0 || y > 0 || (y == 0 && z > 0);
+        const int moved = (x != 0) + (y != 0) + (z != 0);
+        if (second_half && moved <= axes) offsets.emplace_back(x, y, z);
       }
     }
   }
   return offsets;
+}
+
+CellIndex IndexOf(const std::vector<Voxel>& voxels) {
+  CellIndex index(voxels.size());
+  for (std::size_t v = 0; v < voxels.size(); ++v) {
+    index.emplace(KeyOf(voxels[v].cell), static_cast<int>(v));
+  }
+  return index;
 }
 
 // Adds each point to its voxel; means and normals are sums until Finish.
@@ -72,18 +81,30 @@ void Finish(std::vector<Voxel>& voxels) {
   }
 }
 
-void Connect(const CellIndex& index, int neighbor_axes, VoxelGrid& grid) {
-  const std::vector<Eigen::Vector3i> offsets = HalfNeighborhood(neighbor_axes);
-  for (int i = 0; i < static_cast<int>(grid.voxels.size()); ++i) {
+std::vector<VoxelEdge> PairsAt(const std::vector<Eigen::Vector3i>& offsets,
+                               const std::vector<Voxel>& voxels, const CellIndex& index) {
+  std::vector<VoxelEdge> pairs;
+  for (int i = 0; i < static_cast<int>(voxels.size()); ++i) {
     for (const Eigen::Vector3i& offset : offsets) {
-      const auto neighbor = index.find(KeyOf(grid.voxels[i].cell + offset));
+      const auto neighbor = index.find(KeyOf(voxels[i].cell + offset));
       if (neighbor == index.end()) continue;
-      grid.edges.push_back({std::min(i, neighbor->second), std::max(i, neighbor->second)});
+      pairs.push_back({std::min(i, neighbor->second), std::max(i, neighbor->second)});
     }
   }
-  std::sort(grid.edges.begin(), grid.edges.end(), [](const VoxelEdge& x, const VoxelEdge& y) {
-    return x.a != y.a ? x.a < y.a : x.b < y.b;
-  });
+  return pairs;
+}
+
+void SmoothNormals(VoxelGrid& grid) {
+  std::vector<Eigen::Vector3f> sums;
+  for (const Voxel& voxel : grid.voxels) sums.push_back(voxel.normal);
+  for (const VoxelEdge& edge : grid.edges) {
+    sums[edge.a] += grid.voxels[edge.b].normal;
+    sums[edge.b] += grid.voxels[edge.a].normal;
+  }
+  for (std::size_t v = 0; v < sums.size(); ++v) {
+    const float length = sums[v].norm();
+    if (length > 1e-3F) grid.voxels[v].normal = sums[v] / length;
+  }
 }
 
 }  // namespace
@@ -94,8 +115,19 @@ VoxelGrid BuildVoxelGrid(const cv::Mat& points, const cv::Mat& normals,
   grid.voxel_of_pixel = cv::Mat(points.size(), CV_32SC1, cv::Scalar(-1));
   const CellIndex index = CollectVoxels(points, normals, static_cast<float>(options.size_m), grid);
   Finish(grid.voxels);
-  Connect(index, options.neighbor_axes, grid);
+  grid.edges = PairsAt(HalfNeighborhood(1, options.neighbor_axes), grid.voxels, index);
+  for (int pass = 0; pass < options.normal_smoothing; ++pass) SmoothNormals(grid);
   return grid;
+}
+
+std::vector<VoxelEdge> PairsWithin(const VoxelGrid& grid, int reach_cells) {
+  return PairsAt(HalfNeighborhood(reach_cells, 3), grid.voxels, IndexOf(grid.voxels));
+}
+
+float ConvexityDeg(const Voxel& a, const Voxel& b) {
+  const float cosine = std::clamp(a.normal.dot(b.normal), -1.0F, 1.0F);
+  const float angle = std::acos(cosine) * 180 / std::numbers::pi_v<float>;
+  return (a.normal - b.normal).dot(a.mean - b.mean) >= 0 ? angle : -angle;
 }
 
 }  // namespace fovea

@@ -13,6 +13,8 @@ struct VoxelOptions {
   // Along how many axes a neighbour may differ: 1 (6 neighbours, by faces), 2 (18, and by edges)
   // or 3 (26, and by corners).
   int neighbor_axes = 3;
+  // How often each normal is replaced by the mean over itself and its neighbours.
+  int normal_smoothing = 0;
 };
 
 struct Voxel {
@@ -29,12 +31,19 @@ struct VoxelEdge {
 
 struct VoxelGrid {
   std::vector<Voxel> voxels;     // in row-major order of their first pixel
-  std::vector<VoxelEdge> edges;  // every pair of neighbours once, ascending
+  std::vector<VoxelEdge> edges;  // every pair of neighbours once
   cv::Mat voxel_of_pixel;        // CV_32SC1, frame size; -1 = no point
 };
 
 // Sorts the points into cubes. `points`, `normals`: CV_32FC3, NaN = none.
 VoxelGrid BuildVoxelGrid(const cv::Mat& points, const cv::Mat& normals,
                          const VoxelOptions& options = {});
+
+// Every pair of voxels whose cells differ by at most `reach_cells` along each axis, once.
+std::vector<VoxelEdge> PairsWithin(const VoxelGrid& grid, int reach_cells);
+
+// Signed angle between the normals of two voxels in degrees: positive where the surface bulges
+// from one to the other (convex), negative where it makes a groove; the sign of Eq. 8.
+float ConvexityDeg(const Voxel& a, const Voxel& b);
 
 }  // namespace fovea

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "tests/support/label_colors.h"
+
 namespace fovea::evaluation {
 namespace {
 
@@ -100,15 +102,8 @@ nlohmann::json ToJson(const std::vector<SceneResult>& results) {
 }
 
 cv::Mat DrawOverlay(const Scene& scene, const cv::Mat& labels) {
-  cv::Mat hues(labels.size(), CV_8UC3), tint, picture;
-  for (int y = 0; y < labels.rows; ++y) {
-    for (int x = 0; x < labels.cols; ++x) {
-      const int label = labels.at<std::uint16_t>(y, x);
-      // Steps of the golden section keep the hues of neighbouring labels apart.
-      hues.at<cv::Vec3b>(y, x) = {static_cast<std::uint8_t>(label * 111 % 180), 220, 255};
-    }
-  }
-  cv::cvtColor(hues, tint, cv::COLOR_HSV2BGR);
+  const cv::Mat tint = scenes::ColorLabels(labels);
+  cv::Mat picture;
   cv::cvtColor(scene.frame.color_rgb, picture, cv::COLOR_RGB2BGR);
   cv::Mat blended;
   cv::addWeighted(picture, 0.55, tint, 0.45, 0, blended);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/segmentation/labels.h"
+
 namespace fovea {
 namespace {
 

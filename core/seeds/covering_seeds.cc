@@ -1,0 +1,134 @@
+#include "core/seeds/covering_seeds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <utility>
+
+#include "core/segmentation/adjacency.h"
+#include "core/segmentation/labels.h"
+
+namespace fovea {
+namespace {
+
+constexpr float kUnreached = std::numeric_limits<float>::infinity();
+
+// Distance of every voxel to the nearest source along the surface, kept up to date as sources are
+// added.
+class SurfaceDistance {
+ public:
+  SurfaceDistance(const VoxelGrid& grid, const Adjacency& adjacency,
+                  const std::vector<char>& is_background)
+      : grid_(grid),
+        adjacency_(adjacency),
+        is_background_(is_background),
+        distance_(grid.voxels.size(), kUnreached) {}
+
+  float Of(int voxel) const { return distance_[voxel]; }
+
+  void AddSource(int source) {
+    using Entry = std::pair<float, int>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    distance_[source] = 0;
+    queue.emplace(0.0F, source);
+    while (!queue.empty()) {
+      const auto [distance, voxel] = queue.top();
+      queue.pop();
+      if (distance > distance_[voxel]) continue;
+      for (const int neighbor : adjacency_.NeighborsOf(voxel)) {
+        if (is_background_[neighbor]) continue;
+        const float step = (grid_.voxels[neighbor].mean - grid_.voxels[voxel].mean).norm();
+        if (distance + step >= distance_[neighbor]) continue;
+        distance_[neighbor] = distance + step;
+        queue.emplace(distance + step, neighbor);
+      }
+    }
+  }
+
+ private:
+  const VoxelGrid& grid_;
+  const Adjacency& adjacency_;
+  const std::vector<char>& is_background_;
+  std::vector<float> distance_;
+};
+
+// The connected parts of what is not background, as lists of voxels.
+std::vector<std::vector<int>> Parts(const VoxelGrid& grid, const std::vector<char>& is_background) {
+  std::vector<int> foreground(grid.voxels.size());
+  std::transform(is_background.begin(), is_background.end(), foreground.begin(),
+                 [](char background) { return background ? 0 : 1; });
+  const std::vector<int> part_of_voxel = SplitIntoSegments(grid, foreground);
+  std::vector<std::vector<int>> parts;
+  for (int v = 0; v < static_cast<int>(part_of_voxel.size()); ++v) {
+    const auto part = static_cast<std::size_t>(part_of_voxel[v]);
+    if (part > parts.size()) parts.resize(part);
+    if (part > 0) parts[part - 1].push_back(v);
+  }
+  return parts;
+}
+
+int MostCentral(const VoxelGrid& grid, const std::vector<int>& part) {
+  Eigen::Vector3f mean = Eigen::Vector3f::Zero();
+  for (const int v : part) mean += grid.voxels[v].mean / static_cast<float>(part.size());
+  return *std::min_element(part.begin(), part.end(), [&](int a, int b) {
+    return (grid.voxels[a].mean - mean).squaredNorm() < (grid.voxels[b].mean - mean).squaredNorm();
+  });
+}
+
+int Farthest(const std::vector<int>& part, const SurfaceDistance& distance) {
+  return *std::max_element(part.begin(), part.end(),
+                           [&](int a, int b) { return distance.Of(a) < distance.Of(b); });
+}
+
+std::vector<int> VoxelsToAdd(const VoxelGrid& grid, const std::vector<char>& is_background,
+                             SurfaceDistance& distance, const CoverOptions& options) {
+  std::vector<int> added;
+  const auto add = [&](int voxel) {
+    added.push_back(voxel);
+    distance.AddSource(voxel);
+  };
+  for (const std::vector<int>& part : Parts(grid, is_background)) {
+    if (static_cast<int>(part.size()) < options.min_voxels) continue;
+    if (distance.Of(part.front()) == kUnreached) add(MostCentral(grid, part));
+    for (int voxel = Farthest(part, distance);
+         distance.Of(voxel) > static_cast<float>(options.spacing_m);
+         voxel = Farthest(part, distance)) {
+      add(voxel);
+    }
+  }
+  return added;
+}
+
+// A pixel of every voxel: the first in row-major order.
+std::vector<cv::Point> PixelsOfVoxels(const VoxelGrid& grid) {
+  std::vector<cv::Point> pixels(grid.voxels.size(), {-1, -1});
+  for (int row = 0; row < grid.voxel_of_pixel.rows; ++row) {
+    const int* voxel = grid.voxel_of_pixel.ptr<int>(row);
+    for (int col = 0; col < grid.voxel_of_pixel.cols; ++col) {
+      if (voxel[col] >= 0 && pixels[voxel[col]].x < 0) pixels[voxel[col]] = {col, row};
+    }
+  }
+  return pixels;
+}
+
+}  // namespace
+
+std::vector<Seed> CoverWithSeeds(const VoxelGrid& grid, const std::vector<char>& is_background,
+                                 const std::vector<Seed>& seeds, const CoverOptions& options) {
+  if (options.spacing_m <= 0) return seeds;
+  const Adjacency adjacency(grid);
+  SurfaceDistance distance(grid, adjacency, is_background);
+  for (const Seed& seed : seeds) {
+    const int voxel = grid.voxel_of_pixel.at<int>(seed.pixel);
+    if (voxel >= 0 && !is_background[voxel]) distance.AddSource(voxel);
+  }
+  const std::vector<cv::Point> pixels = PixelsOfVoxels(grid);
+  std::vector<Seed> covering = seeds;
+  for (const int voxel : VoxelsToAdd(grid, is_background, distance, options)) {
+    covering.push_back({pixels[voxel], grid.voxels[voxel].mean, Seed::Source::kUnexplainedRegion});
+  }
+  return covering;
+}
+
+}  // namespace fovea

@@ -1,0 +1,47 @@
+#include "core/segmentation/labels.h"
+
+#include <algorithm>
+
+namespace fovea {
+namespace {
+
+// 1 … n in order of first appearance; 0 stays.
+void NumberConsecutively(std::vector<int>& labels) {
+  std::vector<int> number(CountLabels(labels) + 1, 0);
+  int count = 0;
+  for (int& label : labels) {
+    if (label == 0) continue;
+    if (number[label] == 0) number[label] = ++count;
+    label = number[label];
+  }
+}
+
+}  // namespace
+
+std::vector<int> SplitIntoSegments(const VoxelGrid& grid, const std::vector<int>& labels) {
+  DisjointSets parts(static_cast<int>(labels.size()));
+  for (const VoxelEdge& edge : grid.edges) {
+    if (labels[edge.a] == labels[edge.b]) parts.Join(edge.a, edge.b);
+  }
+  std::vector<int> segments(labels.size(), 0);
+  for (std::size_t v = 0; v < labels.size(); ++v) {
+    if (labels[v] != 0) segments[v] = parts.Find(static_cast<int>(v)) + 1;
+  }
+  NumberConsecutively(segments);
+  return segments;
+}
+
+std::vector<int> Renumbered(const std::vector<int>& labels, DisjointSets& sets) {
+  std::vector<int> joined(labels.size());
+  std::transform(labels.begin(), labels.end(), joined.begin(),
+                 [&](int label) { return sets.Find(label); });
+  NumberConsecutively(joined);
+  return joined;
+}
+
+std::size_t CountLabels(const std::vector<int>& labels) {
+  return labels.empty() ? 0
+                        : static_cast<std::size_t>(*std::max_element(labels.begin(), labels.end()));
+}
+
+}  // namespace fovea

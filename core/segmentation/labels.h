@@ -1,0 +1,22 @@
+// Labellings of voxels: one entry a voxel, 0 = background, segments 1 … n.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/segmentation/disjoint_sets.h"
+#include "core/segmentation/voxel_grid.h"
+
+namespace fovea {
+
+// Splits every label into its connected parts, so that each segment is one piece. The labels of
+// the argument may be any non-negative numbers.
+std::vector<int> SplitIntoSegments(const VoxelGrid& grid, const std::vector<int>& labels);
+
+// Gives all labels of a set one number, 1 … n in order of their first voxel.
+std::vector<int> Renumbered(const std::vector<int>& labels, DisjointSets& sets);
+
+// The highest label.
+std::size_t CountLabels(const std::vector<int>& labels);
+
+}  // namespace fovea

@@ -1,0 +1,76 @@
+#include "tests/evaluation/detection_run.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <stdexcept>
+
+#include "tests/support/labelled_frame.h"
+#include "tests/support/random_scene.h"
+
+namespace fovea::evaluation {
+namespace {
+
+SceneResult Result(int truth, int predicted, int matched, double overlap_f, double total_ms) {
+  SceneResult result;
+  result.scores.counts = {truth, predicted, matched, matched};
+  result.scores.overlap.f = overlap_f;
+  result.total_ms = total_ms;
+  result.stage_times = {{"normals", total_ms / 2}, {"graph cut", total_ms / 4}};
+  return result;
+}
+
+TEST(Summarize, PoolsObjectsAndAveragesScenes) {
+  const Summary summary =
+      Summarize({Result(4, 2, 2, 0.5, 10), Result(1, 2, 1, 1.0, 30), Result(5, 4, 3, 0.9, 20)});
+  EXPECT_DOUBLE_EQ(summary.boxes.precision, 6.0 / 8);
+  EXPECT_DOUBLE_EQ(summary.boxes.recall, 6.0 / 10);
+  EXPECT_DOUBLE_EQ(summary.boxes.f, 2 * 0.75 * 0.6 / 1.35);
+  EXPECT_DOUBLE_EQ(summary.overlap.f, 0.8);
+  EXPECT_DOUBLE_EQ(summary.share_75, 0.6);
+  EXPECT_DOUBLE_EQ(summary.median_ms, 20);
+  ASSERT_EQ(summary.median_stage_ms.size(), 2U);
+  EXPECT_EQ(summary.median_stage_ms[0].stage, "normals") << "the order of the pipeline";
+  EXPECT_DOUBLE_EQ(summary.median_stage_ms[1].duration_ms, 5);
+}
+
+TEST(Summarize, FoldsAreGroupsOfConsecutiveScenes) {
+  const std::vector<SceneResult> results = {Result(1, 1, 1, 1, 1), Result(1, 1, 1, 1, 1),
+                                            Result(1, 1, 0, 1, 1), Result(1, 1, 1, 1, 1)};
+  const Summary summary = Summarize(results, 2);  // F1 of 1 and 0.5
+  EXPECT_DOUBLE_EQ(summary.fold_mean, 0.75);
+  EXPECT_DOUBLE_EQ(summary.fold_deviation, 0.25 * std::sqrt(2));
+  EXPECT_DOUBLE_EQ(Summarize(results, 1).fold_mean, 0) << "one group has no spread";
+}
+
+std::vector<Scene> TwoScenes() {
+  std::vector<Scene> scenes;
+  for (const std::uint64_t seed : {1, 2}) {
+    const auto labelled = scenes::MakeFrame(scenes::RandomScene("tabletop", seed, {160, 120}),
+                                            scenes::SensorKind::kIdeal, seed);
+    scenes.push_back({"scene" + std::to_string(seed), labelled.frame, labelled.labels,
+                      labelled.frame.depth_m == labelled.frame.depth_m});
+  }
+  return scenes;
+}
+
+TEST(RunDetection, KeepsTheOrderAndCallsBackOncePerScene) {
+  std::multiset<std::string> done;
+  const auto results =
+      RunDetection(TwoScenes(), OptionsOfProfile(""), 2,
+                   [&](const Scene& scene, const Detections&) { done.insert(scene.name); });
+  ASSERT_EQ(results.size(), 2U);
+  EXPECT_EQ(results[0].name, "scene1");
+  EXPECT_EQ(results[1].name, "scene2");
+  EXPECT_GT(results[0].scores.counts.truth, 0);
+  EXPECT_EQ(done, (std::multiset<std::string>{"scene1", "scene2"}));
+}
+
+TEST(RunDetection, PassesFailuresOn) {
+  std::vector<Scene> scenes = TwoScenes();
+  scenes[1].frame.intrinsics.fx_px = -1;
+  EXPECT_THROW(RunDetection(scenes, OptionsOfProfile(""), 2), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace fovea::evaluation

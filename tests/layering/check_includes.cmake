@@ -1,0 +1,26 @@
+# Fails if a file includes what its folder must not know.
+# usage: cmake -DROOT=<project> -P check_includes.cmake
+
+# forbid(FOLDER PATTERN WHY): no source below FOLDER may have an #include that matches PATTERN.
+function(forbid folder pattern why)
+  file(GLOB_RECURSE sources ${ROOT}/${folder}/*.h ${ROOT}/${folder}/*.cc)
+  if(NOT sources)
+    message(SEND_ERROR "${folder} holds no sources: is the rule out of date?")
+  endif()
+  foreach(source ${sources})
+    file(STRINGS ${source} bad REGEX "^ *#include [<\"](${pattern})")
+    if(bad)
+      file(RELATIVE_PATH name ${ROOT} ${source})
+      message(SEND_ERROR "${name}: ${why}: ${bad}")
+    endif()
+  endforeach()
+endfunction()
+
+forbid(core "grpc|google/protobuf|fovea/v1/|server/|client/|tests/" "the core knows no service")
+forbid(core "opencv2/(imgcodecs|highgui)|fstream|filesystem|spdlog|iostream" "the core has no files, windows or logs")
+foreach(stage depth saliency seeds scene segmentation objects types)
+  forbid(core/${stage} "core/(detector|options|profiles)" "stages do not know the detector")
+endforeach()
+forbid(core/types "core/[a-su-z]" "types stand at the bottom")
+forbid(client "core/|server/|tests/|pcl/" "the client knows neither core nor server")
+forbid(server "client/|tests/" "the server knows no client")

@@ -1,0 +1,157 @@
+#include "tests/support/random_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+#include <opencv2/core.hpp>
+#include <stdexcept>
+
+#include "tests/support/environment.h"
+#include "tests/support/placement.h"
+#include "tests/support/random.h"
+#include "tests/support/random_objects.h"
+#include "tests/support/render.h"
+
+namespace fovea::scenes {
+namespace {
+
+enum class Surfaces { kTable, kTwoTables, kFloor };
+
+struct Range {
+  double low, high;
+  double Draw(Random& random) const { return random.Uniform(low, high); }
+};
+
+struct Recipe {
+  const char* kind;
+  Surfaces surfaces;
+  int fewest, most;           // objects
+  double radius_m;            // of the area in which they stand
+  double beside, on_top;      // shares placed against, and on, others; the rest stands free
+  Range pitch_deg, distance;  // of the camera; metres to the middle of the area
+  bool furnished;
+};
+
+constexpr std::array<Recipe, 11> kRecipes = {{
+    {"tabletop", Surfaces::kTable, 3, 6, 0.25, 0.0, 0.0, {32, 48}, {0.9, 1.1}, false},
+    {"cluttered", Surfaces::kTable, 9, 13, 0.28, 0.3, 0.1, {32, 50}, {0.95, 1.15}, false},
+    {"stacked", Surfaces::kTable, 5, 8, 0.22, 0.0, 0.6, {28, 45}, {0.9, 1.1}, false},
+    {"touching", Surfaces::kTable, 4, 8, 0.22, 0.7, 0.0, {30, 48}, {0.9, 1.1}, false},
+    {"occluded", Surfaces::kTable, 6, 9, 0.22, 0.0, 0.0, {16, 26}, {0.9, 1.1}, false},
+    {"steep", Surfaces::kTable, 3, 7, 0.22, 0.2, 0.1, {62, 80}, {0.8, 1.0}, false},
+    {"shallow", Surfaces::kTable, 3, 5, 0.25, 0.0, 0.1, {10, 18}, {0.9, 1.2}, true},
+    {"room", Surfaces::kTable, 4, 7, 0.35, 0.2, 0.1, {18, 30}, {1.6, 2.1}, true},
+    {"two_tables", Surfaces::kTwoTables, 5, 8, 0.25, 0.2, 0.1, {25, 40}, {1.5, 1.9}, true},
+    {"floor", Surfaces::kFloor, 3, 7, 0.45, 0.2, 0.1, {28, 50}, {1.3, 1.8}, true},
+    {"empty_table", Surfaces::kTable, 0, 0, 0.25, 0.0, 0.0, {30, 48}, {0.9, 1.2}, true},
+}};
+
+double Radians(double degrees) { return degrees * std::numbers::pi / 180; }
+
+const Recipe& RecipeOf(std::string_view kind) {
+  for (const Recipe& recipe : kRecipes) {
+    if (recipe.kind == kind) return recipe;
+  }
+  throw std::invalid_argument(std::string(kind) + ": there is no such kind of scene");
+}
+
+// Adds room, tables and furniture.
+void Furnish(Scene& scene, const Recipe& recipe, Random& random) {
+  const double wall_m = random.Uniform(1.6, 2.3);
+  AddRoom(scene, wall_m, random);
+  const double height_m = random.Uniform(0.68, 0.8);
+  switch (recipe.surfaces) {
+    case Surfaces::kTable:
+      AddTable(scene, {0, 0}, {random.Uniform(0.9, 1.5), random.Uniform(0.65, 0.85)}, height_m,
+               random);
+      break;
+    case Surfaces::kTwoTables:
+      AddTable(scene, {-0.42, 0}, {0.8, 0.7}, height_m, random);
+      AddTable(scene, {0.4, 0.1}, {0.7, 0.6}, height_m - random.Uniform(0.12, 0.3), random);
+      break;
+    case Surfaces::kFloor:
+      scene.supports.push_back({0, {0, 0}, {1.2, 1.2}});
+      break;
+  }
+  if (!recipe.furnished) return;
+  const bool on_floor = recipe.surfaces == Surfaces::kFloor;
+  AddChair(scene, {random.Uniform(-0.6, 0.6), on_floor ? 0.95 : 0.75}, random);
+  AddCabinet(scene, {random.Uniform(-1.0, 1.0), wall_m - 0.2}, random);
+}
+
+void AddObjects(Scene& scene, const Recipe& recipe, int count, Random& random) {
+  const double scale = recipe.surfaces == Surfaces::kFloor ? 1.4 : 1.0;
+  for (int i = 0; i < count; ++i) {
+    const Area area = {random.Pick(scene.supports), recipe.radius_m};
+    const Body object = RandomObject(random, scale);
+    const double choice = random.Unit();
+    if (choice < recipe.beside && PlaceBeside(scene, object, area, random)) continue;
+    if (choice > 1 - recipe.on_top && PlaceOnTop(scene, object, random)) continue;
+    PlaceFreely(scene, object, area, 0.012, random);
+  }
+}
+
+void PointCamera(Scene& scene, const Recipe& recipe, Random& random) {
+  Eigen::Vector3d target(0, 0, scene.supports.at(0).height_m + 0.05);
+  target.head<2>() += Eigen::Vector2d(random.Uniform(-0.04, 0.04), random.Uniform(-0.04, 0.04));
+  scene.camera.world_from_camera =
+      LookAt(target, recipe.distance.Draw(random), Radians(recipe.pitch_deg.Draw(random)),
+             Radians(random.Uniform(-25, 25)), Radians(random.Uniform(-4, 4)));
+}
+
+void Illuminate(Scene& scene, Random& random) {
+  const double elevation = Radians(random.Uniform(55, 75)), azimuth = random.Uniform(0, 6.28);
+  scene.light.towards = {std::cos(elevation) * std::cos(azimuth),
+                         std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
+  scene.light.strength = random.Uniform(0.7, 0.95);
+  scene.light.ambient = random.Uniform(0.4, 0.55);
+}
+
+// Whether every object can be seen, judged on a small picture.
+bool AllVisible(const Scene& scene) {
+  constexpr int kFewestPixels = 20;  // of 160×120
+  Scene small = scene;
+  small.camera = CameraOfSize({160, 120});
+  small.camera.world_from_camera = scene.camera.world_from_camera;
+  const cv::Mat labels = RenderLabels(small);
+  const auto objects = std::count_if(scene.bodies.begin(), scene.bodies.end(),
+                                     [](const Body& body) { return body.is_object; });
+  for (int k = 1; k <= objects; ++k) {
+    if (cv::countNonZero(labels == k) < kFewestPixels) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+const std::vector<std::string>& SceneKinds() {
+  static const std::vector<std::string> kinds = [] {
+    std::vector<std::string> names;
+    for (const Recipe& recipe : kRecipes) names.emplace_back(recipe.kind);
+    return names;
+  }();
+  return kinds;
+}
+
+Scene RandomScene(std::string_view kind, std::uint64_t seed, const cv::Size& size_px) {
+  const Recipe& recipe = RecipeOf(kind);
+  const auto kind_number = static_cast<std::uint64_t>(&recipe - kRecipes.data());
+  Random random(seed * 64 + kind_number);  // other objects in every kind
+  Scene scene;
+  scene.camera = CameraOfSize(size_px);
+  Furnish(scene, recipe, random);
+  Illuminate(scene, random);
+  PointCamera(scene, recipe, random);
+
+  const int count = random.Integer(recipe.fewest, recipe.most);
+  for (int attempt = 0;; ++attempt) {
+    constexpr int kAttemptsPerCount = 10;  // then one object less
+    Scene filled = scene;
+    AddObjects(filled, recipe, std::max(1, count - attempt / kAttemptsPerCount), random);
+    if (count == 0) return scene;
+    const bool any = filled.bodies.size() > scene.bodies.size();
+    if (any && AllVisible(filled)) return filled;
+  }
+}
+
+}  // namespace fovea::scenes
