@@ -1,7 +1,10 @@
 #include "server/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <iostream>
 #include <stdexcept>
+
+#include "server/option_table.h"
 
 namespace fovea::server {
 namespace {
@@ -35,6 +38,9 @@ std::optional<ServerOptions> ParseCommandLine(int argc, char** argv) {
                "fovea-server");
   ServerOptions options;
   AddFlags(app, options);
+  bool list_options = false;
+  app.add_flag("--list-options", list_options,
+               "Print every option of the method with its range, profiles and meaning, and exit");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& wants_text) {  // --help, --version
@@ -42,6 +48,10 @@ std::optional<ServerOptions> ParseCommandLine(int argc, char** argv) {
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
     throw std::invalid_argument(std::string(error.what()) + " (--help lists the flags)");
+  }
+  if (list_options) {
+    std::cout << OptionTable();
+    return std::nullopt;
   }
   Validate(options);
   return options;

@@ -6,7 +6,7 @@
 
 namespace fovea::server {
 
-// Reads the flags. Empty after --help or --version, which it prints. Throws
+// Reads the flags. Empty after --help, --version or --list-options, which it prints. Throws
 // std::invalid_argument with one line of text for flags that are unknown or do not validate.
 std::optional<ServerOptions> ParseCommandLine(int argc, char** argv);
 

@@ -65,6 +65,9 @@ TEST(ServerProcess, ExplainsItself) {
   for (const char* flag : {"--listen", "--max-message-mib", "--max-pixels", "--log-level"}) {
     EXPECT_THAT(help.out, HasSubstr(flag));
   }
+  const Finished options = Execute({FOVEA_SERVER, "--list-options"});
+  EXPECT_EQ(options.exit_code, 0);
+  EXPECT_THAT(options.out, StartsWith("| option | range | default | paper |"));
   const Finished version = Execute({FOVEA_SERVER, "--version"});
   EXPECT_EQ(version.exit_code, 0);
   EXPECT_THAT(version.out, MatchesRegex("fovea-server [0-9]+\\.[0-9]+\\.[0-9]+\n"));
