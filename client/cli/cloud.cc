@@ -1,0 +1,61 @@
+#include "client/cli/cloud.h"
+
+#include <array>
+#include <bit>
+#include <opencv2/core.hpp>
+#include <stdexcept>
+
+#include "client/cli/palette.h"
+
+namespace fovea::cli {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the file is little-endian");
+
+std::string Header(int num_points) {
+  return "ply\nformat binary_little_endian 1.0\n"
+         "comment metres; camera frame: x right, y down, z forward\n"
+         "element vertex " +
+         std::to_string(num_points) +
+         "\nproperty float x\nproperty float y\nproperty float z\n"
+         "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n";
+}
+
+// Half true colour and half the object's; the background loses a third of its light.
+cv::Vec3b Shade(const cv::Vec3b& bgr, std::uint32_t label) {
+  if (label == 0) return bgr * 0.65;
+  const cv::Scalar tint = ColorOf(label);
+  return cv::Vec3b(cv::saturate_cast<std::uint8_t>(0.5 * bgr[0] + 0.5 * tint[0]),
+                   cv::saturate_cast<std::uint8_t>(0.5 * bgr[1] + 0.5 * tint[1]),
+                   cv::saturate_cast<std::uint8_t>(0.5 * bgr[2] + 0.5 * tint[2]));
+}
+
+void AppendPoint(const std::array<float, 3>& position, const cv::Vec3b& bgr, std::string* ply) {
+  ply->append(reinterpret_cast<const char*>(position.data()), sizeof position);
+  for (const int channel : {2, 1, 0}) ply->push_back(static_cast<char>(bgr[channel]));
+}
+
+}  // namespace
+
+std::string MakePly(const cv::Mat& color, const cv::Mat& depth, double unit_m,
+                    const v1::CameraIntrinsics& intrinsics, const cv::Mat& labels) {
+  if (color.size() != depth.size() || labels.size() != depth.size()) {
+    throw std::runtime_error("colour, depth and labels differ in size");
+  }
+  cv::Mat wide_labels;
+  labels.convertTo(wide_labels, CV_16U);
+  std::string ply = Header(cv::countNonZero(depth));
+  for (int y = 0; y < depth.rows; ++y) {
+    for (int x = 0; x < depth.cols; ++x) {
+      const double z = depth.at<std::uint16_t>(y, x) * unit_m;
+      if (z == 0) continue;
+      AppendPoint(
+          {static_cast<float>((x - intrinsics.cx()) / intrinsics.fx() * z),
+           static_cast<float>((y - intrinsics.cy()) / intrinsics.fy() * z), static_cast<float>(z)},
+          Shade(color.at<cv::Vec3b>(y, x), wide_labels.at<std::uint16_t>(y, x)), &ply);
+    }
+  }
+  return ply;
+}
+
+}  // namespace fovea::cli

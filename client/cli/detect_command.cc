@@ -1,0 +1,162 @@
+#include "client/cli/detect_command.h"
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+
+#include "client/cli/batch.h"
+#include "client/cli/parsing.h"
+#include "client/cli/report.h"
+#include "client/client.h"
+#include "client/images.h"
+
+namespace fovea::cli {
+namespace {
+
+void Require(bool holds, const std::string& message) {
+  if (!holds) throw std::invalid_argument(message);
+}
+
+FrameSettings SettingsOf(const DetectFlags& flags) {
+  FrameSettings settings;
+  const auto k = ParseNumbers(flags.intrinsics, 4, "--intrinsics", "FX,FY,CX,CY");
+  settings.intrinsics = client::MakeIntrinsics(k[0], k[1], k[2], k[3]);
+  settings.depth_unit_m = flags.depth_unit_m;
+  if (!flags.gravity.empty()) {
+    const auto g = ParseNumbers(flags.gravity, 3, "--gravity", "X,Y,Z");
+    settings.gravity.emplace();
+    settings.gravity->set_x(g[0]);
+    settings.gravity->set_y(g[1]);
+    settings.gravity->set_z(g[2]);
+  }
+  settings.options.set_profile(flags.profile);
+  for (const std::string& text : flags.settings) {
+    const auto [name, value] = ParseSetting(text);
+    (*settings.options.mutable_parameters())[name] = value;
+  }
+  return settings;
+}
+
+std::chrono::milliseconds TimeoutOf(const DetectFlags& flags) {
+  Require(flags.timeout_s > 0 && flags.timeout_s <= 3600,
+          "--timeout: must be above 0 and at most 3600 seconds");
+  return std::chrono::milliseconds(std::llround(std::ceil(flags.timeout_s * 1000)));
+}
+
+bool WantsSingleOutputs(const OutputPaths& paths) {
+  return !(paths.labels + paths.json + paths.overlay + paths.cloud + paths.saliency_prefix).empty();
+}
+
+// "learn0" of "frames/learn0_color.png".
+std::string NameOf(const std::string& color_path) {
+  const std::string stem = std::filesystem::path(color_path).stem().string();
+  const std::size_t end = stem.rfind("_color");
+  return end == std::string::npos || end == 0 ? stem : stem.substr(0, end);
+}
+
+int DetectOne(const DetectFlags& flags, const client::Client& client) {
+  FrameSettings settings = SettingsOf(flags);
+  RequestFor(flags.outputs, &settings.options);
+  const FrameFiles files{flags.id.empty() ? NameOf(flags.color) : flags.id, flags.color,
+                         flags.depth};
+  const v1::DetectRequest request = MakeRequest(files, settings);
+
+  const auto start = std::chrono::steady_clock::now();
+  const v1::DetectResponse response = client.Detect(request, TimeoutOf(flags));
+  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+
+  std::cout << files.id << ": " << Report(response.detections(), took.count());
+  WriteOutputs(flags.outputs, files, settings, request, response.detections());
+  return EXIT_SUCCESS;
+}
+
+int DetectMany(const DetectFlags& flags, const client::Client& client) {
+  Require(!flags.output.empty(), "--input needs --output: the folder to write to");
+  Require(flags.color.empty() && flags.depth.empty() && !WantsSingleOutputs(flags.outputs),
+          "--input and --output are for whole folders; --color, --depth and the outputs of a "
+          "single frame do not go with them");
+  const bool all_done =
+      DetectFolder(client, flags.input, flags.output, SettingsOf(flags), TimeoutOf(flags));
+  return all_done ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+CLI::Option* AddFlag(CLI::App& command, const char* flag, std::string& value, const char* type,
+                     const char* help) {
+  return command.add_option(flag, value, help)->type_name(type);
+}
+
+void AddCommonFlags(CLI::App& command, DetectFlags& flags) {
+  AddFlag(command, "--server", flags.server, "HOST:PORT", "Address of the server")
+      ->capture_default_str();
+  command.add_option("--timeout", flags.timeout_s, "Longest wait for one answer")
+      ->type_name("SECONDS")
+      ->capture_default_str();
+  AddFlag(command, "--intrinsics", flags.intrinsics, "FX,FY,CX,CY",
+          "Of the colour camera in pixels, for example 525,525,319.5,239.5")
+      ->required();
+  command.add_option("--depth-unit", flags.depth_unit_m, "Metres per unit of the depth image")
+      ->type_name("METRES")
+      ->capture_default_str();
+  AddFlag(command, "--gravity", flags.gravity, "X,Y,Z",
+          "Unit vector that points down in the camera frame (x right, y down, z forward); "
+          "estimated from the scene where absent");
+  AddFlag(command, "--profile", flags.profile, "NAME", "Settings to start from: default or paper");
+  command.add_option("--set", flags.settings, "Changes one option; may be repeated")
+      ->type_name("NAME=NUMBER")
+      ->allow_extra_args(false);
+}
+
+void AddFrameFlags(CLI::App& command, DetectFlags& flags) {
+  const char* group = "One frame";
+  OutputPaths& outputs = flags.outputs;
+  AddFlag(command, "--color", flags.color, "FILE", "Colour image, PNG or JPEG")->group(group);
+  AddFlag(command, "--depth", flags.depth, "FILE",
+          "16-bit PNG, registered to colour, 0 = not measured")
+      ->group(group);
+  AddFlag(command, "--id", flags.id, "NAME", "Name of the frame; else that of the colour file")
+      ->group(group);
+  AddFlag(command, "--labels", outputs.labels, "FILE",
+          "Write the label image: 0 = background, k = object k")
+      ->group(group);
+  AddFlag(command, "--json", outputs.json, "FILE", "Write the whole answer")->group(group);
+  AddFlag(command, "--overlay", outputs.overlay, "FILE", "Write a picture of what was found")
+      ->group(group);
+  AddFlag(command, "--cloud", outputs.cloud, "FILE", "Write the coloured point cloud as PLY")
+      ->group(group);
+  AddFlag(command, "--saliency", outputs.saliency_prefix, "PREFIX",
+          "Write the saliency maps to PREFIX_color.png and PREFIX_depth.png")
+      ->group(group);
+}
+
+void AddFolderFlags(CLI::App& command, DetectFlags& flags) {
+  const char* group = "A folder of frames";
+  AddFlag(command, "--input", flags.input, "FOLDER",
+          "Every NAME_color.png (or .jpg) with its NAME_depth.png")
+      ->group(group);
+  AddFlag(command, "--output", flags.output, "FOLDER",
+          "For NAME.png (labels), NAME.json and NAME_overlay.png")
+      ->group(group);
+}
+
+}  // namespace
+
+void AddDetectFlags(CLI::App& command, DetectFlags& flags) {
+  AddCommonFlags(command, flags);
+  AddFrameFlags(command, flags);
+  AddFolderFlags(command, flags);
+}
+
+int RunDetect(const DetectFlags& flags) {
+  const client::Client client(flags.server);
+  if (!flags.input.empty()) return DetectMany(flags, client);
+  Require(flags.output.empty(), "--output needs --input: the folder to read from");
+  Require(!flags.color.empty() && !flags.depth.empty(),
+          "give --color and --depth for one frame, or --input and --output for a folder");
+  return DetectOne(flags, client);
+}
+
+}  // namespace fovea::cli

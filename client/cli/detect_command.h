@@ -1,0 +1,26 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+#include <vector>
+
+#include "client/cli/outputs.h"
+
+namespace fovea::cli {
+
+// The flags of `fovea detect` as they were written.
+struct DetectFlags {
+  std::string server = "127.0.0.1:50051";
+  double timeout_s = 30;
+  std::string color, depth, intrinsics, gravity, profile, id, input, output;
+  double depth_unit_m = 0.001;
+  std::vector<std::string> settings;
+  OutputPaths outputs;
+};
+
+void AddDetectFlags(CLI::App& command, DetectFlags& flags);
+
+// Returns the exit code; throws std::exception with one line of text.
+int RunDetect(const DetectFlags& flags);
+
+}  // namespace fovea::cli

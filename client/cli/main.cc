@@ -1,0 +1,71 @@
+// fovea: command-line client of a fovea server.
+#include <grpc/support/log.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <string>
+
+#include "client/cli/detect_command.h"
+#include "client/client.h"
+
+namespace {
+
+// gRPC's text about a server that is away names neither the cause nor a remedy.
+std::string Explain(const fovea::client::RpcError& error, const std::string& server) {
+  if (error.code() != grpc::StatusCode::UNAVAILABLE) return error.what();
+  return "no server answers at " + server + "; is fovea-server running there? (" + error.message() +
+         ")";
+}
+
+int CheckHealth(const std::string& server) {
+  if (!fovea::client::Client(server).IsServing()) {
+    throw std::runtime_error(server + " answers, but does not serve (it is stopping)");
+  }
+  std::cout << server << " is serving\n";
+  return EXIT_SUCCESS;
+}
+
+int Run(int argc, char** argv) {
+  CLI::App app("Finds unknown objects in RGB-D frames by asking a fovea server.", "fovea");
+  app.set_version_flag("--version", "fovea " FOVEA_VERSION);
+  app.require_subcommand(1);
+
+  fovea::cli::DetectFlags detect_flags;
+  CLI::App* detect = app.add_subcommand("detect", "Detect the objects of one frame or a folder");
+  fovea::cli::AddDetectFlags(*detect, detect_flags);
+
+  std::string health_server = "127.0.0.1:50051";
+  CLI::App* health = app.add_subcommand("health", "Ask whether the server serves");
+  health->add_option("--server", health_server, "Address of the server, HOST:PORT")
+      ->type_name("HOST:PORT")
+      ->capture_default_str();
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& wants_text) {  // --help, --version
+    return app.exit(wants_text);
+  } catch (const CLI::ParseError& error) {
+    throw std::invalid_argument(std::string(error.what()) + " (--help lists the flags)");
+  }
+  const std::string& server = *health ? health_server : detect_flags.server;
+  try {
+    return *health ? CheckHealth(health_server) : fovea::cli::RunDetect(detect_flags);
+  } catch (const fovea::client::RpcError& error) {
+    throw std::runtime_error(Explain(error, server));
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // What matters of gRPC's own messages comes back as the status of the call.
+  gpr_set_log_function([](gpr_log_func_args*) {});
+  try {
+    return Run(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << "fovea: " << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
+}

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "client/cli/request.h"
+
+namespace fovea::cli {
+
+// Where to write what; empty = not wanted.
+struct OutputPaths {
+  std::string labels, json, overlay, cloud, saliency_prefix;
+};
+
+// Asks for what these outputs need.
+void RequestFor(const OutputPaths& paths, v1::DetectOptions* options);
+
+// Writes them. Throws std::exception with one line of text.
+void WriteOutputs(const OutputPaths& paths, const FrameFiles& files, const FrameSettings& settings,
+                  const v1::DetectRequest& request, const v1::Detections& detections);
+
+}  // namespace fovea::cli

@@ -1,0 +1,41 @@
+#include "client/cli/progress.h"
+
+#include <unistd.h>
+
+#include <iostream>
+
+namespace fovea::cli {
+namespace {
+
+constexpr const char* kClearLine = "\r\x1B[K";
+
+}  // namespace
+
+Progress::Progress(std::size_t total) : total_(total), on_terminal_(isatty(STDOUT_FILENO) != 0) {}
+
+void Progress::DrawBar(const std::string& text) const {
+  constexpr std::size_t kWidth = 30;
+  const std::size_t filled = total_ == 0 ? kWidth : kWidth * done_ / total_;
+  std::cout << kClearLine << '[' << std::string(filled, '#') << std::string(kWidth - filled, '.')
+            << "] " << done_ << '/' << total_ << "  " << text << std::flush;
+}
+
+void Progress::Advance(const std::string& text) {
+  ++done_;
+  if (on_terminal_) {
+    DrawBar(text);
+  } else {
+    std::cout << done_ << '/' << total_ << "  " << text << std::endl;
+  }
+}
+
+void Progress::Complain(const std::string& text) {
+  if (on_terminal_) std::cout << kClearLine << std::flush;
+  std::cerr << text << std::endl;
+}
+
+void Progress::Finish() {
+  if (on_terminal_) std::cout << std::endl;
+}
+
+}  // namespace fovea::cli

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace fovea::cli {
+
+// How far a run over many frames is: a bar that is drawn over itself on a terminal, else a line
+// per frame. Writes to stdout.
+class Progress {
+ public:
+  explicit Progress(std::size_t total);
+
+  // One more frame is done; `text` says what came of it.
+  void Advance(const std::string& text);
+  // A line on stderr that stays above the bar.
+  void Complain(const std::string& text);
+  // Leaves the bar behind.
+  void Finish();
+
+ private:
+  void DrawBar(const std::string& text) const;
+
+  const std::size_t total_;
+  const bool on_terminal_;
+  std::size_t done_ = 0;
+};
+
+}  // namespace fovea::cli

@@ -1,0 +1,29 @@
+// A frame on disk and what is asked about it → a request.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fovea/v1/detection_service.pb.h"
+
+namespace fovea::cli {
+
+// What all frames of a run have in common.
+struct FrameSettings {
+  v1::CameraIntrinsics intrinsics;
+  double depth_unit_m = 0.001;
+  std::optional<v1::Vector3> gravity;
+  v1::DetectOptions options;
+};
+
+struct FrameFiles {
+  std::string id;
+  std::string color_path;
+  std::string depth_path;
+};
+
+// The bytes of the files travel as they are. Throws std::exception with one line of text.
+v1::DetectRequest MakeRequest(const FrameFiles& files, const FrameSettings& settings);
+
+}  // namespace fovea::cli

@@ -1,0 +1,82 @@
+#include "client/client.h"
+
+#include <grpcpp/create_channel.h>
+#include <grpcpp/security/credentials.h>
+
+#include "grpc/health/v1/health.grpc.pb.h"
+
+namespace fovea::client {
+namespace {
+
+namespace health = grpc::health::v1;
+
+std::shared_ptr<grpc::Channel> Connect(const std::string& address, const ClientOptions& options) {
+  grpc::ChannelArguments arguments;
+  arguments.SetMaxReceiveMessageSize(options.max_answer_mib << 20);
+  return grpc::CreateCustomChannel(address, grpc::InsecureChannelCredentials(), arguments);
+}
+
+health::HealthCheckRequest AboutDetection() {
+  health::HealthCheckRequest request;
+  request.set_service(v1::DetectionService::service_full_name());
+  return request;
+}
+
+void SetTimeout(std::chrono::milliseconds timeout, grpc::ClientContext* context) {
+  context->set_deadline(std::chrono::system_clock::now() + timeout);
+}
+
+void ThrowUnlessOk(const grpc::Status& status) {
+  if (!status.ok()) throw RpcError(status);
+}
+
+}  // namespace
+
+Client::Client(const std::string& address, ClientOptions options)
+    : options_(options),
+      channel_(Connect(address, options_)),
+      stub_(v1::DetectionService::NewStub(channel_)) {}
+
+void Client::WaitUntilReady(std::chrono::milliseconds timeout) const {
+  grpc::ClientContext context;
+  SetTimeout(timeout, &context);
+  context.set_wait_for_ready(true);  // a server that is not up yet is no error
+  const auto watch = health::Health::NewStub(channel_)->Watch(&context, AboutDetection());
+  health::HealthCheckResponse response;
+  while (watch->Read(&response)) {
+    if (response.status() != health::HealthCheckResponse::SERVING) continue;
+    context.TryCancel();
+    watch->Finish();
+    return;
+  }
+  const grpc::Status status = watch->Finish();
+  throw RpcError({status.ok() ? grpc::StatusCode::UNAVAILABLE : status.error_code(),
+                  "the server is not ready: " + status.error_message()});
+}
+
+bool Client::IsServing() const {
+  grpc::ClientContext context;
+  SetTimeout(options_.timeout, &context);
+  health::HealthCheckResponse response;
+  ThrowUnlessOk(health::Health::NewStub(channel_)->Check(&context, AboutDetection(), &response));
+  return response.status() == health::HealthCheckResponse::SERVING;
+}
+
+v1::DetectResponse Client::Detect(const v1::DetectRequest& request) const {
+  return Detect(request, options_.timeout);
+}
+
+v1::DetectResponse Client::Detect(const v1::DetectRequest& request,
+                                  std::chrono::milliseconds timeout) const {
+  grpc::ClientContext context;
+  SetTimeout(timeout, &context);
+  v1::DetectResponse response;
+  ThrowUnlessOk(stub_->Detect(&context, request, &response));
+  return response;
+}
+
+std::unique_ptr<DetectStream> Client::OpenStream(std::chrono::milliseconds timeout) const {
+  return std::make_unique<DetectStream>(*stub_, timeout);
+}
+
+}  // namespace fovea::client

@@ -1,0 +1,28 @@
+#include "client/detect_stream.h"
+
+namespace fovea::client {
+
+DetectStream::DetectStream(v1::DetectionService::Stub& stub, std::chrono::milliseconds timeout) {
+  context_.set_deadline(std::chrono::system_clock::now() + timeout);
+  stream_ = stub.DetectStream(&context_);
+}
+
+DetectStream::~DetectStream() {
+  if (finished_) return;
+  context_.TryCancel();
+  stream_->Finish();
+}
+
+bool DetectStream::Send(const v1::DetectStreamRequest& request) { return stream_->Write(request); }
+
+void DetectStream::DoneSending() { stream_->WritesDone(); }
+
+std::optional<v1::DetectStreamResponse> DetectStream::Receive() {
+  v1::DetectStreamResponse response;
+  if (!finished_ && stream_->Read(&response)) return response;
+  if (!finished_) finished_ = stream_->Finish();
+  if (!finished_->ok()) throw RpcError(*finished_);
+  return std::nullopt;
+}
+
+}  // namespace fovea::client

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <grpcpp/client_context.h>
+#include <grpcpp/support/sync_stream.h>
+
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include "client/rpc_error.h"
+#include "fovea/v1/detection_service.grpc.pb.h"
+
+namespace fovea::client {
+
+// One stream of frames; Client::OpenStream makes it. One thread may send while another receives.
+// Send ahead by a frame or two, not more: the server answers in order, and frames that wait grow
+// old.
+class DetectStream {
+ public:
+  DetectStream(v1::DetectionService::Stub& stub, std::chrono::milliseconds timeout);
+  // Cancels what has no answer yet.
+  ~DetectStream();
+
+  DetectStream(const DetectStream&) = delete;
+  DetectStream& operator=(const DetectStream&) = delete;
+
+  // False once the stream is broken; Receive() then throws the reason.
+  bool Send(const v1::DetectStreamRequest& request);
+
+  // No more frames will come; answers to those sent still do.
+  void DoneSending();
+
+  // The next answer in order, which may be a FrameError. Empty at the end, after DoneSending().
+  // Throws RpcError where the stream broke or ran out of time.
+  std::optional<v1::DetectStreamResponse> Receive();
+
+ private:
+  grpc::ClientContext context_;
+  std::unique_ptr<grpc::ClientReaderWriter<v1::DetectStreamRequest, v1::DetectStreamResponse>>
+      stream_;
+  std::optional<grpc::Status> finished_;
+};
+
+}  // namespace fovea::client

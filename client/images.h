@@ -1,0 +1,30 @@
+// The images of a request from what a camera driver hands out. All copy; rows have no padding.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "fovea/v1/frame.pb.h"
+
+namespace fovea::client {
+
+// width * height * 3 bytes; `encoding` is COLOR_ENCODING_RGB8 or COLOR_ENCODING_BGR8.
+v1::ColorImage MakeColorImage(const void* pixels, std::uint32_t width, std::uint32_t height,
+                              v1::ColorEncoding encoding);
+
+// A whole PNG or JPEG file, sent as it is. Throws std::invalid_argument for other bytes.
+v1::ColorImage MakeColorImage(std::string file);
+
+// width * height values in units of `unit_m` metres, 0 = not measured.
+v1::DepthImage MakeDepthImage(const std::uint16_t* units, std::uint32_t width, std::uint32_t height,
+                              double unit_m = 0.001);
+
+// width * height values in metres, NaN or <= 0 = not measured.
+v1::DepthImage MakeDepthImage(const float* meters, std::uint32_t width, std::uint32_t height);
+
+// A whole 16-bit PNG file, sent as it is. Throws std::invalid_argument for other bytes.
+v1::DepthImage MakeDepthImage(std::string png_file, double unit_m = 0.001);
+
+v1::CameraIntrinsics MakeIntrinsics(double fx, double fy, double cx, double cy);
+
+}  // namespace fovea::client

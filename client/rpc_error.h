@@ -1,0 +1,25 @@
+#pragma once
+
+#include <grpcpp/support/status.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace fovea::client {
+
+// A call that did not succeed. what() is "CODE: message", for example
+// "INVALID_ARGUMENT: frame.depth.data: has 10 bytes, 640x480 16UC1 needs 614400".
+class RpcError : public std::runtime_error {
+ public:
+  explicit RpcError(const grpc::Status& status);
+
+  grpc::StatusCode code() const { return code_; }
+  // Without the code's name.
+  const std::string& message() const { return message_; }
+
+ private:
+  grpc::StatusCode code_;
+  std::string message_;
+};
+
+}  // namespace fovea::client

@@ -1,0 +1,60 @@
+#include "server/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <stdexcept>
+
+#include "server/option_table.h"
+
+namespace fovea::server {
+namespace {
+
+void AddFlags(CLI::App& app, ServerOptions& options) {
+  app.set_version_flag("--version", "fovea-server " FOVEA_VERSION);
+  app.add_option("--listen", options.listen,
+                 "Address to listen on, HOST:PORT; port 0 takes a free one. Calls are neither "
+                 "authenticated nor encrypted: leave loopback only for a trusted network")
+      ->capture_default_str();
+  app.add_option("--max-message-mib", options.max_message_mib,
+                 "Largest request in MiB, 1 to 1024; larger ones get RESOURCE_EXHAUSTED")
+      ->capture_default_str();
+  app.add_option("--max-pixels", options.max_pixels,
+                 "Largest image in pixels, 1 to 100000000; checked before it is decoded")
+      ->capture_default_str();
+  app.add_option("--max-concurrent", options.max_concurrent,
+                 "Frames computed at once, 0 to 1024; others wait. 0 = one per processor")
+      ->capture_default_str();
+  app.add_option("--drain-timeout-s", options.drain_timeout_s,
+                 "How long calls may finish after SIGTERM or SIGINT, 0 to 3600 seconds")
+      ->capture_default_str();
+  app.add_option("--log-level", options.log_level, "trace, debug, info, warn, error or off")
+      ->capture_default_str();
+}
+
+}  // namespace
+
+std::optional<ServerOptions> ParseCommandLine(int argc, char** argv) {
+  CLI::App app("Serves fovea.v1.DetectionService: finds unknown objects in RGB-D frames.",
+               "fovea-server");
+  ServerOptions options;
+  AddFlags(app, options);
+  bool list_options = false;
+  app.add_flag("--list-options", list_options,
+               "Print every option of the method with its range, profiles and meaning, and exit");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& wants_text) {  // --help, --version
+    app.exit(wants_text);
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    throw std::invalid_argument(std::string(error.what()) + " (--help lists the flags)");
+  }
+  if (list_options) {
+    std::cout << OptionTable();
+    return std::nullopt;
+  }
+  Validate(options);
+  return options;
+}
+
+}  // namespace fovea::server

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <optional>
+
+#include "server/server_options.h"
+
+namespace fovea::server {
+
+// Reads the flags. Empty after --help, --version or --list-options, which it prints. Throws
+// std::invalid_argument with one line of text for flags that are unknown or do not validate.
+std::optional<ServerOptions> ParseCommandLine(int argc, char** argv);
+
+}  // namespace fovea::server

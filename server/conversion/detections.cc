@@ -1,0 +1,147 @@
+#include "server/conversion/detections.h"
+
+#include <cmath>
+#include <opencv2/core.hpp>
+
+#include "server/conversion/geometry.h"
+#include "server/conversion/mask.h"
+#include "server/conversion/object.h"
+
+namespace fovea::server {
+namespace {
+
+v1::Gravity GravityToProto(const Gravity& gravity) {
+  v1::Gravity proto;
+  *proto.mutable_direction() = ToProto(gravity.direction);
+  proto.set_source(gravity.source == Gravity::Source::kGiven ? v1::GRAVITY_SOURCE_REQUEST
+                                                             : v1::GRAVITY_SOURCE_ESTIMATED);
+  return proto;
+}
+
+v1::SupportSurface SupportToProto(const SupportSurface& support) {
+  v1::SupportSurface proto;
+  *proto.mutable_plane()->mutable_normal() = ToProto(support.normal);
+  proto.mutable_plane()->set_offset(support.offset_m);
+  proto.set_num_points(support.num_points);
+  return proto;
+}
+
+v1::Diagnostics DiagnosticsToProto(const Diagnostics& diagnostics) {
+  v1::Diagnostics proto;
+  proto.set_num_pixels(diagnostics.num_pixels);
+  proto.set_num_measured(diagnostics.num_measured);
+  proto.set_num_points(diagnostics.num_points);
+  proto.set_seeds_from_color(diagnostics.seeds_from_color);
+  proto.set_seeds_from_depth(diagnostics.seeds_from_depth);
+  proto.set_seeds_without_depth(diagnostics.seeds_without_depth);
+  proto.set_seeds_on_support(diagnostics.seeds_on_support);
+  proto.set_num_seeds(diagnostics.num_seeds);
+  proto.set_num_voxels(diagnostics.num_voxels);
+  proto.set_num_segments(diagnostics.num_segments);
+  proto.set_num_merged(diagnostics.num_merged);
+  proto.set_segments_too_small(diagnostics.segments_too_small);
+  for (const std::string& message : diagnostics.messages) proto.add_messages(message);
+  return proto;
+}
+
+v1::SeedSource SourceToProto(Seed::Source source) {
+  switch (source) {
+    case Seed::Source::kColorSaliency:
+      return v1::SEED_SOURCE_COLOR_SALIENCY;
+    case Seed::Source::kDepthSaliency:
+      return v1::SEED_SOURCE_DEPTH_SALIENCY;
+    case Seed::Source::kUnexplainedRegion:
+      return v1::SEED_SOURCE_UNEXPLAINED_REGION;
+  }
+  return v1::SEED_SOURCE_UNSPECIFIED;
+}
+
+v1::Seed SeedToProto(const Seed& seed) {
+  v1::Seed proto;
+  proto.set_x(static_cast<std::uint32_t>(seed.pixel.x));
+  proto.set_y(static_cast<std::uint32_t>(seed.pixel.y));
+  *proto.mutable_position() = ToProto(seed.position);
+  proto.set_source(SourceToProto(seed.source));
+  return proto;
+}
+
+v1::SaliencyMap SaliencyToProto(const char* name, const cv::Mat& saliency) {
+  cv::Mat bytes;
+  cv::normalize(saliency, bytes, 0, 255, cv::NORM_MINMAX, CV_8U);
+  v1::SaliencyMap proto;
+  proto.set_name(name);
+  proto.set_width(static_cast<std::uint32_t>(bytes.cols));
+  proto.set_height(static_cast<std::uint32_t>(bytes.rows));
+  proto.set_data(bytes.data, bytes.total());
+  return proto;
+}
+
+void AddObjects(const Detections& detections, const v1::Frame& frame,
+                const v1::DetectOptions& options, v1::Detections* proto) {
+  std::optional<Eigen::Isometry3d> reference_from_camera;
+  if (frame.has_camera_pose()) {
+    reference_from_camera = FromProto(frame.camera_pose(), "frame.camera_pose");
+  }
+  for (const DetectedObject& object : detections.objects) {
+    v1::Object& added = *proto->add_objects();
+    added = ToProto(object, frame.id(), reference_from_camera);
+    if (options.return_masks()) {
+      *added.mutable_mask() = MaskToProto(detections.labels, object.label, object.bounds_px);
+    }
+    if (options.return_clouds()) *added.mutable_cloud() = CloudToProto(object.cloud);
+  }
+}
+
+void AddTrace(const Trace& trace, const v1::DetectOptions& options, v1::Detections* proto) {
+  if (options.return_saliency_maps()) {
+    // A frame without anything to look at has no maps.
+    if (!trace.color_saliency.empty()) {
+      *proto->add_saliency_maps() = SaliencyToProto("color", trace.color_saliency);
+    }
+    if (!trace.depth_saliency.empty()) {
+      *proto->add_saliency_maps() = SaliencyToProto("depth", trace.depth_saliency);
+    }
+  }
+  if (options.return_seeds()) {
+    for (const Seed& seed : trace.seeds) *proto->add_seeds() = SeedToProto(seed);
+  }
+}
+
+}  // namespace
+
+bool WantsTrace(const v1::DetectOptions& options) {
+  return options.return_saliency_maps() || options.return_seeds();
+}
+
+v1::StageTime ToProto(const StageTime& time) {
+  constexpr std::int64_t kNanosPerSecond = 1'000'000'000;
+  const std::int64_t nanos = std::llround(time.duration_ms * 1e6);
+  v1::StageTime proto;
+  proto.set_stage(time.stage);
+  proto.mutable_duration()->set_seconds(nanos / kNanosPerSecond);
+  proto.mutable_duration()->set_nanos(static_cast<std::int32_t>(nanos % kNanosPerSecond));
+  return proto;
+}
+
+v1::Detections ToProto(const Detections& detections, const Trace& trace, const v1::Frame& frame,
+                       const v1::DetectOptions& options) {
+  v1::Detections proto;
+  proto.set_frame_id(frame.id());
+  if (frame.has_captured_at()) *proto.mutable_captured_at() = frame.captured_at();
+  proto.set_profile(options.profile().empty() ? "default" : options.profile());
+  proto.set_width(static_cast<std::uint32_t>(detections.labels.cols));
+  proto.set_height(static_cast<std::uint32_t>(detections.labels.rows));
+  *proto.mutable_gravity() = GravityToProto(detections.gravity);
+  if (detections.support) {
+    *proto.mutable_support_surface() = SupportToProto(*detections.support);
+  }
+  for (const StageTime& time : detections.stage_times) {
+    *proto.add_stage_times() = ToProto(time);
+  }
+  *proto.mutable_diagnostics() = DiagnosticsToProto(detections.diagnostics);
+  AddObjects(detections, frame, options, &proto);
+  AddTrace(trace, options, &proto);
+  return proto;
+}
+
+}  // namespace fovea::server

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/types/detections.h"
+#include "fovea/v1/detection.pb.h"
+
+namespace fovea::server {
+
+// An object's attributes, without mask and cloud. `reference_from_camera` is the camera's pose,
+// where the frame gave one.
+v1::Object ToProto(const DetectedObject& object, const std::string& frame_id,
+                   const std::optional<Eigen::Isometry3d>& reference_from_camera);
+
+v1::PointCloud CloudToProto(const pcl::PointCloud<pcl::PointXYZRGB>& cloud);
+
+}  // namespace fovea::server

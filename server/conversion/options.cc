@@ -1,0 +1,88 @@
+#include "server/conversion/options.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "server/conversion/field_error.h"
+
+namespace fovea::server {
+namespace {
+
+// Names come from the caller and return in the status text, which travels in a header.
+std::string Shortened(const std::string& name) {
+  constexpr std::size_t kMax = 64;
+  return name.size() <= kMax ? name : name.substr(0, kMax) + "…";
+}
+
+std::string Joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) {
+    if (!text.empty()) text += ", ";
+    text += name;
+  }
+  return text;
+}
+
+// The part before the dot: "mrf" of "mrf.gamma_per_m2".
+std::string GroupOf(const std::string& name) { return name.substr(0, name.find('.')); }
+
+// Those of the same group, or the names of all groups where the group is unknown too.
+std::string Suggestions(const std::string& name) {
+  std::vector<std::string> near, groups;
+  for (const OptionInfo& option : ListOptions()) {
+    const std::string group = GroupOf(option.name);
+    if (group == GroupOf(name)) near.push_back(option.name);
+    if (groups.empty() || groups.back() != group) groups.push_back(group);
+  }
+  if (!near.empty()) return "known are " + Joined(near);
+  return "known names start with " + Joined(groups);
+}
+
+bool IsKnown(const std::string& name) {
+  const auto options = ListOptions();
+  return std::any_of(options.begin(), options.end(),
+                     [&](const OptionInfo& option) { return option.name == name; });
+}
+
+// The core starts its texts with the option's name, which is in the path already.
+std::string WithoutName(const std::string& text, const std::string& name) {
+  const std::string start = name + ": ";
+  return text.starts_with(start) ? text.substr(start.size()) : text;
+}
+
+void SetParameter(DetectorOptions& options, const std::string& name, double value) {
+  const std::string path = "options.parameters[" + Shortened(name) + "]";
+  RequireField(IsKnown(name), path, "there is no such option; " + Suggestions(name));
+  RequireField(std::isfinite(value), path, "must be a finite number");
+  try {
+    SetOption(options, name, value);
+  } catch (const std::invalid_argument& error) {
+    FailField(path, WithoutName(error.what(), name));
+  }
+}
+
+DetectorOptions ProfileFromProto(const std::string& name) {
+  const auto names = ProfileNames();
+  const bool known = name.empty() || std::find(names.begin(), names.end(), name) != names.end();
+  RequireField(known, "options.profile",
+               Shortened(name) + " is not one of " + Joined(names));
+  return OptionsOfProfile(name);
+}
+
+}  // namespace
+
+DetectorOptions FromProto(const v1::DetectOptions& options) {
+  DetectorOptions result = ProfileFromProto(options.profile());
+  // In the order of the names, so that the first error is always the same one.
+  const std::map<std::string, double> parameters(options.parameters().begin(),
+                                                 options.parameters().end());
+  for (const auto& [name, value] : parameters) SetParameter(result, name, value);
+  InField("options.parameters", [&] { Validate(result); });
+  return result;
+}
+
+}  // namespace fovea::server

@@ -1,0 +1,55 @@
+#include "server/server_options.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <stdexcept>
+#include <string_view>
+
+namespace fovea::server {
+namespace {
+
+void RequireRange(const char* flag, std::int64_t value, std::int64_t minimum,
+                  std::int64_t maximum) {
+  if (value >= minimum && value <= maximum) return;
+  throw std::invalid_argument(std::string(flag) + ": " + std::to_string(value) +
+                              " is not between " + std::to_string(minimum) + " and " +
+                              std::to_string(maximum));
+}
+
+void RequireAddress(const std::string& listen) {
+  const std::size_t colon = listen.rfind(':');
+  const std::string_view port =
+      colon == std::string::npos ? std::string_view{} : std::string_view(listen).substr(colon + 1);
+  int number = -1;
+  const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), number);
+  const bool is_port =
+      error == std::errc{} && end == port.data() + port.size() && number >= 0 && number <= 65535;
+  if (colon == std::string::npos || colon == 0 || !is_port) {
+    throw std::invalid_argument("--listen: \"" + listen +
+                                "\" is not HOST:PORT with a port of 0 to 65535");
+  }
+}
+
+void RequireLogLevel(const std::string& level) {
+  constexpr std::array<std::string_view, 6> kLevels{"trace", "debug", "info",
+                                                    "warn",  "error", "off"};
+  if (std::find(kLevels.begin(), kLevels.end(), level) != kLevels.end()) return;
+  throw std::invalid_argument("--log-level: \"" + level +
+                              "\" is not one of trace, debug, info, warn, error, off");
+}
+
+}  // namespace
+
+void Validate(const ServerOptions& options) {
+  RequireAddress(options.listen);
+  RequireRange("--max-message-mib", options.max_message_mib, 1, 1024);
+  RequireRange("--max-pixels", options.max_pixels, 1, 100'000'000);
+  RequireRange("--max-concurrent", options.max_concurrent, 0, 1024);
+  RequireRange("--drain-timeout-s", options.drain_timeout_s, 0, 3600);
+  RequireLogLevel(options.log_level);
+}
+
+std::string HostOf(const std::string& listen) { return listen.substr(0, listen.rfind(':')); }
+
+}  // namespace fovea::server

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace fovea::server {
+
+struct ServerOptions {
+  // HOST:PORT; port 0 takes a free one. Loopback unless told otherwise: there is no
+  // authentication.
+  std::string listen = "127.0.0.1:50051";
+  // Largest request, 1 … 1024 MiB. The default lets 1280x720 RGB8 with 32FC1 depth (6.2 MiB) and
+  // 1920x1080 (13.9 MiB) through.
+  int max_message_mib = 16;
+  // Largest decoded image in pixels, 1 … 100 million. The default is just above 1920x1080.
+  std::int64_t max_pixels = 1920 * 1088;
+  // Frames that are computed at once, 0 … 1024; 0 = one per processor.
+  int max_concurrent = 0;
+  // How long calls may go on after a stop signal, 0 … 3600 s.
+  int drain_timeout_s = 10;
+  // trace, debug, info, warn, error or off.
+  std::string log_level = "info";
+};
+
+// Throws std::invalid_argument that names flag, value and constraint.
+void Validate(const ServerOptions& options);
+
+// "127.0.0.1" of "127.0.0.1:50051".
+std::string HostOf(const std::string& listen);
+
+}  // namespace fovea::server

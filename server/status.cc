@@ -1,0 +1,51 @@
+#include "server/status.h"
+
+#include <spdlog/spdlog.h>
+
+#include <new>
+#include <stdexcept>
+
+#include "core/detector.h"
+
+namespace fovea::server {
+
+grpc::Status StatusOfCurrentException(bool deadline_passed) {
+  try {
+    throw;
+  } catch (const std::invalid_argument& error) {
+    return {grpc::StatusCode::INVALID_ARGUMENT, error.what()};
+  } catch (const Cancelled& error) {
+    if (deadline_passed) {
+      return {grpc::StatusCode::DEADLINE_EXCEEDED, "the deadline passed before the answer"};
+    }
+    return {grpc::StatusCode::CANCELLED, error.what()};
+  } catch (const std::bad_alloc&) {
+    return {grpc::StatusCode::RESOURCE_EXHAUSTED, "not enough memory for this frame"};
+  } catch (const std::exception& error) {
+    spdlog::error("internal error: {}", error.what());
+  } catch (...) {
+    spdlog::error("internal error of unknown type");
+  }
+  return {grpc::StatusCode::INTERNAL, "internal error; the server's log says more"};
+}
+
+const char* NameOf(grpc::StatusCode code) {
+  switch (code) {
+    case grpc::StatusCode::OK:
+      return "OK";
+    case grpc::StatusCode::CANCELLED:
+      return "CANCELLED";
+    case grpc::StatusCode::INVALID_ARGUMENT:
+      return "INVALID_ARGUMENT";
+    case grpc::StatusCode::DEADLINE_EXCEEDED:
+      return "DEADLINE_EXCEEDED";
+    case grpc::StatusCode::RESOURCE_EXHAUSTED:
+      return "RESOURCE_EXHAUSTED";
+    case grpc::StatusCode::UNAVAILABLE:
+      return "UNAVAILABLE";
+    default:
+      return "INTERNAL";
+  }
+}
+
+}  // namespace fovea::server

@@ -1,0 +1,84 @@
+#include "client/client.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <stdexcept>
+
+#include "client/cli/parsing.h"
+#include "client/images.h"
+#include "tests/server/frames.h"
+#include "tests/server/loopback.h"
+
+namespace fovea::client {
+namespace {
+
+using ::testing::ElementsAre;
+using testing::Loopback;
+using ::testing::StartsWith;
+
+TEST(Client, SaysWhenNoServerIsThere) {
+  std::string address;
+  {
+    const Loopback gone;
+    address = gone.server.Address();
+  }
+  const Client client(address);
+  const grpc::Status call = testing::StatusOf([&] { client.Detect({}); });
+  EXPECT_EQ(call.error_code(), grpc::StatusCode::UNAVAILABLE);
+  const grpc::Status wait =
+      testing::StatusOf([&] { client.WaitUntilReady(std::chrono::milliseconds(100)); });
+  EXPECT_EQ(wait.error_code(), grpc::StatusCode::DEADLINE_EXCEEDED);
+  EXPECT_THAT(wait.error_message(), StartsWith("the server is not ready"));
+}
+
+TEST(Client, ThrowsWhatTheServerSays) {
+  const Loopback loopback;
+  try {
+    loopback.client.Detect({});
+    FAIL() << "an empty request was answered";
+  } catch (const RpcError& error) {
+    EXPECT_EQ(error.code(), grpc::StatusCode::INVALID_ARGUMENT);
+    EXPECT_STREQ(error.what(), "INVALID_ARGUMENT: frame: is missing");
+  }
+}
+
+TEST(Client, DetectsInFramesMadeByItsHelpers) {
+  const Loopback loopback;
+  v1::DetectRequest request;
+  v1::Frame& frame = *request.mutable_frame();
+  const cv::Mat color = testing::TestColor(), depth = testing::TestDepth(),
+                meters = testing::TestMeters();
+  *frame.mutable_intrinsics() = MakeIntrinsics(30, 30, 15.5, 11.5);
+  *frame.mutable_color() =
+      MakeColorImage(color.data, testing::kWidth, testing::kHeight, v1::COLOR_ENCODING_RGB8);
+  *frame.mutable_depth() =
+      MakeDepthImage(depth.ptr<std::uint16_t>(), testing::kWidth, testing::kHeight);
+  EXPECT_NO_THROW(loopback.client.Detect(request));
+  *frame.mutable_depth() = MakeDepthImage(meters.ptr<float>(), testing::kWidth, testing::kHeight);
+  EXPECT_NO_THROW(loopback.client.Detect(request));
+  *frame.mutable_color() = MakeColorImage(testing::JpegOf(color));
+  *frame.mutable_depth() = MakeDepthImage(testing::PngOf(depth));
+  EXPECT_NO_THROW(loopback.client.Detect(request));
+}
+
+TEST(MakeImage, RefusesFilesOfAnotherKind) {
+  EXPECT_THROW(MakeColorImage("GIF89a"), std::invalid_argument);
+  EXPECT_THROW(MakeColorImage(""), std::invalid_argument);
+  EXPECT_THROW(MakeDepthImage(testing::JpegOf(testing::TestColor())), std::invalid_argument);
+}
+
+TEST(Parsing, ReadsNumbersAndSettings) {
+  EXPECT_THAT(cli::ParseNumbers("525,-5e2,.5", 3, "--f", "A,B,C"), ElementsAre(525, -500, 0.5));
+  EXPECT_EQ(cli::ParseSetting("mrf.gamma=80"), std::pair(std::string("mrf.gamma"), 80.0));
+  for (const char* text : {"", "1,2", "1,2,3,4", "1,,3", "1,2,x", "1, 2,3", "1,2,3,"}) {
+    EXPECT_THROW(cli::ParseNumbers(text, 3, "--f", "A,B,C"), std::invalid_argument) << text;
+  }
+  for (const char* text : {"", "=", "=1", "name", "name=", "name=x", "name=1x"}) {
+    EXPECT_THROW(cli::ParseSetting(text), std::invalid_argument) << text;
+  }
+}
+
+}  // namespace
+}  // namespace fovea::client

@@ -1,0 +1,138 @@
+// The command-line client on files, against the real server.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <opencv2/imgcodecs.hpp>
+
+#include "tests/e2e/server_process.h"
+#include "tests/server/frames.h"
+
+namespace fovea::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+void Write(const fs::path& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+class CliTest : public ::testing::Test {
+ protected:
+  CliTest() {
+    std::string pattern = (fs::temp_directory_path() / "fovea_cli_XXXXXX").string();
+    folder_ = mkdtemp(pattern.data());
+    WriteFrame("a");
+  }
+  ~CliTest() override { fs::remove_all(folder_); }
+
+  std::string At(const std::string& name) const { return (folder_ / name).string(); }
+
+  void WriteFrame(const std::string& name) const {
+    Write(At(name + "_color.png"), PngOf(TestColor()));
+    Write(At(name + "_depth.png"), PngOf(TestDepth()));
+  }
+
+  Finished Detect(std::vector<std::string> flags) {
+    flags.insert(flags.begin(), {FOVEA_CLI, "detect", "--server", server_.address(), "--intrinsics",
+                                 "30,30,15.5,11.5"});
+    return Execute(flags);
+  }
+
+  Finished DetectFrame(std::vector<std::string> flags = {}) {
+    flags.insert(flags.begin(), {"--color", At("a_color.png"), "--depth", At("a_depth.png")});
+    return Detect(flags);
+  }
+
+  static void ExpectOneLineError(const Finished& finished, const std::string& text) {
+    EXPECT_EQ(finished.exit_code, 1);
+    EXPECT_THAT(finished.err, StartsWith("fovea: "));
+    EXPECT_THAT(finished.err, HasSubstr(text));
+    EXPECT_EQ(std::count(finished.err.begin(), finished.err.end(), '\n'), 1) << finished.err;
+  }
+
+  ServerProcess server_;
+  fs::path folder_;
+};
+
+TEST_F(CliTest, WritesEveryOutputOfAFrame) {
+  const Finished finished =
+      DetectFrame({"--labels", At("l.png"), "--json", At("j.json"), "--overlay", At("o.png"),
+                   "--cloud", At("c.ply"), "--gravity", "0,1,0"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_THAT(finished.out, StartsWith("a: "));
+  EXPECT_THAT(finished.out, HasSubstr("gravity (0.000, 1.000, 0.000), as given"));
+
+  const cv::Mat labels = cv::imread(At("l.png"), cv::IMREAD_UNCHANGED);
+  EXPECT_EQ(labels.size(), cv::Size(kWidth, kHeight));
+  EXPECT_EQ(labels.type(), CV_8UC1);
+  EXPECT_EQ(cv::imread(At("o.png")).size(), cv::Size(2 * kWidth, 2 * kHeight));
+  const auto num_points = static_cast<std::size_t>(cv::countNonZero(TestDepth()));
+  std::ifstream ply(At("c.ply"), std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(ply), {}};
+  EXPECT_THAT(bytes, StartsWith("ply\nformat binary_little_endian 1.0\n"));
+  EXPECT_EQ(bytes.size() - bytes.find("end_header\n") - 11, num_points * 15);
+}
+
+TEST_F(CliTest, SendsJpegAsItIs) {
+  Write(At("a.jpg"), JpegOf(TestColor()));
+  const Finished finished = Detect({"--color", At("a.jpg"), "--depth", At("a_depth.png")});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+}
+
+TEST_F(CliTest, RunsOverAFolderAndGoesOnAfterAFrameThatFailed) {
+  for (const char* name : {"b", "c", "d"}) WriteFrame(name);
+  fs::remove(At("b_depth.png"));
+  Write(At("c_depth.png"), PngOf(TestColor()));
+  Write(At("notes.txt"), "not a frame");
+  const Finished finished = Detect({"--input", folder_.string(), "--output", At("out")});
+  EXPECT_EQ(finished.exit_code, 1);
+  EXPECT_THAT(finished.out, HasSubstr("2 of 4 frames done"));
+  EXPECT_THAT(finished.out, HasSubstr("2 failed"));
+  EXPECT_LT(finished.out.find("1/4  a"), finished.out.find("4/4  d"));
+  EXPECT_THAT(finished.err, HasSubstr("fovea: b: no " + At("b_depth.png")));
+  EXPECT_THAT(finished.err, HasSubstr("fovea: c: INVALID_ARGUMENT: frame.depth.data: "));
+  for (const char* file : {"a.png", "a.json", "a_overlay.png", "d.png"}) {
+    EXPECT_TRUE(fs::exists(folder_ / "out" / file)) << file;
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "out" / "b.png"));
+}
+
+TEST_F(CliTest, SaysInOneLineWhatIsWrong) {
+  ExpectOneLineError(DetectFrame({"--bogus"}), "--bogus");
+  ExpectOneLineError(DetectFrame({"--gravity", "1,2"}), "--gravity: \"1,2\" is not X,Y,Z");
+  ExpectOneLineError(DetectFrame({"--gravity", "0,2,0"}), "INVALID_ARGUMENT: frame.gravity: ");
+  ExpectOneLineError(DetectFrame({"--set", "x"}), "--set: \"x\" is not NAME=NUMBER");
+  ExpectOneLineError(DetectFrame({"--set", "no.such=1"}), "options.parameters[no.such]: ");
+  ExpectOneLineError(DetectFrame({"--profile", "fast"}), "options.profile: ");
+  ExpectOneLineError(DetectFrame({"--labels", At("no/folder/l.png")}), "cannot write");
+  ExpectOneLineError(DetectFrame({"--input", folder_.string()}), "--output");
+  ExpectOneLineError(Detect({}), "--color");
+  ExpectOneLineError(Detect({"--color", At("none.png"), "--depth", At("a_depth.png")}),
+                     "cannot read " + At("none.png"));
+  ExpectOneLineError(Detect({"--color", folder_.string(), "--depth", At("a_depth.png")}),
+                     "is a folder");
+  ExpectOneLineError(Detect({"--input", At("none"), "--output", At("out")}), "cannot read");
+  fs::create_directory(At("empty"));
+  ExpectOneLineError(Detect({"--input", At("empty"), "--output", At("out")}), "no NAME_color.png");
+}
+
+TEST_F(CliTest, AsksForHealth) {
+  const Finished healthy = Execute({FOVEA_CLI, "health", "--server", server_.address()});
+  EXPECT_EQ(healthy.exit_code, 0);
+  EXPECT_EQ(healthy.out, server_.address() + " is serving\n");
+
+  server_.process().Signal(SIGTERM);
+  server_.process().Wait();
+  const std::string text = "no server answers at " + server_.address();
+  ExpectOneLineError(Execute({FOVEA_CLI, "health", "--server", server_.address()}), text);
+  ExpectOneLineError(DetectFrame(), text);
+}
+
+}  // namespace
+}  // namespace fovea::testing

@@ -1,0 +1,84 @@
+#include "tests/e2e/process.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <stdexcept>
+
+namespace fovea::testing {
+namespace {
+
+std::string ReadAll(int descriptor) {
+  std::string text;
+  char buffer[4096];
+  for (ssize_t size; (size = read(descriptor, buffer, sizeof buffer)) > 0;) {
+    text.append(buffer, static_cast<std::size_t>(size));
+  }
+  return text;
+}
+
+// A nameless file: a child that writes much to stderr never waits for a reader.
+int TemporaryFile() {
+  char path[] = "/tmp/fovea_e2e_XXXXXX";
+  const int descriptor = mkstemp(path);
+  unlink(path);
+  return descriptor;
+}
+
+}  // namespace
+
+Process::Process(const std::vector<std::string>& arguments) {
+  int pipe_ends[2];
+  if (pipe2(pipe_ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
+  out_ = pipe_ends[0];
+  err_ = TemporaryFile();
+
+  std::vector<char*> argv;
+  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, pipe_ends[1], STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, err_, STDERR_FILENO);
+  const int error = posix_spawn(&pid_, argv[0], &actions, nullptr, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  close(pipe_ends[1]);
+  if (error != 0) throw std::runtime_error("cannot start " + arguments[0]);
+}
+
+Process::~Process() {
+  if (pid_ > 0) {
+    kill(pid_, SIGKILL);
+    waitpid(pid_, nullptr, 0);
+  }
+  close(out_);
+  close(err_);
+}
+
+std::string Process::ReadLine() {
+  std::string line;
+  for (char c; read(out_, &c, 1) == 1 && c != '\n';) line += c;
+  return line;
+}
+
+void Process::Signal(int number) const { kill(pid_, number); }
+
+Finished Process::Wait() {
+  Finished finished;
+  finished.out = ReadAll(out_);
+  int status = 0;
+  waitpid(pid_, &status, 0);
+  pid_ = -1;
+  finished.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  lseek(err_, 0, SEEK_SET);
+  finished.err = ReadAll(err_);
+  return finished;
+}
+
+Finished Execute(const std::vector<std::string>& arguments) { return Process(arguments).Wait(); }
+
+}  // namespace fovea::testing

@@ -1,0 +1,40 @@
+// Runs the real executables.
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+namespace fovea::testing {
+
+struct Finished {
+  int exit_code = -1;  // -1 = killed by a signal
+  std::string out, err;
+};
+
+// A child process. Its stdout and stderr go to files, which are read when it has ended.
+class Process {
+ public:
+  // `arguments[0]` is the executable's path.
+  explicit Process(const std::vector<std::string>& arguments);
+  // Kills the child where it still runs.
+  ~Process();
+
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  // The next line of stdout, without its end; empty when the child closed it.
+  std::string ReadLine();
+  void Signal(int number) const;
+  Finished Wait();
+
+ private:
+  pid_t pid_ = -1;
+  int out_ = -1, err_ = -1;  // reading ends of the child's pipes; err_ is a file
+};
+
+// Runs to the end.
+Finished Execute(const std::vector<std::string>& arguments);
+
+}  // namespace fovea::testing

@@ -1,0 +1,43 @@
+// A real server on a free loopback port, with a client.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "client/client.h"
+#include "server/server.h"
+
+namespace fovea::testing {
+
+// Long enough that only a hang reaches it.
+constexpr std::chrono::minutes kPatience{1};
+
+inline server::ServerOptions LoopbackOptions() {
+  server::ServerOptions options;
+  options.listen = "127.0.0.1:0";
+  return options;
+}
+
+struct Loopback {
+  explicit Loopback(server::DetectFunction detect = fovea::Detect,
+                    const server::ServerOptions& options = LoopbackOptions())
+      : server(options, std::move(detect)), client(server.Address(), {.timeout = kPatience}) {}
+
+  server::Server server;
+  client::Client client;
+};
+
+// Runs `call`, which must throw RpcError, and returns that as a status.
+template <typename Call>
+grpc::Status StatusOf(Call&& call) {
+  try {
+    call();
+  } catch (const client::RpcError& error) {
+    return {error.code(), error.message()};
+  }
+  ADD_FAILURE() << "the call succeeded";
+  return grpc::Status::OK;
+}
+
+}  // namespace fovea::testing

@@ -1,0 +1,265 @@
+// The service over real loopback, with a detector of the test's own where that shows more.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <future>
+#include <new>
+#include <opencv2/imgproc.hpp>
+#include <thread>
+
+#include "tests/server/frames.h"
+#include "tests/server/loopback.h"
+
+namespace fovea::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+// A detector that finds one object in the frame's middle.
+Detections FindOne(const RgbdFrame& frame, const DetectorOptions&, Trace* trace,
+                   const std::function<bool()>&) {
+  Detections detections;
+  detections.labels = cv::Mat::zeros(frame.depth_m.size(), CV_16UC1);
+  DetectedObject object;
+  object.label = 1;
+  object.confidence = 0.75F;
+  object.bounds_px = {10, 8, 4, 3};
+  detections.labels(object.bounds_px).setTo(1);
+  detections.labels.at<std::uint16_t>(8, 10) = 0;
+  object.num_pixels = 11;
+  object.box.center = {0.1F, 0.2F, 1.0F};
+  object.box.size_m = {0.3F, 0.2F, 0.1F};
+  object.grasps.resize(1);
+  object.cloud.push_back(pcl::PointXYZRGB(1.0F, 2.0F, 3.0F));
+  detections.objects = {object};
+  detections.stage_times = {{"first", 1.5}};
+  if (trace != nullptr) {
+    trace->color_saliency = cv::Mat::eye(frame.depth_m.size(), CV_32FC1);
+    trace->seeds.resize(2);
+  }
+  return detections;
+}
+
+// A detector that computes until it is told to stop, and says when it began.
+struct Endless {
+  std::promise<void> started;
+
+  Detections operator()(const RgbdFrame&, const DetectorOptions&, Trace*,
+                        const std::function<bool()>& should_stop) {
+    started.set_value();
+    while (!should_stop()) std::this_thread::yield();
+    throw Cancelled();
+  }
+};
+
+// A detector that hands its frame to the test.
+struct Recorder {
+  RgbdFrame* frame;
+  Detections operator()(const RgbdFrame& given, const DetectorOptions& options, Trace* trace,
+                        const std::function<bool()>& should_stop) const {
+    *frame = given;
+    return FindOne(given, options, trace, should_stop);
+  }
+};
+
+TEST(Detect, EchoesTheFrameAndStartsStageTimesWithDecoding) {
+  Loopback loopback(FindOne);
+  v1::DetectRequest request = TestRequest();
+  request.mutable_frame()->mutable_captured_at()->set_seconds(1234);
+  const v1::Detections answer = loopback.client.Detect(request).detections();
+  EXPECT_EQ(answer.frame_id(), "frame-7");
+  EXPECT_EQ(answer.captured_at().seconds(), 1234);
+  EXPECT_EQ(answer.profile(), "default");
+  EXPECT_EQ(answer.width(), std::uint32_t{kWidth});
+  EXPECT_EQ(answer.height(), std::uint32_t{kHeight});
+  ASSERT_EQ(answer.stage_times_size(), 2);
+  EXPECT_EQ(answer.stage_times(0).stage(), "decode");
+  EXPECT_EQ(answer.stage_times(1).duration().nanos(), 1'500'000);
+  ASSERT_EQ(answer.objects_size(), 1);
+  EXPECT_EQ(answer.objects(0).id(), "frame-7/1");
+}
+
+TEST(Detect, ReturnsOnlyWhatWasAskedFor) {
+  Loopback loopback(FindOne);
+  const v1::Detections bare = loopback.client.Detect(TestRequest()).detections();
+  EXPECT_FALSE(bare.objects(0).has_mask());
+  EXPECT_FALSE(bare.objects(0).has_cloud());
+  EXPECT_FALSE(bare.objects(0).has_pose_in_reference());
+  EXPECT_EQ(bare.saliency_maps_size() + bare.seeds_size(), 0);
+
+  v1::DetectRequest request = TestRequest();
+  request.mutable_options()->set_return_masks(true);
+  request.mutable_options()->set_return_clouds(true);
+  request.mutable_options()->set_return_saliency_maps(true);
+  request.mutable_options()->set_return_seeds(true);
+  const v1::Detections full = loopback.client.Detect(request).detections();
+  EXPECT_THAT(full.objects(0).mask().runs(), ::testing::ElementsAre(1, 11));
+  EXPECT_THAT(full.objects(0).cloud().positions(), ::testing::ElementsAre(1, 2, 3));
+  EXPECT_EQ(full.objects(0).cloud().colors().size(), 3U);
+  EXPECT_EQ(full.seeds_size(), 2);
+  ASSERT_EQ(full.saliency_maps_size(), 1);
+  EXPECT_EQ(full.saliency_maps(0).name(), "color");
+  EXPECT_EQ(full.saliency_maps(0).data()[0], '\xFF');
+  EXPECT_EQ(full.saliency_maps(0).data()[1], '\0');
+}
+
+TEST(Detect, GivesThePoseInTheReferenceFrame) {
+  Loopback loopback(FindOne);
+  v1::DetectRequest request = TestRequest();
+  v1::Pose& camera = *request.mutable_frame()->mutable_camera_pose();
+  camera.mutable_position()->set_z(5);
+  camera.mutable_orientation()->set_z(std::sqrt(0.5));  // a quarter turn: x becomes y
+  camera.mutable_orientation()->set_w(std::sqrt(0.5));
+  const auto answer = loopback.client.Detect(request);
+  const auto& at = answer.detections().objects(0).pose_in_reference().position();
+  EXPECT_NEAR(at.x(), -0.2, 1e-6);
+  EXPECT_NEAR(at.y(), 0.1, 1e-6);
+  EXPECT_NEAR(at.z(), 6.0, 1e-6);
+}
+
+TEST(Detect, DecodesEveryEncodingToTheSameFrame) {
+  RgbdFrame frame;
+  Loopback loopback(Recorder{&frame});
+  cv::Mat bgr, meters_bytes = TestMeters();
+  cv::cvtColor(TestColor(), bgr, cv::COLOR_RGB2BGR);
+  const std::string units = BytesOf(TestDepth()), meters = BytesOf(meters_bytes);
+  const std::vector<v1::ColorImage> colors{
+      ColorMessage(v1::COLOR_ENCODING_RGB8, BytesOf(TestColor()), kWidth, kHeight),
+      ColorMessage(v1::COLOR_ENCODING_BGR8, BytesOf(bgr), kWidth, kHeight),
+      ColorMessage(v1::COLOR_ENCODING_PNG, PngOf(TestColor())),
+      ColorMessage(v1::COLOR_ENCODING_JPEG, JpegOf(TestColor()), kWidth, kHeight)};
+  const std::vector<v1::DepthImage> depths{
+      DepthMessage(v1::DEPTH_ENCODING_16UC1, units, kWidth, kHeight),
+      DepthMessage(v1::DEPTH_ENCODING_32FC1, meters, kWidth, kHeight),
+      DepthMessage(v1::DEPTH_ENCODING_16UC1_PNG, PngOf(TestDepth())),
+      DepthMessage(v1::DEPTH_ENCODING_16UC1_ZSTD, ZstdOf(units), kWidth, kHeight),
+      DepthMessage(v1::DEPTH_ENCODING_32FC1_ZSTD, ZstdOf(meters), kWidth, kHeight)};
+  for (const v1::ColorImage& color : colors) {
+    for (const v1::DepthImage& depth : depths) {
+      SCOPED_TRACE(v1::ColorEncoding_Name(color.encoding()) + " " +
+                   v1::DepthEncoding_Name(depth.encoding()));
+      v1::DetectRequest request = TestRequest();
+      *request.mutable_frame()->mutable_color() = color;
+      *request.mutable_frame()->mutable_depth() = depth;
+      loopback.client.Detect(request);
+      const double loss = color.encoding() == v1::COLOR_ENCODING_JPEG ? 12 : 0;
+      EXPECT_LE(cv::norm(frame.color_rgb, TestColor(), cv::NORM_INF), loss);
+      EXPECT_EQ(std::memcmp(frame.depth_m.data, meters_bytes.data, meters.size()), 0);
+    }
+  }
+}
+
+TEST(Detect, StopsWhenTheDeadlinePasses) {
+  Endless detector;
+  Loopback loopback(std::ref(detector));
+  const grpc::Status status =
+      StatusOf([&] { loopback.client.Detect(TestRequest(), std::chrono::milliseconds(200)); });
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::DEADLINE_EXCEEDED);
+  loopback.server.Drain();  // returns only when the detector has stopped
+}
+
+TEST(Detect, StopsWhenTheCallerLeaves) {
+  Endless detector;
+  Loopback loopback(std::ref(detector));
+  {
+    const auto stream = loopback.client.OpenStream(kPatience);
+    v1::DetectStreamRequest request;
+    *request.mutable_frame() = TestFrame();
+    ASSERT_TRUE(stream->Send(request));
+    detector.started.get_future().wait();
+  }
+  loopback.server.Drain();
+}
+
+TEST(Detect, WaitsForASlotOnlyAsLongAsTheDeadline) {
+  Endless detector;
+  server::ServerOptions options = LoopbackOptions();
+  options.max_concurrent = 1;
+  Loopback loopback(std::ref(detector), options);
+  const auto stream = loopback.client.OpenStream(kPatience);
+  v1::DetectStreamRequest request;
+  *request.mutable_frame() = TestFrame();
+  ASSERT_TRUE(stream->Send(request));
+  detector.started.get_future().wait();
+  const grpc::Status status =
+      StatusOf([&] { loopback.client.Detect(TestRequest(), std::chrono::milliseconds(200)); });
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::DEADLINE_EXCEEDED);
+}
+
+TEST(Detect, TurnsExceptionsIntoStatuses) {
+  const auto status_of = [](auto exception) {
+    Loopback loopback([=](auto&&...) -> Detections { throw exception; });
+    return StatusOf([&] { loopback.client.Detect(TestRequest()); });
+  };
+  const grpc::Status invalid = status_of(std::invalid_argument("depth: bad"));
+  EXPECT_EQ(invalid.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
+  EXPECT_EQ(invalid.error_message(), "frame.depth: bad");
+  EXPECT_EQ(status_of(std::bad_alloc()).error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_EQ(status_of(Cancelled()).error_code(), grpc::StatusCode::CANCELLED);
+  const grpc::Status internal = status_of(std::runtime_error("secret"));
+  EXPECT_EQ(internal.error_code(), grpc::StatusCode::INTERNAL);
+  EXPECT_THAT(internal.error_message(), ::testing::Not(HasSubstr("secret")));
+}
+
+TEST(Detect, ServesManyCallersAtOnce) {
+  Loopback loopback(FindOne);
+  std::vector<std::future<int>> counts;
+  for (int caller = 0; caller < 8; ++caller) {
+    counts.push_back(std::async(std::launch::async, [&] {
+      int objects = 0;
+      for (int call = 0; call < 20; ++call) {
+        objects += loopback.client.Detect(TestRequest()).detections().objects_size();
+      }
+      return objects;
+    }));
+  }
+  for (auto& count : counts) EXPECT_EQ(count.get(), 20);
+}
+
+TEST(DetectStream, AnswersInOrderAndOutlivesBadFrames) {
+  Loopback loopback(FindOne);
+  const auto stream = loopback.client.OpenStream(kPatience);
+  const std::vector<bool> good{true, false, true, false, false, true};
+  for (std::size_t i = 0; i < good.size(); ++i) {
+    v1::DetectStreamRequest request;
+    *request.mutable_frame() = TestFrame();
+    request.mutable_frame()->set_id("f" + std::to_string(i));
+    if (!good[i]) request.mutable_frame()->clear_depth();
+    ASSERT_TRUE(stream->Send(request));
+  }
+  stream->DoneSending();
+  for (std::size_t i = 0; i < good.size(); ++i) {
+    SCOPED_TRACE(i);
+    const auto response = stream->Receive();
+    ASSERT_TRUE(response);
+    EXPECT_EQ(response->sequence(), i);
+    EXPECT_EQ(response->frame_id(), "f" + std::to_string(i));
+    EXPECT_EQ(response->has_detections(), good[i]);
+    if (good[i]) continue;
+    EXPECT_EQ(response->error().code(), grpc::StatusCode::INVALID_ARGUMENT);
+    EXPECT_THAT(response->error().message(), StartsWith("frame.depth: "));
+  }
+  EXPECT_FALSE(stream->Receive());
+}
+
+TEST(DetectStream, KeepsTheLastOptions) {
+  Loopback loopback(FindOne);
+  const auto stream = loopback.client.OpenStream(kPatience);
+  const auto masks_after = [&](std::function<void(v1::DetectStreamRequest&)> change) {
+    v1::DetectStreamRequest request;
+    *request.mutable_frame() = TestFrame();
+    change(request);
+    stream->Send(request);
+    return stream->Receive()->detections().objects(0).has_mask();
+  };
+  EXPECT_FALSE(masks_after([](auto&) {}));
+  EXPECT_TRUE(masks_after([](auto& r) { r.mutable_options()->set_return_masks(true); }));
+  EXPECT_TRUE(masks_after([](auto&) {}));
+  EXPECT_FALSE(masks_after([](auto& r) { r.mutable_options(); }));
+}
+
+}  // namespace
+}  // namespace fovea::testing
