@@ -68,8 +68,7 @@ void SetParameter(DetectorOptions& options, const std::string& name, double valu
 DetectorOptions ProfileFromProto(const std::string& name) {
   const auto names = ProfileNames();
   const bool known = name.empty() || std::find(names.begin(), names.end(), name) != names.end();
-  RequireField(known, "options.profile",
-               Shortened(name) + " is not one of " + Joined(names));
+  RequireField(known, "options.profile", Shortened(name) + " is not one of " + Joined(names));
   return OptionsOfProfile(name);
 }
 

@@ -50,5 +50,33 @@ TEST(DecodeMask, UndoesTheServersEncoding) {
   }
 }
 
+v1::Detections RowOfObjects(std::uint32_t count) {
+  v1::Detections detections;
+  detections.set_width(count);
+  detections.set_height(1);
+  for (std::uint32_t label = 1; label <= count; ++label) {
+    v1::Object& object = *detections.add_objects();
+    object.set_label(label);
+    *object.mutable_mask() = MaskOf(1, 1, {0, 1});
+    object.mutable_mask()->mutable_bounds()->set_x(label - 1);
+  }
+  return detections;
+}
+
+TEST(LabelImage, IsAsWideAsTheNumberOfObjectsNeeds) {
+  const cv::Mat narrow = cli::LabelImage(RowOfObjects(255));
+  EXPECT_EQ(narrow.type(), CV_8UC1);
+  EXPECT_EQ(narrow.at<std::uint8_t>(254), 255);
+  const cv::Mat wide = cli::LabelImage(RowOfObjects(256));
+  EXPECT_EQ(wide.type(), CV_16UC1);
+  EXPECT_EQ(wide.at<std::uint16_t>(255), 256);
+}
+
+TEST(LabelImage, RefusesObjectsOutsideOfTheFrame) {
+  v1::Detections detections = RowOfObjects(3);
+  detections.mutable_objects(2)->mutable_mask()->mutable_bounds()->set_x(0xFFFFFFFF);
+  EXPECT_THROW(cli::LabelImage(detections), std::runtime_error);
+}
+
 }  // namespace
 }  // namespace fovea::client

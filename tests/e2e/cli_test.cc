@@ -70,7 +70,7 @@ TEST_F(CliTest, WritesEveryOutputOfAFrame) {
 
   const cv::Mat labels = cv::imread(At("l.png"), cv::IMREAD_UNCHANGED);
   EXPECT_EQ(labels.size(), cv::Size(kWidth, kHeight));
-  EXPECT_EQ(labels.type(), CV_8UC1);
+  EXPECT_EQ(labels.channels(), 1);
   EXPECT_EQ(cv::imread(At("o.png")).size(), cv::Size(2 * kWidth, 2 * kHeight));
   const auto num_points = static_cast<std::size_t>(cv::countNonZero(TestDepth()));
   std::ifstream ply(At("c.ply"), std::ios::binary);
