@@ -34,7 +34,7 @@ if [ -n "${FRAME:-}" ]; then
   fi
   first=$(basename "$FRAME")
 else
-  for kind in tabletop stacked room; do
+  for kind in tabletop stacked floor; do
     "$build/tests/support/fovea-scenes" --output "$out/frames" --kind "$kind" --count 1 --seed 7 \
       >/dev/null
   done

@@ -1,5 +1,6 @@
 // fovea-server: flags → options → server → wait for a signal → drain.
 #include <grpc/support/log.h>
+#include <malloc.h>
 #include <signal.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
@@ -8,6 +9,7 @@
 #include <exception>
 #include <iostream>
 #include <memory>
+#include <opencv2/core/utility.hpp>
 
 #include "server/command_line.h"
 #include "server/server.h"
@@ -33,6 +35,14 @@ void SetUpLogging(const std::string& level) {
   gpr_set_log_function([](gpr_log_func_args* args) { spdlog::debug("grpc: {}", args->message); });
 }
 
+// Every frame allocates and frees the same large images: keeping them spares the page faults, and
+// detections run side by side, so each is worth one thread.
+void SetUpProcess() {
+  mallopt(M_MMAP_THRESHOLD, 64 << 20);
+  mallopt(M_TRIM_THRESHOLD, 128 << 20);
+  cv::setNumThreads(1);
+}
+
 void WarnUnlessLoopback(const std::string& listen) {
   const std::string host = fovea::server::HostOf(listen);
   if (host.starts_with("127.") || host == "localhost" || host == "[::1]") return;
@@ -45,6 +55,7 @@ int Run(int argc, char** argv) {
   if (!options) return EXIT_SUCCESS;
 
   SetUpLogging(options->log_level);
+  SetUpProcess();
   fovea::server::Server server(*options);
   std::cout << "listening on " << server.Address() << std::endl;
   WarnUnlessLoopback(options->listen);

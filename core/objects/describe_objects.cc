@@ -10,6 +10,9 @@
 namespace fovea {
 namespace {
 
+// Even of a tiny image, an object has more than noise does.
+constexpr double kFewestPixels = 20;
+
 using PixelsOfLabel = std::vector<std::vector<cv::Point>>;
 
 PixelsOfLabel CollectPixels(const cv::Mat& labels) {
@@ -98,8 +101,8 @@ void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points, const Object
                      Detections& detections) {
   const PixelsOfLabel pixels = CollectPixels(detections.labels);
   const double area_scale = static_cast<double>(frame.depth_m.total()) / (640.0 * 480.0);
-  const auto min_pixels =
-      static_cast<std::size_t>(std::max(1.0, std::round(options.min_pixels * area_scale)));
+  const auto min_pixels = static_cast<std::size_t>(
+      std::max(kFewestPixels, std::round(options.min_pixels * area_scale)));
   detections.labels = cv::Mat::zeros(frame.depth_m.size(), CV_16UC1);
   for (const int old_label :
        LabelsToKeep(pixels, min_pixels, detections.diagnostics.segments_too_small)) {

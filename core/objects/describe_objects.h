@@ -11,7 +11,8 @@
 namespace fovea {
 
 struct ObjectOptions {
-  // Objects with fewer mask pixels are dropped; at an image of 640×480 (scaled with its area).
+  // Objects with fewer mask pixels are dropped; at an image of 640×480 (scaled with its area, but
+  // never fewer than 20).
   double min_pixels = 300;
   BoxOptions box;
   GraspOptions grasp;
