@@ -28,7 +28,8 @@ const std::vector<OptionEntry>& OptionTable() {
 
       Entry("normals.window_radius_px", 1, 15, "reach of the window; pixels; Gupta 2013: 3",
             [](O& o) { return &o.normals.window_radius_px; }),
-      Entry("normals.max_depth_change", 0.001, 0.5, "depth step that ends a surface; share of depth",
+      Entry("normals.max_depth_change", 0.001, 0.5,
+            "depth step that ends a surface; share of depth",
             [](O& o) { return &o.normals.max_depth_change; }),
 
       Entry("color_saliency.num_scales", 1, 8, "rings of 8s pixels, s = 1 to this; paper: 4",
@@ -66,6 +67,9 @@ const std::vector<OptionEntry>& OptionTable() {
       Entry("gravity.step_px", 1, 64, "distance of the normals used; pixels",
             [](O& o) { return &o.gravity.step_px; }),
 
+      Entry("gravity.num_starts", 1, 9, "camera pitches it starts from; Gupta 2013: 1",
+            [](O& o) { return &o.gravity.num_starts; }),
+
       Entry("support.max_angle_deg", 1, 90,
             "how far from vertical a support normal may be; degrees",
             [](O& o) { return &o.support.max_angle_deg; }),
@@ -80,6 +84,20 @@ const std::vector<OptionEntry>& OptionTable() {
       Entry("support.min_share", 0, 1, "fewer of all points make no surface; share",
             [](O& o) { return &o.support.min_share; }),
 
+      Entry("support.max_surfaces", 1, 16, "surfaces that are looked for; paper: 1",
+            [](O& o) { return &o.support.max_surfaces; }),
+      Entry("support.min_area_m2", 0, 10, "visible area below which a surface carries nothing; m2",
+            [](O& o) { return &o.support.min_area_m2; }),
+      Entry("support.footprint_margin_m", 0, 2,
+            "how far beside a surface things may stand; metres; 0: anywhere; paper: 0",
+            [](O& o) { return &o.support.footprint_margin_m; }),
+      Entry("support.max_height_m", 0.05, 100,
+            "points higher above every surface belong to no object; metres",
+            [](O& o) { return &o.support.max_height_m; }),
+
+      Entry("voxels.perspective", 0, 1,
+            "1: voxels grow with the distance, size_m is theirs at 1 m; paper: 0",
+            [](O& o) { return &o.voxels.perspective; }),
       Entry("voxels.size_m", 0.003, 0.1, "edge length; metres",
             [](O& o) { return &o.voxels.size_m; }),
       Entry("voxels.neighbor_axes", 1, 3, "1, 2, 3: 6, 18 or 26 neighbours",
@@ -125,6 +143,22 @@ const std::vector<OptionEntry>& OptionTable() {
             [](O& o) { return &o.shape_merge.reach_cells; }),
       Entry("shape_merge.min_pairs", 1, 10000, "pairs of voxels that make a boundary",
             [](O& o) { return &o.shape_merge.min_pairs; }),
+
+      Entry("occlusion_merge.min_shared_surface", 0, 1,
+            "parts behind an occluder that share this much surface are one; 0: never; paper: 0",
+            [](O& o) { return &o.occlusion_merge.min_shared_surface; }),
+      Entry("occlusion_merge.max_angle_deg", 1, 90, "between normals of one surface; degrees",
+            [](O& o) { return &o.occlusion_merge.max_angle_deg; }),
+      Entry("occlusion_merge.max_offset_m", 0.001, 0.1, "from each other's tangent plane; metres",
+            [](O& o) { return &o.occlusion_merge.max_offset_m; }),
+      Entry("occlusion_merge.max_color_distance", 0, 200, "of mean colours; CIELAB units",
+            [](O& o) { return &o.occlusion_merge.max_color_distance; }),
+      Entry("occlusion_merge.min_hollow_curvature_per_m", 0, 1000,
+            "mean inward curvature that makes an inside; 1/m; 0: never; paper: 0",
+            [](O& o) { return &o.occlusion_merge.min_hollow_curvature_per_m; }),
+      Entry("occlusion_merge.max_rim_step_m", 0, 1,
+            "between the tops of inside and outside; metres",
+            [](O& o) { return &o.occlusion_merge.max_rim_step_m; }),
 
       Entry("objects.min_pixels", 0, 100000, "smaller objects are dropped; pixels at 640x480",
             [](O& o) { return &o.objects.min_pixels; }),
