@@ -64,9 +64,11 @@ std::vector<PottsEnergy::Choice> ChoicesOfSeed(const VoxelGrid& grid,
                                                const std::vector<char>& is_background,
                                                const Seed& seed, const MrfOptions& options) {
   const float max_cost = static_cast<float>(-std::log(options.min_probability));
+  const float max_squared_distance = static_cast<float>(options.reach_m * options.reach_m);
   std::vector<PottsEnergy::Choice> choices;
   for (int v = 0; v < static_cast<int>(grid.voxels.size()); ++v) {
-    if (is_background[v]) continue;
+    const float squared_distance = (grid.voxels[v].mean - seed.position).squaredNorm();
+    if (is_background[v] || squared_distance > max_squared_distance) continue;
     const float cost = HypothesisCost(grid.voxels[v], variance[v], seed, options);
     if (cost < max_cost) choices.push_back({v, cost});
   }
