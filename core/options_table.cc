@@ -28,7 +28,8 @@ const std::vector<OptionEntry>& OptionTable() {
 
       Entry("normals.window_radius_px", 1, 15, "reach of the window; pixels; Gupta 2013: 3",
             [](O& o) { return &o.normals.window_radius_px; }),
-      Entry("normals.max_depth_change", 0.001, 0.5, "depth step that ends a surface; share of depth",
+      Entry("normals.max_depth_change", 0.001, 0.5,
+            "depth step that ends a surface; share of depth",
             [](O& o) { return &o.normals.max_depth_change; }),
 
       Entry("color_saliency.num_scales", 1, 8, "rings of 8s pixels, s = 1 to this; paper: 4",
