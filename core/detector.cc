@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <opencv2/core.hpp>
 
@@ -40,46 +41,43 @@ Gravity FindGravity(const RgbdFrame& frame, const cv::Mat& points, const Gravity
   return {EstimateGravity(normals, options), Gravity::Source::kEstimated};
 }
 
+// What cannot be part of an object, as it is a surface or stands on none; nothing where there is
+// no surface.
+class Background {
+ public:
+  Background(const std::vector<Support>& supports, const SupportOptions& options)
+      : supports_(supports), options_(options) {}
+
+  bool Contains(const Eigen::Vector3f& point) const {
+    return !supports_.empty() && !SupportBelow(supports_, point, options_);
+  }
+
+ private:
+  const std::vector<Support>& supports_;
+  const SupportOptions& options_;
+};
+
 // The paper removes seeds on the support surface; what lies below it cannot stand on it either.
-std::vector<Seed> SeedsAboveSupport(const std::vector<Seed>& seeds,
-                                    const std::optional<SupportSurface>& support,
-                                    const SupportOptions& options) {
-  if (!support) return seeds;
-  std::vector<Seed> above;
-  for (const Seed& seed : seeds) {
-    if (support->HeightOf(seed.position) > SupportTolerance(seed.position.z(), options)) {
-      above.push_back(seed);
-    }
-  }
-  return above;
+std::vector<Seed> SeedsOffBackground(const std::vector<Seed>& seeds, const Background& background) {
+  std::vector<Seed> kept;
+  std::copy_if(seeds.begin(), seeds.end(), std::back_inserter(kept),
+               [&](const Seed& seed) { return !background.Contains(seed.position); });
+  return kept;
 }
 
-std::vector<char> VoxelsOnSupport(const VoxelGrid& grid,
-                                  const std::optional<SupportSurface>& support,
-                                  const SupportOptions& options) {
-  std::vector<char> on_support(grid.voxels.size(), 0);
-  if (!support) return on_support;
-  for (std::size_t v = 0; v < grid.voxels.size(); ++v) {
-    const Eigen::Vector3f& mean = grid.voxels[v].mean;
-    on_support[v] = support->HeightOf(mean) <= SupportTolerance(mean.z(), options);
-  }
-  return on_support;
+std::vector<char> VoxelsOfBackground(const VoxelGrid& grid, const Background& background) {
+  std::vector<char> is_background(grid.voxels.size());
+  std::transform(grid.voxels.begin(), grid.voxels.end(), is_background.begin(),
+                 [&](const Voxel& voxel) { return background.Contains(voxel.mean); });
+  return is_background;
 }
 
-// Labels of the pixels, only where the sensor measured depth: filled holes help to segment, but
-// nobody has seen what is there.
-cv::Mat LabelsOfPixels(const VoxelGrid& grid, const std::vector<int>& labels,
-                       const cv::Mat& measured_depth) {
-  cv::Mat image = cv::Mat::zeros(measured_depth.size(), CV_16UC1);
-  for (int row = 0; row < image.rows; ++row) {
-    const int* voxel = grid.voxel_of_pixel.ptr<int>(row);
-    const float* depth = measured_depth.ptr<float>(row);
-    auto* label = image.ptr<std::uint16_t>(row);
-    for (int col = 0; col < image.cols; ++col) {
-      if (voxel[col] < 0 || std::isnan(depth[col])) continue;
-      label[col] = static_cast<std::uint16_t>(labels[voxel[col]]);
-    }
-  }
+// Labels only where the sensor measured depth: filled holes help to segment, but nobody has seen
+// what is there.
+cv::Mat LabelsOfMeasured(const VoxelGrid& grid, const std::vector<int>& labels,
+                         const cv::Mat& measured_depth) {
+  cv::Mat image = LabelImage(grid, labels);
+  image.setTo(0, ~(measured_depth == measured_depth));  // NaN
   return image;
 }
 
@@ -122,18 +120,23 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   clock.Finish("seeds");
 
   result.gravity = FindGravity(frame, points, options.gravity);
-  result.support = FindSupportSurface(points, normals, result.gravity.direction, options.support);
+  const std::vector<Support> supports =
+      FindSupports(points, normals, result.gravity.direction, options.support);
+  if (!supports.empty()) result.support = supports.front().surface;
+  const Background background(supports, options.support);
   std::vector<Seed> seeds = from_color.seeds;
   seeds.insert(seeds.end(), from_depth.seeds.begin(), from_depth.seeds.end());
   const std::size_t num_candidates = seeds.size();
-  seeds = SeedsAboveSupport(seeds, result.support, options.support);
+  seeds = SeedsOffBackground(seeds, background);
   counts.seeds_on_support = num_candidates - seeds.size();
   clock.Finish("support");
 
   // Section 3: the scene as voxels, labelled by a Markov random field.
   const VoxelGrid grid = BuildVoxelGrid(points, normals, options.voxels);
-  const PottsEnergy energy = BuildEnergy(
-      grid, points, VoxelsOnSupport(grid, result.support, options.support), seeds, options.mrf);
+  const std::vector<char> is_background = VoxelsOfBackground(grid, background);
+  seeds = CoverWithSeeds(grid, is_background, seeds, options.cover);
+  clock.Finish("voxels");
+  const PottsEnergy energy = BuildEnergy(grid, points, is_background, seeds, options.mrf);
   counts.num_seeds = seeds.size();
   counts.num_voxels = grid.voxels.size();
   clock.Finish("energy");
@@ -142,14 +145,15 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
 
   // Section 3.3: touching segments that look alike are one object.
   const std::vector<int> segments = SplitIntoSegments(grid, labels);
-  const std::vector<int> objects =
-      MergeByShape(grid, MergeByColor(grid, segments, frame.color_rgb, options.color_merge),
-                   frame.color_rgb, options.shape_merge);
+  std::vector<int> objects = MergeByColor(grid, segments, frame.color_rgb, options.color_merge);
+  objects = MergeByShape(grid, objects, frame.color_rgb, options.shape_merge);
+  objects = MergeOccluded(grid, objects, points, frame.color_rgb, -result.gravity.direction,
+                          options.occlusion_merge);
   counts.num_segments = CountLabels(segments);
   counts.num_merged = counts.num_segments - CountLabels(objects);
   clock.Finish("refinement");
 
-  result.labels = LabelsOfPixels(grid, objects, measured);
+  result.labels = LabelsOfMeasured(grid, objects, measured);
   DescribeObjects(frame, points, options.objects, result);
   counts.messages = ExplainLosses(result);
   clock.Finish("objects");

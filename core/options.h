@@ -17,6 +17,7 @@
 #include "core/seeds/saliency_seeds.h"
 #include "core/segmentation/color_merge.h"
 #include "core/segmentation/mrf_energy.h"
+#include "core/segmentation/occlusion_merge.h"
 #include "core/segmentation/shape_merge.h"
 #include "core/segmentation/voxel_grid.h"
 
@@ -37,6 +38,7 @@ struct DetectorOptions {
   MrfOptions mrf;
   ColorMergeOptions color_merge;
   ShapeMergeOptions shape_merge;
+  OcclusionMergeOptions occlusion_merge;
   ObjectOptions objects;
 };
 

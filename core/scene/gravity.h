@@ -18,6 +18,10 @@ struct GravityOptions {
   int window_radius_px = 10;
   // Normals are taken on every n-th row and column.
   int step_px = 6;
+  // Start from this many camera pitches between level and straight down and keep the direction
+  // that explains most normals; 1 starts from the camera's y axis alone, as Gupta does, whose
+  // first gate a camera pitched by more than 45° leaves.
+  int num_starts = 1;
 };
 
 // The direction that is most aligned with, or orthogonal to, as many normals as possible, starting

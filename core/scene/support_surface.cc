@@ -82,21 +82,14 @@ SupportSurface FitPlane(const std::vector<Eigen::Vector3f>& points, const Eigen:
   return {normal.cast<float>(), static_cast<float>(-normal.dot(mean)), points.size()};
 }
 
-}  // namespace
-
-float SupportTolerance(float z_m, const SupportOptions& options) {
-  return static_cast<float>(options.tolerance_m) +
-         static_cast<float>(options.tolerance_per_m) * z_m * z_m;
+std::size_t CountPoints(const cv::Mat& points) {
+  cv::Mat z;
+  cv::extractChannel(points, z, 2);
+  return static_cast<std::size_t>(cv::countNonZero(z > 0));
 }
 
-std::optional<SupportSurface> FindSupportSurface(const cv::Mat& points, const cv::Mat& normals,
-                                                 const Eigen::Vector3f& gravity,
-                                                 const SupportOptions& options) {
-  const Eigen::Vector3f up = -gravity;
-  const std::vector<Eigen::Vector3f> level =
-      LevelPoints(points, normals, up, options.max_angle_deg);
-  if (level.empty()) return std::nullopt;
-
+SupportSurface FitDominating(const std::vector<Eigen::Vector3f>& level, const Eigen::Vector3f& up,
+                             const SupportOptions& options) {
   const float height = DominatingHeight(level, up, static_cast<float>(options.height_bin_m));
   SupportSurface surface{up, -height, 0};
   for (int fit = 0; fit < options.plane_fits; ++fit) {
@@ -106,21 +99,70 @@ std::optional<SupportSurface> FindSupportSurface(const cv::Mat& points, const cv
     surface = FitPlane(inliers, up);
   }
   surface.num_points = Inliers(level, surface, options, 1.0F).size();
-
-  const int measured =
-      cv::countNonZero(cv::Mat(points.reshape(1, points.rows * points.cols).col(2) > 0));
-  if (static_cast<double>(surface.num_points) < options.min_share * measured) return std::nullopt;
   return surface;
 }
 
-cv::Mat HeightsAbove(const SupportSurface& surface, const cv::Mat& points) {
-  cv::Mat heights(points.size(), CV_32FC1);
-  for (int row = 0; row < points.rows; ++row) {
-    const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
-    float* height = heights.ptr<float>(row);
-    for (int col = 0; col < points.cols; ++col) height[col] = surface.HeightOf(ToEigen(point[col]));
+Footprint FootprintOf(const std::vector<Eigen::Vector3f>& inliers, const SupportSurface& surface,
+                      const SupportOptions& options) {
+  const bool matters = options.min_area_m2 > 0 || options.footprint_margin_m > 0;
+  if (!matters || inliers.empty()) return {};
+  return {inliers, surface, options.min_area_m2, options.footprint_margin_m};
+}
+
+// Takes the points of a surface out, with what noise left around it. False if there were none.
+bool RemoveInliers(std::vector<Eigen::Vector3f>& level, const SupportSurface& surface,
+                   const SupportOptions& options) {
+  const auto removed = std::remove_if(level.begin(), level.end(), [&](const Eigen::Vector3f& p) {
+    return std::abs(surface.HeightOf(p)) <= 2 * SupportTolerance(p.z(), options);
+  });
+  const bool any = removed != level.end();
+  level.erase(removed, level.end());
+  return any;
+}
+
+}  // namespace
+
+float SupportTolerance(float z_m, const SupportOptions& options) {
+  return static_cast<float>(options.tolerance_m) +
+         static_cast<float>(options.tolerance_per_m) * z_m * z_m;
+}
+
+std::vector<Support> FindSupports(const cv::Mat& points, const cv::Mat& normals,
+                                  const Eigen::Vector3f& gravity, const SupportOptions& options) {
+  const Eigen::Vector3f up = -gravity;
+  std::vector<Eigen::Vector3f> level = LevelPoints(points, normals, up, options.max_angle_deg);
+  const auto min_points = static_cast<std::size_t>(
+      std::max(3.0, std::ceil(options.min_share * static_cast<double>(CountPoints(points)))));
+
+  std::vector<Support> supports;
+  for (int attempt = 0; attempt < 3 * options.max_surfaces; ++attempt) {
+    if (level.size() < 3 || static_cast<int>(supports.size()) == options.max_surfaces) break;
+    const SupportSurface surface = FitDominating(level, up, options);
+    const std::vector<Eigen::Vector3f> inliers = Inliers(level, surface, options, 1.0F);
+    if (supports.empty() && inliers.size() < min_points) break;
+    const Footprint footprint = FootprintOf(inliers, surface, options);
+    if (footprint.AreaM2() >= options.min_area_m2) {
+      supports.push_back({surface, options.footprint_margin_m > 0 ? footprint : Footprint()});
+    }
+    if (!RemoveInliers(level, surface, options)) break;
   }
-  return heights;
+  return supports;
+}
+
+std::optional<std::size_t> SupportBelow(const std::vector<Support>& supports,
+                                        const Eigen::Vector3f& point,
+                                        const SupportOptions& options) {
+  const float tolerance = SupportTolerance(point.z(), options);
+  float nearest = static_cast<float>(options.max_height_m);
+  std::optional<std::size_t> below;
+  for (std::size_t i = 0; i < supports.size(); ++i) {
+    const float height = supports[i].surface.HeightOf(point);
+    if (height < -tolerance || height > nearest || !supports[i].footprint.Covers(point)) continue;
+    if (height <= tolerance) return std::nullopt;
+    nearest = height;
+    below = i;
+  }
+  return below;
 }
 
 }  // namespace fovea

@@ -1,10 +1,13 @@
-// The dominating horizontal surface that objects stand on (paper section 3.2).
+// The level surfaces that objects stand on (paper section 3.2).
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <opencv2/core/mat.hpp>
 #include <optional>
+#include <vector>
 
+#include "core/scene/footprint.h"
 #include "core/types/detections.h"
 
 namespace fovea {
@@ -21,21 +24,40 @@ struct SupportOptions {
   // Number of least-squares fits that refine the plane; 0 keeps it exactly perpendicular to
   // gravity.
   int plane_fits = 3;
-  // Fewer points than this share of all points make no surface; 0 … 1.
+  // Fewer points than this share of all points make no surface; 0 … 1. Tells whether there is a
+  // surface at all, so it is asked of the first only.
   double min_share = 0.05;
+  // Up to this many surfaces are looked for, the fullest first. Paper: 1, "the dominating".
+  int max_surfaces = 1;
+  // Surfaces, and connected parts of one, with less visible area carry nothing: the top of a box
+  // is level as well. Square metres.
+  double min_area_m2 = 0;
+  // Things stand on a surface only within its footprint grown by this; metres. 0: everywhere above
+  // it, as in the paper.
+  double footprint_margin_m = 0;
+  // Points higher above every surface than this belong to no object; metres.
+  double max_height_m = 100;
 };
 
-// Finds the height at which most of the points with a vertical normal lie and fits the surface
+struct Support {
+  SupportSurface surface;
+  Footprint footprint;
+};
+
+// Finds the heights at which most of the points with a vertical normal lie and fits a surface
 // there. `points`, `normals`: CV_32FC3 in the camera frame, NaN = none; `gravity`: unit vector
-// that points down. No surface where too few points agree.
-std::optional<SupportSurface> FindSupportSurface(const cv::Mat& points, const cv::Mat& normals,
-                                                 const Eigen::Vector3f& gravity,
-                                                 const SupportOptions& options = {});
+// that points down. The one with most points first; empty where too few points agree.
+std::vector<Support> FindSupports(const cv::Mat& points, const cv::Mat& normals,
+                                  const Eigen::Vector3f& gravity,
+                                  const SupportOptions& options = {});
 
 // How far from the surface a point at distance z along the optical axis still belongs to it.
 float SupportTolerance(float z_m, const SupportOptions& options);
 
-// Height of every point above the surface. Returns CV_32FC1, metres, NaN = none.
-cv::Mat HeightsAbove(const SupportSurface& surface, const cv::Mat& points);
+// The nearest of the supports below a point on which it may stand: inside its footprint, above its
+// tolerance and not higher than max_height_m. None for points on a surface, below all, or beside.
+std::optional<std::size_t> SupportBelow(const std::vector<Support>& supports,
+                                        const Eigen::Vector3f& point,
+                                        const SupportOptions& options);
 
 }  // namespace fovea

@@ -1,6 +1,7 @@
 #include "core/segmentation/labels.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace fovea {
 namespace {
@@ -37,6 +38,18 @@ std::vector<int> Renumbered(const std::vector<int>& labels, DisjointSets& sets) 
                  [&](int label) { return sets.Find(label); });
   NumberConsecutively(joined);
   return joined;
+}
+
+cv::Mat LabelImage(const VoxelGrid& grid, const std::vector<int>& labels) {
+  cv::Mat image = cv::Mat::zeros(grid.voxel_of_pixel.size(), CV_16UC1);
+  for (int row = 0; row < image.rows; ++row) {
+    const int* voxel = grid.voxel_of_pixel.ptr<int>(row);
+    auto* label = image.ptr<std::uint16_t>(row);
+    for (int col = 0; col < image.cols; ++col) {
+      if (voxel[col] >= 0) label[col] = static_cast<std::uint16_t>(labels[voxel[col]]);
+    }
+  }
+  return image;
 }
 
 std::size_t CountLabels(const std::vector<int>& labels) {

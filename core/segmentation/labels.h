@@ -16,6 +16,9 @@ std::vector<int> SplitIntoSegments(const VoxelGrid& grid, const std::vector<int>
 // Gives all labels of a set one number, 1 … n in order of their first voxel.
 std::vector<int> Renumbered(const std::vector<int>& labels, DisjointSets& sets);
 
+// The label of every pixel's voxel. Returns CV_16UC1; 0 where there is none. At most 65535 labels.
+cv::Mat LabelImage(const VoxelGrid& grid, const std::vector<int>& labels);
+
 // The highest label.
 std::size_t CountLabels(const std::vector<int>& labels);
 

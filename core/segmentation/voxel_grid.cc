@@ -49,8 +49,15 @@ CellIndex IndexOf(const std::vector<Voxel>& voxels) {
   return index;
 }
 
+Eigen::Vector3i CellOf(const Eigen::Vector3f& p, const VoxelOptions& options) {
+  const float size = static_cast<float>(options.size_m);
+  const Eigen::Vector3f lattice =
+      options.perspective ? Eigen::Vector3f(p.x() / p.z(), p.y() / p.z(), std::log(p.z())) : p;
+  return (lattice / size).array().floor().cast<int>();
+}
+
 // Adds each point to its voxel; means and normals are sums until Finish.
-CellIndex CollectVoxels(const cv::Mat& points, const cv::Mat& normals, float size,
+CellIndex CollectVoxels(const cv::Mat& points, const cv::Mat& normals, const VoxelOptions& options,
                         VoxelGrid& grid) {
   CellIndex index;
   for (int row = 0; row < points.rows; ++row) {
@@ -58,7 +65,7 @@ CellIndex CollectVoxels(const cv::Mat& points, const cv::Mat& normals, float siz
       const cv::Vec3f& p = points.at<cv::Vec3f>(row, col);
       if (std::isnan(p[2])) continue;
       const Eigen::Vector3f position(p[0], p[1], p[2]);
-      const Eigen::Vector3i cell = (position / size).array().floor().cast<int>();
+      const Eigen::Vector3i cell = CellOf(position, options);
       const auto [entry, is_new] =
           index.try_emplace(KeyOf(cell), static_cast<int>(grid.voxels.size()));
       if (is_new) grid.voxels.push_back({.cell = cell});
@@ -113,7 +120,7 @@ VoxelGrid BuildVoxelGrid(const cv::Mat& points, const cv::Mat& normals,
                          const VoxelOptions& options) {
   VoxelGrid grid;
   grid.voxel_of_pixel = cv::Mat(points.size(), CV_32SC1, cv::Scalar(-1));
-  const CellIndex index = CollectVoxels(points, normals, static_cast<float>(options.size_m), grid);
+  const CellIndex index = CollectVoxels(points, normals, options, grid);
   Finish(grid.voxels);
   grid.edges = PairsAt(HalfNeighborhood(1, options.neighbor_axes), grid.voxels, index);
   for (int pass = 0; pass < options.normal_smoothing; ++pass) SmoothNormals(grid);

@@ -10,6 +10,9 @@ namespace fovea {
 
 struct VoxelOptions {
   double size_m = 0.01;  // edge length
+  // True: voxels grow in proportion to the distance, as pixels do; size_m is their edge at 1 m.
+  // Their cells are steps in x/z, y/z and ln z.
+  bool perspective = false;
   // Along how many axes a neighbour may differ: 1 (6 neighbours, by faces), 2 (18, and by edges)
   // or 3 (26, and by corners).
   int neighbor_axes = 3;
@@ -18,7 +21,7 @@ struct VoxelOptions {
 };
 
 struct Voxel {
-  Eigen::Vector3i cell = Eigen::Vector3i::Zero();    // floor(position / size)
+  Eigen::Vector3i cell = Eigen::Vector3i::Zero();    // its place in the lattice
   Eigen::Vector3f mean = Eigen::Vector3f::Zero();    // of its points, camera frame, metres
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();  // unit, towards the camera; zero = none
   int num_points = 0;

@@ -36,54 +36,50 @@ struct Cloud {
 
 const Eigen::Vector3f kDown = Eigen::Vector3f::UnitY();
 
-TEST(FindSupportSurface, TakesTheHeightOfMostLevelPoints) {
+std::optional<SupportSurface> Dominating(const cv::Mat& points, const cv::Mat& normals,
+                                         const Eigen::Vector3f& gravity,
+                                         const SupportOptions& options = {}) {
+  const std::vector<Support> supports = FindSupports(points, normals, gravity, options);
+  return supports.empty() ? std::nullopt : std::optional(supports.front().surface);
+}
+
+TEST(FindSupports, TakesTheHeightOfMostLevelPoints) {
   Cloud cloud;
   cloud.AddLevel(0.7F, 40);
   cloud.AddLevel(0.4F, 20);
   cloud.AddWall(5000);  // many points, but not level
-  const auto surface = FindSupportSurface(cloud.Points(), cloud.Normals(), kDown);
+  const auto surface = Dominating(cloud.Points(), cloud.Normals(), kDown);
   ASSERT_TRUE(surface.has_value());
   EXPECT_NEAR(surface->HeightOf({0.1F, 0.7F, 1.2F}), 0.0F, 1e-4F);
   EXPECT_NEAR(surface->HeightOf({0.1F, 0.6F, 1.2F}), 0.1F, 1e-4F);  // above is positive
   EXPECT_EQ(surface->num_points, 1600U);
 }
 
-TEST(FindSupportSurface, FollowsASlightTiltByLeastSquares) {
+TEST(FindSupports, FollowsASlightTiltByLeastSquares) {
   Cloud cloud;
   cloud.AddLevel(0.7F, 60, 0.01F);
-  const auto fitted = FindSupportSurface(cloud.Points(), cloud.Normals(), kDown);
+  const auto fitted = Dominating(cloud.Points(), cloud.Normals(), kDown);
   ASSERT_TRUE(fitted.has_value());
   EXPECT_NEAR(fitted->HeightOf({0, 0.705F, 2.0F}), 0.0F, 1e-3F);
-  const auto level = FindSupportSurface(cloud.Points(), cloud.Normals(), kDown, {.plane_fits = 0});
+  const auto level = Dominating(cloud.Points(), cloud.Normals(), kDown, {.plane_fits = 0});
   ASSERT_TRUE(level.has_value());
   EXPECT_EQ(level->normal, Eigen::Vector3f(-kDown));
 }
 
-TEST(FindSupportSurface, IsAbsentWhereNothingIsLevelOrTooLittle) {
+TEST(FindSupports, IsAbsentWhereNothingIsLevelOrTooLittle) {
   Cloud walls;
   walls.AddWall(1000);
-  EXPECT_FALSE(FindSupportSurface(walls.Points(), walls.Normals(), kDown).has_value());
+  EXPECT_FALSE(Dominating(walls.Points(), walls.Normals(), kDown).has_value());
   walls.AddLevel(0.7F, 5);  // 25 of 1025 points
-  EXPECT_FALSE(FindSupportSurface(walls.Points(), walls.Normals(), kDown).has_value());
+  EXPECT_FALSE(Dominating(walls.Points(), walls.Normals(), kDown).has_value());
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const cv::Mat none(3, 3, CV_32FC3, cv::Scalar::all(nan));
-  EXPECT_FALSE(FindSupportSurface(none, none, kDown).has_value());
+  EXPECT_FALSE(Dominating(none, none, kDown).has_value());
 }
 
 TEST(SupportTolerance, GrowsWithTheSquareOfTheDistance) {
   const SupportOptions options{.tolerance_m = 0.004, .tolerance_per_m = 0.006};
   EXPECT_FLOAT_EQ(SupportTolerance(2.0F, options), 0.004F + 0.006F * 4);
-}
-
-TEST(HeightsAbove, IsSignedAndKeepsMissingPoints) {
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  const SupportSurface surface{-kDown, 0.5F, 1};
-  const cv::Mat points =
-      cv::Mat(std::vector<cv::Vec3f>{{0, 0.4F, 1}, {0, 0.7F, 1}, {nan, nan, nan}}, true);
-  const cv::Mat heights = HeightsAbove(surface, points);
-  EXPECT_NEAR(heights.at<float>(0), 0.1F, 1e-6F);
-  EXPECT_NEAR(heights.at<float>(1), -0.2F, 1e-6F);
-  EXPECT_TRUE(std::isnan(heights.at<float>(2)));
 }
 
 }  // namespace

@@ -1,0 +1,78 @@
+#include "core/scene/footprint.h"
+
+#include <cmath>
+#include <limits>
+#include <opencv2/imgproc.hpp>
+
+namespace fovea {
+namespace {
+
+constexpr float kCellM = 0.02F;
+
+// Cells with points, closed over gaps of one cell (far surfaces are sampled thinly).
+cv::Mat Occupancy(const std::vector<cv::Point>& cells, const cv::Size& size) {
+  cv::Mat occupied = cv::Mat::zeros(size, CV_8UC1);
+  for (const cv::Point& cell : cells) occupied.at<uchar>(cell) = 255;
+  cv::morphologyEx(occupied, occupied, cv::MORPH_CLOSE, cv::Mat::ones(3, 3, CV_8UC1));
+  return occupied;
+}
+
+// Draws the hull of one connected part.
+void FillHull(const cv::Mat& part, cv::Mat& inside) {
+  std::vector<cv::Point> cells;
+  cv::findNonZero(part, cells);
+  std::vector<cv::Point> hull;
+  cv::convexHull(cells, hull);
+  cv::fillConvexPoly(inside, hull, cv::Scalar(255));
+}
+
+}  // namespace
+
+Footprint::Footprint(const std::vector<Eigen::Vector3f>& points, const SupportSurface& surface,
+                     double min_area_m2, double margin_m) {
+  const Eigen::Vector3f x = surface.normal.unitOrthogonal();
+  axes_.row(0) = x;
+  axes_.row(1) = surface.normal.cross(x);
+  std::vector<Eigen::Vector2f> positions;
+  Eigen::Vector2f low = Eigen::Vector2f::Constant(std::numeric_limits<float>::max());
+  Eigen::Vector2f high = -low;
+  for (const Eigen::Vector3f& point : points) {
+    positions.push_back(axes_ * point);
+    low = low.cwiseMin(positions.back());
+    high = high.cwiseMax(positions.back());
+  }
+  const int border = static_cast<int>(std::ceil(margin_m / kCellM)) + 2;
+  origin_ = low - Eigen::Vector2f::Constant(kCellM * static_cast<float>(border));
+  const Eigen::Vector2i extent = ((high - low) / kCellM).cast<int>().array() + 2 * border + 1;
+  std::vector<cv::Point> cells;
+  for (const Eigen::Vector2f& position : positions) {
+    const Eigen::Vector2i cell = ((position - origin_) / kCellM).cast<int>();
+    cells.emplace_back(cell.x(), cell.y());
+  }
+
+  const cv::Mat occupied = Occupancy(cells, {extent.x(), extent.y()});
+  inside_ = cv::Mat::zeros(occupied.size(), CV_8UC1);
+  cv::Mat parts;
+  cv::Mat statistics;
+  cv::Mat centroids;
+  const int num_parts = cv::connectedComponentsWithStats(occupied, parts, statistics, centroids);
+  for (int part = 1; part < num_parts; ++part) {
+    const double area = statistics.at<int>(part, cv::CC_STAT_AREA) * kCellM * kCellM;
+    if (area < min_area_m2) continue;
+    FillHull(parts == part, inside_);
+    area_m2_ += area;
+  }
+  const int reach = 2 * static_cast<int>(std::lround(margin_m / kCellM)) + 1;
+  cv::dilate(inside_, inside_, cv::getStructuringElement(cv::MORPH_ELLIPSE, {reach, reach}));
+}
+
+bool Footprint::Covers(const Eigen::Vector3f& point) const {
+  if (inside_.empty()) return true;
+  const Eigen::Vector2f cell = (axes_ * point - origin_) / kCellM;
+  if (!(cell.minCoeff() >= 0)) return false;
+  const int x = static_cast<int>(cell.x());
+  const int y = static_cast<int>(cell.y());
+  return x < inside_.cols && y < inside_.rows && inside_.at<uchar>(y, x) != 0;
+}
+
+}  // namespace fovea

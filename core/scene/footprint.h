@@ -1,0 +1,37 @@
+// Where on a surface things may stand.
+#pragma once
+
+#include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "core/types/detections.h"
+
+namespace fovea {
+
+// The convex hulls of the connected parts of a surface, drawn on a grid in its plane. Convex, since
+// what stands on a surface hides the part behind it.
+class Footprint {
+ public:
+  // Unbounded: covers every point.
+  Footprint() = default;
+
+  // From the points that lie on the surface; parts smaller than `min_area_m2` are left out, the
+  // hulls grow by `margin_m`.
+  Footprint(const std::vector<Eigen::Vector3f>& points, const SupportSurface& surface,
+            double min_area_m2, double margin_m);
+
+  // True if the point's projection along the normal lies inside.
+  bool Covers(const Eigen::Vector3f& point) const;
+
+  // Of the parts that were not left out, as seen, without what is hidden; 0 if unbounded.
+  double AreaM2() const { return area_m2_; }
+
+ private:
+  Eigen::Matrix<float, 2, 3> axes_;  // rows: the plane's axes
+  Eigen::Vector2f origin_;           // of the grid, in plane coordinates
+  cv::Mat inside_;                   // CV_8UC1; empty = unbounded
+  double area_m2_ = 0;
+};
+
+}  // namespace fovea

@@ -1,0 +1,197 @@
+#include "core/segmentation/occlusion_merge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "core/segmentation/disjoint_sets.h"
+#include "core/segmentation/image_borders.h"
+#include "core/segmentation/labels.h"
+#include "core/segmentation/segment_color.h"
+
+namespace fovea {
+namespace {
+
+constexpr int kBorderReachPx = 4;
+constexpr float kBorderStep = 0.01F;
+constexpr std::size_t kMaxSamples = 150;  // voxels of a segment that are compared
+
+struct Segment {
+  std::vector<int> voxels;
+  double curvature_sum = 0;  // over pairs of neighbouring voxels; negative = bends inwards
+  int num_pairs = 0;
+  float top_m = -std::numeric_limits<float>::max();  // along `up`
+
+  double MeanCurvature() const { return num_pairs == 0 ? 0 : curvature_sum / num_pairs; }
+};
+
+std::vector<Segment> Collect(const VoxelGrid& grid, const std::vector<int>& labels,
+                             const Eigen::Vector3f& up) {
+  std::vector<Segment> segments(CountLabels(labels) + 1);
+  for (int v = 0; v < static_cast<int>(labels.size()); ++v) {
+    Segment& segment = segments[labels[v]];
+    segment.voxels.push_back(v);
+    segment.top_m = std::max(segment.top_m, up.dot(grid.voxels[v].mean));
+  }
+  for (const VoxelEdge& edge : grid.edges) {
+    if (labels[edge.a] != labels[edge.b]) continue;
+    const Voxel& a = grid.voxels[edge.a];
+    const Voxel& b = grid.voxels[edge.b];
+    const Eigen::Vector3f step = a.mean - b.mean;
+    segments[labels[edge.a]].curvature_sum +=
+        (a.normal - b.normal).dot(step) / std::max(1e-8F, step.squaredNorm());
+    ++segments[labels[edge.a]].num_pairs;
+  }
+  return segments;
+}
+
+// At most kMaxSamples of the voxels, evenly.
+std::vector<int> Sample(const std::vector<int>& voxels) {
+  const std::size_t stride = voxels.size() / kMaxSamples + 1;
+  std::vector<int> sample;
+  for (std::size_t i = 0; i < voxels.size(); i += stride) sample.push_back(voxels[i]);
+  return sample;
+}
+
+bool OnOneSurface(const Voxel& a, const Voxel& b, const OcclusionMergeOptions& options) {
+  if (a.normal.dot(b.normal) < std::cos(options.max_angle_deg * std::numbers::pi / 180)) {
+    return false;
+  }
+  const Eigen::Vector3f step = a.mean - b.mean;
+  return std::abs(a.normal.dot(step)) <= options.max_offset_m &&
+         std::abs(b.normal.dot(step)) <= options.max_offset_m;
+}
+
+// Share of the voxels of `a` that lie on a surface of `b`.
+double SharedSurface(const VoxelGrid& grid, const std::vector<int>& a, const std::vector<int>& b,
+                     const OcclusionMergeOptions& options) {
+  const auto shared = std::count_if(a.begin(), a.end(), [&](int v) {
+    return std::any_of(b.begin(), b.end(), [&](int w) {
+      return OnOneSurface(grid.voxels[v], grid.voxels[w], options);
+    });
+  });
+  return a.empty() ? 0 : static_cast<double>(shared) / static_cast<double>(a.size());
+}
+
+// Finds the pairs to join. Holds what all tests look at.
+class Evidence {
+ public:
+  Evidence(const VoxelGrid& grid, const std::vector<int>& labels, const cv::Mat& points,
+           const cv::Mat& color_rgb, const Eigen::Vector3f& up,
+           const OcclusionMergeOptions& options)
+      : grid_(grid),
+        options_(options),
+        points_(points),
+        segments_(Collect(grid, labels, up)),
+        colors_(ColorsOfSegments(grid, labels, color_rgb)),
+        image_(LabelImage(grid, labels)),
+        borders_(FindImageBorders(image_, points, kBorderReachPx, kBorderStep)) {}
+
+  const ImageBorders& Borders() const { return borders_; }
+  int NumSegments() const { return static_cast<int>(segments_.size()); }
+
+  // True if `front` hides a part of the border of `back`.
+  bool Hides(int front, int back) const {
+    const auto border = borders_.find(std::minmax(front, back));
+    if (border == borders_.end()) return false;
+    const int in_front =
+        front < back ? border->second.first_in_front : border->second.second_in_front;
+    return in_front >= kMinBorderPx;
+  }
+
+  bool AreOneBehindAnOccluder(int a, int b) const {
+    if (options_.min_shared_surface <= 0 || !HaveCommonOccluder(a, b)) return false;
+    if (colors_[a].DistanceTo(colors_[b]) > options_.max_color_distance) return false;
+    const std::vector<int> in_a = Sample(segments_[a].voxels);
+    const std::vector<int> in_b = Sample(segments_[b].voxels);
+    return SharedSurface(grid_, in_a, in_b, options_) >= options_.min_shared_surface &&
+           SharedSurface(grid_, in_b, in_a, options_) >= options_.min_shared_surface &&
+           NothingBehindBetween(a, b);
+  }
+
+  bool IsInsideOf(int inside, int outside) const {
+    if (options_.min_hollow_curvature_per_m <= 0) return false;
+    return -segments_[inside].MeanCurvature() >= options_.min_hollow_curvature_per_m &&
+           Hides(outside, inside) &&
+           std::abs(segments_[inside].top_m - segments_[outside].top_m) <= options_.max_rim_step_m;
+  }
+
+ private:
+  static constexpr int kMinBorderPx = 10;
+
+  bool HaveCommonOccluder(int a, int b) const {
+    for (int front = 1; front < NumSegments(); ++front) {
+      if (front != a && front != b && Hides(front, a) && Hides(front, b)) return true;
+    }
+    return false;
+  }
+
+  cv::Point2d CenterPx(int segment) const {
+    const cv::Mat mask = image_ == segment;
+    const cv::Moments moments = cv::moments(mask, true);
+    return {moments.m10 / moments.m00, moments.m01 / moments.m00};
+  }
+
+  // True if whatever is seen on the line between the two is nearer than they are: a gap through
+  // which the background is seen parts them.
+  bool NothingBehindBetween(int a, int b) const;
+
+  const VoxelGrid& grid_;
+  const OcclusionMergeOptions& options_;
+  const cv::Mat& points_;
+  std::vector<Segment> segments_;
+  std::vector<SegmentColor> colors_;
+  cv::Mat image_;
+  ImageBorders borders_;
+};
+
+bool Evidence::NothingBehindBetween(int a, int b) const {
+  const cv::Point2d from = CenterPx(a);
+  const cv::Point2d to = CenterPx(b);
+  const auto depth_at = [&](const cv::Point2d& p) {
+    return points_.at<cv::Vec3f>(cvRound(p.y), cvRound(p.x))[2];
+  };
+  const auto mean_depth = [&](int segment) {
+    double sum = 0;
+    for (const int v : segments_[segment].voxels) sum += grid_.voxels[v].mean.z();
+    return sum / static_cast<double>(segments_[segment].voxels.size());
+  };
+  const double depth_a = mean_depth(a);
+  const double depth_b = mean_depth(b);
+  const int steps = cvRound(cv::norm(to - from)) + 1;
+  int behind = 0;
+  for (int i = 0; i <= steps; ++i) {
+    const double share = static_cast<double>(i) / steps;
+    const cv::Point2d p = from + share * (to - from);
+    const int label = image_.at<std::uint16_t>(cvRound(p.y), cvRound(p.x));
+    if (label == a || label == b) continue;
+    const double expected = depth_a + share * (depth_b - depth_a);
+    if (depth_at(p) > expected) ++behind;  // false where there is no depth
+  }
+  return behind <= steps / 20;
+}
+
+}  // namespace
+
+std::vector<int> MergeOccluded(const VoxelGrid& grid, const std::vector<int>& labels,
+                               const cv::Mat& points, const cv::Mat& color_rgb,
+                               const Eigen::Vector3f& up, const OcclusionMergeOptions& options) {
+  if (options.min_shared_surface <= 0 && options.min_hollow_curvature_per_m <= 0) return labels;
+  const Evidence evidence(grid, labels, points, color_rgb, up, options);
+  DisjointSets objects(evidence.NumSegments());
+  for (const auto& [pair, border] : evidence.Borders()) {
+    const auto [a, b] = pair;
+    if (evidence.IsInsideOf(a, b) || evidence.IsInsideOf(b, a)) objects.Join(a, b);
+  }
+  for (int a = 1; a < evidence.NumSegments(); ++a) {
+    for (int b = a + 1; b < evidence.NumSegments(); ++b) {
+      if (evidence.AreOneBehindAnOccluder(a, b)) objects.Join(a, b);
+    }
+  }
+  return Renumbered(labels, objects);
+}
+
+}  // namespace fovea
