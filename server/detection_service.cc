@@ -55,7 +55,7 @@ grpc::Status DetectionService::DetectStream(grpc::ServerContext* context, Stream
     v1::DetectStreamResponse response;
     response.set_frame_id(request.frame().id());
     response.set_sequence(sequence);
-    const grpc::Status status =
+    grpc::Status status =
         Answer(*context, FrameOf(request), options, response.mutable_detections());
     if (EndsStream(status.error_code())) return status;
     if (!status.ok()) SetError(status, &response);

@@ -13,7 +13,7 @@ struct ServerOptions {
   // 1920x1080 (13.9 MiB) through.
   int max_message_mib = 16;
   // Largest decoded image in pixels, 1 … 100 million. The default is just above 1920x1080.
-  std::int64_t max_pixels = 1920 * 1088;
+  std::int64_t max_pixels = std::int64_t{1920} * 1088;
   // Frames that are computed at once, 0 … 1024; 0 = one per processor.
   int max_concurrent = 0;
   // How long calls may go on after a stop signal, 0 … 3600 s.

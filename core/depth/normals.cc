@@ -29,7 +29,7 @@ cv::Mat PaddedInverseDepth(const cv::Mat& points, int radius, int step) {
   return inverse;
 }
 
-Four Load(const float* first, int step) {
+Four Load(const float* first, std::ptrdiff_t step) {
   return step == 1 ? cv::v_load(first)
                    : Four(first[0], first[step], first[2 * step], first[3 * step]);
 }
@@ -130,7 +130,7 @@ cv::Mat EstimateNormals(const cv::Mat& points, const CameraIntrinsics& intrinsic
           at_center);
       for (int lane = 0; lane < kLanes && col + lane * step < points.cols; ++lane) {
         const int pixel = col + lane * step;
-        if (center[lane * step] <= 0 || std::isnan(fit.a[lane])) continue;
+        if (center[pixel - col] <= 0 || std::isnan(fit.a[lane])) continue;
         normals.at<cv::Vec3f>(row, pixel) = NormalOf(
             fit.a[lane], fit.b[lane], fit.c[lane], static_cast<float>(pixel - intrinsics.cx_px),
             dv0, points.at<cv::Vec3f>(row, pixel), intrinsics);

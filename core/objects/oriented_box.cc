@@ -43,7 +43,7 @@ OrientedBox FitOrientedBox(const std::vector<Eigen::Vector3f>& points, const Eig
                            const std::optional<SupportSurface>& support,
                            const BoxOptions& options) {
   const Eigen::Matrix3f level = LevelFrame(up);
-  const Eigen::Vector3f origin = points.front();  // keeps the numbers small
+  const Eigen::Vector3f& origin = points.front();  // keeps the numbers small
   std::vector<cv::Point2f> ground;
   float bottom = 0;
   float top = 0;

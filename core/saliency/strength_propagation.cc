@@ -96,7 +96,8 @@ class Propagation {
   // Raises a block by the part of its ring above (side = -1) or below (+1) and in its own row.
   // Returns the pixels that grew, one bit each.
   unsigned Pull(int y, int block, int side) {
-    const std::ptrdiff_t at = std::ptrdiff_t{y} * cols_ + scale_ + block * kBlock_px;
+    const std::ptrdiff_t at =
+        std::ptrdiff_t{y} * cols_ + scale_ + std::ptrdiff_t{block} * kBlock_px;
     const std::uint8_t* features = features_.ptr<std::uint8_t>() + at;
     float* strengths = strengths_.ptr<float>() + at;
     StrengthBlock own(features, strengths);

@@ -46,6 +46,7 @@ std::vector<StageTime> MedianStages(const std::vector<SceneResult>& results) {
     }
   }
   std::vector<StageTime> medians;
+  medians.reserve(order.size());
   for (const std::string& stage : order) medians.push_back({stage, Median(times[stage])});
   return medians;
 }

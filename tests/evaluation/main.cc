@@ -1,12 +1,15 @@
 // fovea-eval: the detector against ground truth.
 #include <CLI/CLI.hpp>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <opencv2/core/utility.hpp>
 
 #include "tests/evaluation/detection_command.h"
 
-int main(int argc, char** argv) {
+namespace {
+
+int Run(int argc, char** argv) {
   cv::setNumThreads(1);  // times are those of one thread per frame
   CLI::App app{"Scores the detector against ground truth."};
   app.require_subcommand(1);
@@ -15,9 +18,17 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error);
+  }
+  return EXIT_SUCCESS;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return Run(argc, argv);
   } catch (const std::exception& error) {
     std::cerr << "fovea-eval: " << error.what() << '\n';
-    return 1;
+    return EXIT_FAILURE;
   }
-  return 0;
 }

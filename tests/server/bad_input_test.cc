@@ -222,11 +222,11 @@ class EmptyAnswerTest : public ::testing::Test {
 
 TEST_F(EmptyAnswerTest, ForDepthWithoutMeasurements) {
   v1::DetectRequest request = TestRequest();
-  *request.mutable_frame()->mutable_depth() = DepthMessage(
-      v1::DEPTH_ENCODING_16UC1, std::string(kWidth * kHeight * 2, '\0'), kWidth, kHeight);
+  *request.mutable_frame()->mutable_depth() =
+      DepthMessage(v1::DEPTH_ENCODING_16UC1, std::string(kDepthBytes, '\0'), kWidth, kHeight);
   const v1::Detections detections = ExpectNothing(request);
   EXPECT_EQ(detections.diagnostics().num_measured(), 0U);
-  EXPECT_EQ(detections.diagnostics().num_pixels(), std::uint64_t{kWidth * kHeight});
+  EXPECT_EQ(detections.diagnostics().num_pixels(), kDepthBytes / 2);
 }
 
 TEST_F(EmptyAnswerTest, ForOnePixel) {
@@ -240,8 +240,8 @@ TEST_F(EmptyAnswerTest, ForOnePixel) {
 TEST_F(EmptyAnswerTest, ForTheExtremesOfSixteenBits) {
   for (const char byte : {'\xFF', '\x01'}) {
     v1::DetectRequest request = TestRequest();
-    *request.mutable_frame()->mutable_depth() = DepthMessage(
-        v1::DEPTH_ENCODING_16UC1, std::string(kWidth * kHeight * 2, byte), kWidth, kHeight);
+    *request.mutable_frame()->mutable_depth() =
+        DepthMessage(v1::DEPTH_ENCODING_16UC1, std::string(kDepthBytes, byte), kWidth, kHeight);
     EXPECT_NO_THROW(loopback_.client.Detect(request));
   }
 }

@@ -17,9 +17,17 @@
 namespace fovea::server {
 namespace {
 
-using namespace fovea::testing;
+using testing::BytesOf;
 using ::testing::HasSubstr;
+using testing::JpegClaiming;
+using testing::JpegOf;
+using testing::kDepthBytes;
+using testing::PngClaiming;
+using testing::PngOf;
+using testing::TestColor;
+using testing::TestDepth;
 using ::testing::ThrowsMessage;
+using testing::ZstdOf;
 
 const SizeLimits kLimits{.max_pixels = 10'000};
 
@@ -120,7 +128,7 @@ TEST(Zstd, RefusesAnotherSizeAndWhatFollows) {
 TEST(Zstd, RefusesBombs) {
   const std::string bomb = ZstdOf(std::string(50'000'000, '\0'));
   ASSERT_LT(bomb.size(), 10'000U);
-  EXPECT_THROW(DecompressZstd(bomb, kWidth * kHeight * 2), std::invalid_argument);
+  EXPECT_THROW(DecompressZstd(bomb, kDepthBytes), std::invalid_argument);
 }
 
 TEST(AnyDecoder, SurvivesRandomDamage) {
@@ -132,7 +140,7 @@ TEST(AnyDecoder, SurvivesRandomDamage) {
       {PngOf(TestColor()), [](const std::string& file) { DecodePngColor(file, kLimits); }},
       {PngOf(TestDepth()), [](const std::string& file) { DecodePngGray16(file, kLimits); }},
       {ZstdOf(BytesOf(TestDepth())),
-       [](const std::string& file) { DecompressZstd(file, kWidth * kHeight * 2); }}};
+       [](const std::string& file) { DecompressZstd(file, kDepthBytes); }}};
   for (const auto& [file, decode] : decoders) {
     for (int i = 0; i < 500; ++i) {
       std::string damaged = file;

@@ -1,6 +1,7 @@
 // Small valid requests, in every encoding, for tests to send and to break.
 #pragma once
 
+#include <cstddef>
 #include <opencv2/core/mat.hpp>
 #include <string>
 
@@ -9,6 +10,7 @@
 namespace fovea::testing {
 
 constexpr int kWidth = 32, kHeight = 24;
+constexpr std::size_t kDepthBytes = 2UL * kWidth * kHeight;  // of 16UC1
 
 cv::Mat TestColor();   // CV_8UC3, R first, smooth
 cv::Mat TestDepth();   // CV_16UC1 in millimetres, with some zeros

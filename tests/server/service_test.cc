@@ -207,6 +207,7 @@ TEST(Detect, TurnsExceptionsIntoStatuses) {
 TEST(Detect, ServesManyCallersAtOnce) {
   Loopback loopback(FindOne);
   std::vector<std::future<int>> counts;
+  counts.reserve(8);
   for (int caller = 0; caller < 8; ++caller) {
     counts.push_back(std::async(std::launch::async, [&] {
       int objects = 0;
@@ -248,7 +249,7 @@ TEST(DetectStream, AnswersInOrderAndOutlivesBadFrames) {
 TEST(DetectStream, KeepsTheLastOptions) {
   Loopback loopback(FindOne);
   const auto stream = loopback.client.OpenStream(kPatience);
-  const auto masks_after = [&](std::function<void(v1::DetectStreamRequest&)> change) {
+  const auto masks_after = [&](const std::function<void(v1::DetectStreamRequest&)>& change) {
     v1::DetectStreamRequest request;
     *request.mutable_frame() = TestFrame();
     change(request);

@@ -127,6 +127,7 @@ bool AllVisible(const Scene& scene) {
 const std::vector<std::string>& SceneKinds() {
   static const std::vector<std::string> kinds = [] {
     std::vector<std::string> names;
+    names.reserve(std::size(kRecipes));
     for (const Recipe& recipe : kRecipes) names.emplace_back(recipe.kind);
     return names;
   }();

@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -13,9 +14,8 @@
 #include "tests/support/random_scene.h"
 #include "tests/support/scene_files.h"
 
+namespace fovea::scenes {
 namespace {
-
-using namespace fovea::scenes;
 
 struct Flags {
   std::string output;
@@ -41,7 +41,7 @@ void ShowProgress(std::size_t done, std::size_t total, const std::string& name) 
   if (done == total) std::cerr << '\n';
 }
 
-void Run(const Flags& flags) {
+void WriteFrames(const Flags& flags) {
   const cv::Size size_px = ParseSize(flags.size);
   std::vector<std::string> kinds = {flags.kind};
   if (flags.kind == "all") kinds = SceneKinds();
@@ -60,14 +60,12 @@ void Run(const Flags& flags) {
       ShowProgress(++done, total, name);
     }
   }
-  const fovea::CameraIntrinsics k = CameraOfSize(size_px).intrinsics;
+  const CameraIntrinsics k = CameraOfSize(size_px).intrinsics;
   std::cout << total << " frames in " << flags.output << ", intrinsics " << k.fx_px << ','
             << k.fy_px << ',' << k.cx_px << ',' << k.cy_px << '\n';
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int Run(int argc, char** argv) {
   CLI::App app{"Writes generated RGB-D frames with exact ground truth."};
   Flags flags;
   std::vector<std::string> kinds = SceneKinds();
@@ -91,12 +89,21 @@ int main(int argc, char** argv) {
                "Also write <name>_preview.png: colour, depth and labels side by side");
   try {
     app.parse(argc, argv);
-    Run(flags);
   } catch (const CLI::ParseError& error) {
     return app.exit(error);
+  }
+  WriteFrames(flags);
+  return EXIT_SUCCESS;
+}
+
+}  // namespace
+}  // namespace fovea::scenes
+
+int main(int argc, char** argv) {
+  try {
+    return fovea::scenes::Run(argc, argv);
   } catch (const std::exception& error) {
     std::cerr << "fovea-scenes: " << error.what() << '\n';
-    return 1;
+    return EXIT_FAILURE;
   }
-  return 0;
 }

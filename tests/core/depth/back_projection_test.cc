@@ -12,7 +12,7 @@ TEST(BackProject, FollowsThePinholeModel) {
   const CameraIntrinsics intrinsics{.fx_px = 500, .fy_px = 400, .cx_px = 1, .cy_px = 2};
   cv::Mat depth(4, 6, CV_32FC1, cv::Scalar(2.0F));
   const cv::Mat points = BackProject(depth, intrinsics, 10);
-  const cv::Vec3f point = points.at<cv::Vec3f>(3, 5);
+  const cv::Vec3f& point = points.at<cv::Vec3f>(3, 5);
   EXPECT_FLOAT_EQ(point[0], 2.0F * (5 - 1) / 500);
   EXPECT_FLOAT_EQ(point[1], 2.0F * (3 - 2) / 400);
   EXPECT_FLOAT_EQ(point[2], 2.0F);

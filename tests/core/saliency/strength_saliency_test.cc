@@ -4,9 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <functional>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -132,7 +133,8 @@ void ExpectSameBits(const cv::Mat& actual, const cv::Mat& expected) {
   for (int y = 0; y < expected.rows; ++y) {
     for (int x = 0; x < expected.cols; ++x) {
       const float a = actual.at<float>(y, x), b = expected.at<float>(y, x);
-      ASSERT_EQ(std::memcmp(&a, &b, sizeof a), 0) << x << "," << y << ": " << a << " and " << b;
+      ASSERT_EQ(std::bit_cast<std::uint32_t>(a), std::bit_cast<std::uint32_t>(b))
+          << x << "," << y << ": " << a << " and " << b;
     }
   }
 }
