@@ -19,6 +19,8 @@ DetectorOptions Default() {
   // The surface in the width of the sensor's noise, which grows with the square of the distance.
   options.support.tolerance_m = 0.004;
   options.support.tolerance_per_m = 0.006;
+  // Farther off, the noise of such cameras is the size of the objects.
+  options.max_depth_m = 3;
   // Whole frames: several surfaces, each carrying only what stands within its footprint; no walls,
   // no table legs; any camera pitch.
   options.gravity.num_starts = 4;
@@ -36,7 +38,8 @@ DetectorOptions Default() {
   options.voxels.normal_smoothing = 1;
   options.mrf.gamma_per_m2 = 30;
   options.mrf.lambda = 8;
-  options.mrf.reach_m = 0.2;
+  options.mrf.reach_m = 0.15;
+  options.mrf.max_sweeps = 1;
   options.mrf.concave_angle_deg = 12;
   // Shape joins the parts of an object; textures would part them, so colour only adds to it.
   options.color_merge.min_correlation = 1;
