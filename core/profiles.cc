@@ -29,7 +29,7 @@ DetectorOptions Default() {
   options.support.footprint_margin_m = 0.1;
   options.support.max_height_m = 0.5;
   options.plausibility.max_size_m = 0.6;
-  options.plausibility.max_hang_m = 0.1;
+  options.plausibility.max_hang_m = 0.3;
   // Voxels that grow with the distance, as pixels and noise do.
   options.voxels.perspective = true;
   // With dense seeds, hypotheses may reach across an object; grooves part the objects.

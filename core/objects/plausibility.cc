@@ -14,7 +14,9 @@ namespace {
 struct Segment {
   std::vector<Eigen::Vector3f> points;                 // means of its voxels
   float lowest_m = std::numeric_limits<float>::max();  // above the support below it
-  std::size_t num_hanging = 0;                         // voxels below a support's edge
+  // Of the voxels that a support covers from above: how many, and the least distance to it.
+  std::size_t num_covered = 0;
+  float least_depth_m = std::numeric_limits<float>::max();
 };
 
 // The smallest distance of a point below a support that covers it.
@@ -31,8 +33,7 @@ std::optional<float> DepthBelowSupport(const std::vector<Support>& supports,
 
 std::vector<Segment> Collect(const VoxelGrid& grid, const std::vector<int>& labels,
                              const std::vector<Support>& supports,
-                             const SupportOptions& support_options,
-                             const PlausibilityOptions& options) {
+                             const SupportOptions& support_options) {
   std::vector<Segment> segments(CountLabels(labels) + 1);
   for (std::size_t v = 0; v < labels.size(); ++v) {
     if (labels[v] == 0) continue;
@@ -42,8 +43,10 @@ std::vector<Segment> Collect(const VoxelGrid& grid, const std::vector<int>& labe
     if (const auto below = SupportBelow(supports, point, support_options)) {
       segment.lowest_m = std::min(segment.lowest_m, supports[*below].surface.HeightOf(point));
     }
-    const auto depth = DepthBelowSupport(supports, point);
-    if (depth && *depth < options.max_hang_m) ++segment.num_hanging;
+    if (const auto depth = DepthBelowSupport(supports, point)) {
+      ++segment.num_covered;
+      segment.least_depth_m = std::min(segment.least_depth_m, *depth);
+    }
   }
   return segments;
 }
@@ -52,8 +55,10 @@ bool IsTooLarge(const Segment& segment, const Eigen::Vector3f& up, double max_si
   return FitOrientedBox(segment.points, up, std::nullopt).size_m.maxCoeff() > max_size_m;
 }
 
-// A part of an object may lie below the edge of a table behind it, so a few voxels do not count.
-bool Hangs(const Segment& segment) { return 5 * segment.num_hanging > segment.points.size(); }
+// Most of it lies under a support, and it reaches up to it.
+bool Hangs(const Segment& segment, double max_hang_m) {
+  return 2 * segment.num_covered > segment.points.size() && segment.least_depth_m < max_hang_m;
+}
 
 // Segments that touch one that rests, directly or through others, rest too.
 void SpreadRest(const VoxelGrid& grid, const std::vector<int>& labels,
@@ -80,12 +85,13 @@ PlausibleSegments RemoveImplausible(const VoxelGrid& grid, const std::vector<int
                                     const PlausibilityOptions& options) {
   PlausibleSegments result{labels, 0};
   if (supports.empty()) return result;
-  const std::vector<Segment> segments = Collect(grid, labels, supports, support_options, options);
+  const std::vector<Segment> segments = Collect(grid, labels, supports, support_options);
   const Eigen::Vector3f up = supports.front().surface.normal;
   std::vector<char> stays(segments.size(), 0);
   std::vector<char> rests(segments.size(), 0);
   for (std::size_t label = 1; label < segments.size(); ++label) {
-    stays[label] = !IsTooLarge(segments[label], up, options.max_size_m) && !Hangs(segments[label]);
+    stays[label] = !IsTooLarge(segments[label], up, options.max_size_m) &&
+                   !Hangs(segments[label], options.max_hang_m);
     rests[label] = segments[label].lowest_m <= options.max_rest_m;
   }
   SpreadRest(grid, labels, stays, rests);

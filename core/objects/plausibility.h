@@ -13,8 +13,8 @@ namespace fovea {
 struct PlausibilityOptions {
   // Segments longer than this along an axis of their box are furniture or wall; metres.
   double max_size_m = 100;
-  // Segments that hang from a support, ending less than this below it, are its edge or its legs;
-  // metres, 0 switches the test off.
+  // Segments that lie under a support for the most part and reach up to less than this below it are
+  // its edge or its legs; metres, 0 switches the test off.
   double max_hang_m = 0;
   // Segments whose lowest point is higher than this above their support must touch another one;
   // metres.
