@@ -64,7 +64,8 @@ bool Hangs(const Segment& segment, double max_hang_m) {
 void SpreadRest(const VoxelGrid& grid, const std::vector<int>& labels,
                 const std::vector<char>& stays, std::vector<char>& rests) {
   constexpr int kTouchCells = 2;
-  const std::vector<VoxelEdge> pairs = PairsWithin(grid, kTouchCells);
+  if (std::all_of(rests.begin() + 1, rests.end(), [](char rest) { return rest != 0; })) return;
+  const std::vector<VoxelEdge> pairs = PairsWithin(grid, labels, kTouchCells);
   for (bool changed = true; changed;) {
     changed = false;
     for (const VoxelEdge& pair : pairs) {

@@ -26,7 +26,7 @@ using Boundaries = std::map<SegmentPair, Boundary>;
 
 Boundaries CollectBoundaries(const VoxelGrid& grid, const std::vector<int>& labels, int reach) {
   Boundaries boundaries;
-  for (const VoxelEdge& pair : PairsWithin(grid, reach)) {
+  for (const VoxelEdge& pair : PairsWithin(grid, labels, reach)) {
     const auto [low, high] = std::minmax(labels[pair.a], labels[pair.b]);
     if (low == 0 || low == high) continue;
     const Voxel& a = grid.voxels[pair.a];

@@ -41,14 +41,6 @@ std::vector<Eigen::Vector3i> HalfNeighborhood(int reach, int axes) {
   return offsets;
 }
 
-CellIndex IndexOf(const std::vector<Voxel>& voxels) {
-  CellIndex index(voxels.size());
-  for (std::size_t v = 0; v < voxels.size(); ++v) {
-    index.emplace(KeyOf(voxels[v].cell), static_cast<int>(v));
-  }
-  return index;
-}
-
 Eigen::Vector3i CellOf(const Eigen::Vector3f& p, const VoxelOptions& options) {
   const float size = static_cast<float>(options.size_m);
   const Eigen::Vector3f lattice =
@@ -88,6 +80,7 @@ void Finish(std::vector<Voxel>& voxels) {
   }
 }
 
+// `index` finds the voxels that take part.
 std::vector<VoxelEdge> PairsAt(const std::vector<Eigen::Vector3i>& offsets,
                                const std::vector<Voxel>& voxels, const CellIndex& index) {
   std::vector<VoxelEdge> pairs;
@@ -127,8 +120,20 @@ VoxelGrid BuildVoxelGrid(const cv::Mat& points, const cv::Mat& normals,
   return grid;
 }
 
-std::vector<VoxelEdge> PairsWithin(const VoxelGrid& grid, int reach_cells) {
-  return PairsAt(HalfNeighborhood(reach_cells, 3), grid.voxels, IndexOf(grid.voxels));
+std::vector<VoxelEdge> PairsWithin(const VoxelGrid& grid, const std::vector<int>& labels,
+                                   int reach_cells) {
+  std::vector<int> labelled;
+  std::vector<Voxel> voxels;
+  CellIndex index;
+  for (std::size_t v = 0; v < labels.size(); ++v) {
+    if (labels[v] == 0) continue;
+    index.emplace(KeyOf(grid.voxels[v].cell), static_cast<int>(voxels.size()));
+    labelled.push_back(static_cast<int>(v));
+    voxels.push_back(grid.voxels[v]);
+  }
+  std::vector<VoxelEdge> pairs = PairsAt(HalfNeighborhood(reach_cells, 3), voxels, index);
+  for (VoxelEdge& pair : pairs) pair = {labelled[pair.a], labelled[pair.b]};
+  return pairs;
 }
 
 float ConvexityDeg(const Voxel& a, const Voxel& b) {
