@@ -56,6 +56,33 @@ TEST(EstimateGravity, PointsDownWithTheCamerasYAxis) {
   EXPECT_GT(EstimateGravity(RoomNormals(-up, 300, 0, 0, 1)).y(), 0.9F);
 }
 
+// The camera looks down by the pitch: gravity has z > 0.
+Eigen::Vector3f DownOfPitchedCamera(float pitch_deg, float roll_deg) {
+  const float rad = std::numbers::pi_v<float> / 180;
+  return Eigen::AngleAxisf(roll_deg * rad, Eigen::Vector3f::UnitZ()) *
+         Eigen::AngleAxisf(pitch_deg * rad, Eigen::Vector3f::UnitX()) * Eigen::Vector3f::UnitY();
+}
+
+TEST(EstimateGravity, SeveralStartsReachACameraThatLooksDown) {
+  for (const float pitch_deg : {60.0F, 70.0F, 80.0F, 85.0F}) {
+    for (const float roll_deg : {-10.0F, 0.0F, 10.0F}) {
+      const Eigen::Vector3f down = DownOfPitchedCamera(pitch_deg, roll_deg);
+      const cv::Mat normals = RoomNormals(down, 400, 200, 100, 3);
+      EXPECT_LT(AngleDeg(EstimateGravity(normals, {.num_starts = 4}), down), 2.0F)
+          << pitch_deg << " " << roll_deg;
+      EXPECT_GT(AngleDeg(EstimateGravity(normals), down), 20.0F) << pitch_deg << " " << roll_deg;
+    }
+  }
+}
+
+TEST(EstimateGravity, SeveralStartsKeepTheFloorOfALevelCamera) {
+  for (const float pitch_deg : {0.0F, 20.0F, 40.0F}) {
+    const Eigen::Vector3f down = DownOfPitchedCamera(pitch_deg, 5);
+    const cv::Mat normals = RoomNormals(down, 400, 200, 100, 3);
+    EXPECT_LT(AngleDeg(EstimateGravity(normals, {.num_starts = 4}), down), 2.0F) << pitch_deg;
+  }
+}
+
 TEST(EstimateGravity, KeepsTheStartWithoutNormals) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const cv::Mat none(4, 4, CV_32FC3, cv::Scalar::all(nan));

@@ -2,32 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include "core/segmentation/labels.h"
+#include "tests/core/segmentation/voxel_chain.h"
 
 namespace fovea {
 namespace {
-
-// A row of voxels, one pixel each, all neighbours in a chain.
-VoxelGrid Chain(int length) {
-  VoxelGrid grid;
-  grid.voxels.resize(length);
-  grid.voxel_of_pixel = cv::Mat(1, length, CV_32SC1);
-  for (int i = 0; i < length; ++i) {
-    grid.voxel_of_pixel.at<int>(i) = i;
-    if (i > 0) grid.edges.push_back({i - 1, i});
-  }
-  return grid;
-}
 
 cv::Mat Colors(const std::vector<cv::Vec3b>& colors) { return cv::Mat(colors, true).reshape(3, 1); }
 
 const cv::Vec3b kRed(200, 10, 10);
 const cv::Vec3b kBlue(10, 10, 200);
-
-TEST(SplitIntoSegments, SeparatesPartsThatDoNotTouch) {
-  EXPECT_EQ(SplitIntoSegments(Chain(7), {5, 5, 0, 5, 2, 2, 0}),
-            (std::vector<int>{1, 1, 0, 2, 3, 3, 0}));
-}
 
 TEST(MergeByColor, JoinsNeighborsThatLookAlike) {
   EXPECT_EQ(MergeByColor(Chain(4), {1, 1, 2, 2}, Colors({kRed, kRed, kRed, kRed})),

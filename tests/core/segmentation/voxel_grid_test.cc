@@ -4,9 +4,11 @@
 #include <pcl/filters/voxel_grid.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
 #include <set>
+#include <vector>
 
 namespace fovea {
 namespace {
@@ -89,6 +91,47 @@ TEST(BuildVoxelGrid, TellsTheVoxelOfEachPixel) {
   EXPECT_EQ(grid.voxels[0].num_points, 2);
   EXPECT_FLOAT_EQ(grid.voxels[0].mean.x(), 0.0015F);
   EXPECT_EQ(grid.voxels[0].normal, Eigen::Vector3f(0, -1, 0));
+}
+
+// What a camera of 100 px focal length sees of a wall across its axis; the axis pierces the upper
+// left corner of the image.
+cv::Mat WallAt(float z) {
+  cv::Mat points(20, 20, CV_32FC3);
+  for (int row = 0; row < 20; ++row) {
+    for (int col = 0; col < 20; ++col) {
+      const float x = (static_cast<float>(col) + 0.5F) / 100;
+      const float y = (static_cast<float>(row) + 0.5F) / 100;
+      points.at<cv::Vec3f>(row, col) = {x * z, y * z, z};
+    }
+  }
+  return points;
+}
+
+TEST(BuildVoxelGrid, PerspectiveVoxelsHoldTheSameNumberOfPixelsAtAnyDistance) {
+  for (const float z : {0.6F, 1.01F, 2.02F, 5.05F}) {
+    const cv::Mat points = WallAt(z);
+    const VoxelGrid grid =
+        BuildVoxelGrid(points, Upwards(points), {.size_m = 0.05, .perspective = true});
+    EXPECT_EQ(grid.voxels.size(), 16U) << z;  // 0.05 rad · 100 px = 5 px
+    for (const Voxel& voxel : grid.voxels) EXPECT_EQ(voxel.num_points, 25) << z;
+  }
+  const cv::Mat far = WallAt(2.02F);  // 20 px are 40 cm: 8 voxels of 5 cm a side
+  EXPECT_EQ(BuildVoxelGrid(far, Upwards(far), {.size_m = 0.05}).voxels.size(), 64U);
+}
+
+TEST(BuildVoxelGrid, PerspectiveVoxelsGrowAlongTheAxisToo) {
+  const auto at = [](double steps) {
+    return cv::Vec3f(0, 0, static_cast<float>(std::exp(0.05 * steps)));
+  };
+  for (const double k : {-10.0, 0.0, 22.0}) {  // 0.6 m, 1 m, 3 m
+    const std::vector<cv::Vec3f> axis{at(k + 0.1), at(k + 0.9), at(k + 1.1)};
+    const cv::Mat points = cv::Mat(axis, true).reshape(3, 1);
+    const VoxelGrid grid =
+        BuildVoxelGrid(points, Upwards(points), {.size_m = 0.05, .perspective = true});
+    ASSERT_EQ(grid.voxels.size(), 2U) << k;
+    EXPECT_EQ(grid.voxels[0].num_points, 2) << k;
+    EXPECT_EQ(grid.edges.size(), 1U) << k;
+  }
 }
 
 TEST(BuildVoxelGrid, IsEmptyWithoutPoints) {

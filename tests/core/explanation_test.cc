@@ -1,0 +1,123 @@
+#include "core/explanation.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fovea {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+// A detection at which nothing is unusual.
+Detections Usual() {
+  Detections detections;
+  detections.objects.resize(3);
+  detections.support = SupportSurface{};
+  Diagnostics& d = detections.diagnostics;
+  d.num_pixels = 1000;
+  d.num_measured = 800;
+  d.num_points = 700;
+  d.seeds_from_color = 6;
+  d.seeds_from_depth = 4;
+  d.num_seeds = 5;
+  d.num_segments = 8;
+  d.num_merged = 3;
+  return detections;
+}
+
+TEST(ExplainLosses, SaysNothingWhereNothingIsUnusual) {
+  EXPECT_THAT(ExplainLosses(Usual()), IsEmpty());
+}
+
+TEST(ExplainLosses, NothingMeasuredExplainsAllElse) {
+  Detections detections;
+  detections.diagnostics.num_pixels = 1000;
+  EXPECT_THAT(ExplainLosses(detections), ElementsAre(HasSubstr("no pixel has depth")));
+}
+
+TEST(ExplainLosses, AllTooFarExplainsAllElse) {
+  Detections detections;
+  detections.diagnostics.num_pixels = 1000;
+  detections.diagnostics.num_measured = 800;
+  EXPECT_THAT(ExplainLosses(detections), ElementsAre(HasSubstr("beyond max_depth_m")));
+}
+
+TEST(ExplainLosses, LittleDepthIsGivenInPercent) {
+  Detections detections = Usual();
+  detections.diagnostics.num_measured = 123;
+  EXPECT_THAT(ExplainLosses(detections), ElementsAre("only 12.3 % of the pixels have depth"));
+  detections.diagnostics.num_measured = 200;
+  EXPECT_THAT(ExplainLosses(detections), IsEmpty());
+}
+
+TEST(ExplainLosses, NoSupport) {
+  Detections detections = Usual();
+  detections.support.reset();
+  EXPECT_THAT(ExplainLosses(detections), ElementsAre(HasSubstr("no support surface was found")));
+}
+
+TEST(ExplainLosses, NothingStandsOut) {
+  Detections detections = Usual();
+  detections.objects.clear();
+  detections.diagnostics.seeds_from_color = 0;
+  detections.diagnostics.seeds_from_depth = 0;
+  detections.diagnostics.num_seeds = 0;
+  EXPECT_THAT(ExplainLosses(detections), ElementsAre(HasSubstr("nothing stands out")));
+}
+
+TEST(ExplainLosses, NoSalientPositionBecameASeed) {
+  Detections detections = Usual();
+  detections.objects.clear();
+  detections.diagnostics.num_seeds = 0;
+  detections.diagnostics.seeds_without_depth = 3;
+  detections.diagnostics.seeds_on_support = 7;
+  EXPECT_THAT(ExplainLosses(detections),
+              ElementsAre("none of the 10 salient positions became a seed: 3 lie where there is "
+                          "no depth, 7 on or below the support surface"));
+}
+
+TEST(ExplainLosses, AllBackground) {
+  Detections detections = Usual();
+  detections.objects.clear();
+  detections.diagnostics.num_segments = 0;
+  detections.diagnostics.num_merged = 0;
+  EXPECT_THAT(ExplainLosses(detections), ElementsAre("every voxel was labelled background"));
+}
+
+TEST(ExplainLosses, ImplausibleSegmentsAreCountedAfterMerging) {
+  Detections detections = Usual();
+  detections.objects.clear();
+  detections.diagnostics.segments_implausible = 5;
+  EXPECT_THAT(ExplainLosses(detections),
+              ElementsAre("5 of 5 segments are too large for an object or rest on nothing"));
+}
+
+TEST(ExplainLosses, SmallSegmentsAreCountedAfterMerging) {
+  Detections detections = Usual();
+  detections.objects.clear();
+  detections.diagnostics.segments_too_small = 5;
+  EXPECT_THAT(ExplainLosses(detections),
+              ElementsAre("5 of 5 segments have fewer pixels than objects.min_pixels"));
+}
+
+TEST(ExplainLosses, SegmentsMayBeLostAsLongAsObjectsAreLeft) {
+  Detections detections = Usual();
+  detections.diagnostics.segments_too_small = 1;
+  detections.diagnostics.segments_implausible = 1;
+  EXPECT_THAT(ExplainLosses(detections), IsEmpty());
+}
+
+TEST(ExplainLosses, EarlierStepsComeFirst) {
+  Detections detections = Usual();
+  detections.objects.clear();
+  detections.support.reset();
+  detections.diagnostics.num_measured = 100;
+  detections.diagnostics.segments_too_small = 5;
+  EXPECT_THAT(ExplainLosses(detections),
+              ElementsAre(HasSubstr("10.0 %"), HasSubstr("no support"), HasSubstr("min_pixels")));
+}
+
+}  // namespace
+}  // namespace fovea
