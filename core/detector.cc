@@ -151,9 +151,12 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
                           options.occlusion_merge);
   counts.num_segments = CountLabels(segments);
   counts.num_merged = counts.num_segments - CountLabels(objects);
+  const PlausibleSegments plausible =
+      RemoveImplausible(grid, objects, supports, options.support, options.plausibility);
+  counts.segments_implausible = plausible.num_removed;
   clock.Finish("refinement");
 
-  result.labels = LabelsOfMeasured(grid, objects, measured);
+  result.labels = LabelsOfMeasured(grid, plausible.labels, measured);
   DescribeObjects(frame, points, options.objects, result);
   counts.messages = ExplainLosses(result);
   clock.Finish("objects");

@@ -33,6 +33,10 @@ std::string SeedLoss(const Diagnostics& d, std::size_t num_seeds) {
 
 std::string SegmentLoss(const Diagnostics& d) {
   if (d.num_segments == 0) return "every voxel was labelled background";
+  if (d.segments_implausible > 0) {
+    return fmt::format("{} of {} segments are too large for an object or rest on nothing",
+                       d.segments_implausible, d.num_segments - d.num_merged);
+  }
   if (d.segments_too_small == 0) return "";
   return fmt::format("{} of {} segments have fewer pixels than objects.min_pixels",
                      d.segments_too_small, d.num_segments - d.num_merged);

@@ -9,6 +9,7 @@
 #include "core/depth/fill_depth_holes.h"
 #include "core/depth/normals.h"
 #include "core/objects/describe_objects.h"
+#include "core/objects/plausibility.h"
 #include "core/saliency/depth_saliency.h"
 #include "core/saliency/strength_saliency.h"
 #include "core/scene/gravity.h"
@@ -39,6 +40,7 @@ struct DetectorOptions {
   ColorMergeOptions color_merge;
   ShapeMergeOptions shape_merge;
   OcclusionMergeOptions occlusion_merge;
+  PlausibilityOptions plausibility;
   ObjectOptions objects;
 };
 

@@ -127,6 +127,8 @@ const std::vector<OptionEntry>& OptionTable() {
             [](O& o) { return &o.mrf.concave_angle_deg; }),
       Entry("mrf.min_probability", 1e-30, 0.1, "floor of the probabilities of Eq. 5 and 6",
             [](O& o) { return &o.mrf.min_probability; }),
+      Entry("mrf.reach_m", 0.05, 100, "a hypothesis is no choice for voxels farther off; metres",
+            [](O& o) { return &o.mrf.reach_m; }),
       Entry("mrf.max_sweeps", 1, 100, "of alpha-expansion", [](O& o) { return &o.mrf.max_sweeps; }),
 
       Entry("color_merge.min_correlation", -1, 1, "that joins neighbours; 1: never; paper: 0.5",
@@ -159,6 +161,15 @@ const std::vector<OptionEntry>& OptionTable() {
       Entry("occlusion_merge.max_rim_step_m", 0, 1,
             "between the tops of inside and outside; metres",
             [](O& o) { return &o.occlusion_merge.max_rim_step_m; }),
+
+      Entry("plausibility.max_size_m", 0.05, 100, "longer segments are no objects; metres",
+            [](O& o) { return &o.plausibility.max_size_m; }),
+      Entry("plausibility.max_hang_m", 0, 10,
+            "segments this close below a surface are its edge; metres",
+            [](O& o) { return &o.plausibility.max_hang_m; }),
+      Entry("plausibility.max_rest_m", 0.005, 100,
+            "segments higher above their surface must touch another; metres",
+            [](O& o) { return &o.plausibility.max_rest_m; }),
 
       Entry("objects.min_pixels", 0, 100000, "smaller objects are dropped; pixels at 640x480",
             [](O& o) { return &o.objects.min_pixels; }),

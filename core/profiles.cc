@@ -19,18 +19,36 @@ DetectorOptions Default() {
   // The surface in the width of the sensor's noise, which grows with the square of the distance.
   options.support.tolerance_m = 0.004;
   options.support.tolerance_per_m = 0.006;
+  // Farther off, the noise of such cameras is the size of the objects.
+  options.max_depth_m = 3;
+  // Whole frames: several surfaces, each carrying only what stands within its footprint; no walls,
+  // no table legs; any camera pitch.
+  options.gravity.num_starts = 4;
+  options.support.max_surfaces = 6;
+  options.support.min_area_m2 = 0.08;
+  options.support.footprint_margin_m = 0.1;
+  options.support.max_height_m = 0.5;
+  options.plausibility.max_size_m = 0.6;
+  options.plausibility.max_hang_m = 0.3;
+  // Voxels that grow with the distance, as pixels and noise do.
+  options.voxels.perspective = true;
   // With dense seeds, hypotheses may reach across an object; grooves part the objects.
-  options.voxels.size_m = 0.008;
+  options.voxels.size_m = 0.009;
   options.voxels.neighbor_axes = 1;
   options.voxels.normal_smoothing = 1;
   options.mrf.gamma_per_m2 = 30;
   options.mrf.lambda = 8;
+  options.mrf.reach_m = 0.15;
+  options.mrf.max_sweeps = 1;
   options.mrf.concave_angle_deg = 12;
   // Shape joins the parts of an object; textures would part them, so colour only adds to it.
   options.color_merge.min_correlation = 1;
-  options.shape_merge.max_concavity_deg = 12;
+  options.shape_merge.max_concavity_deg = 15;
   options.shape_merge.color_weight_deg = 0.4;
   options.shape_merge.reach_cells = 1;
+  options.occlusion_merge.min_shared_surface = 0.3;
+  options.occlusion_merge.max_color_distance = 35;
+  options.occlusion_merge.min_hollow_curvature_per_m = 1.5;
   options.objects.min_pixels = 500;
   return options;
 }

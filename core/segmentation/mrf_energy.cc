@@ -8,17 +8,42 @@
 namespace fovea {
 namespace {
 
+// Calls visit(voxel, point) for every point of a voxel that is not background.
+template <typename Visit>
+void ForEachPoint(const VoxelGrid& grid, const cv::Mat& points,
+                  const std::vector<char>& is_background, Visit visit) {
+  for (int row = 0; row < points.rows; ++row) {
+    const int* voxel_of_pixel = grid.voxel_of_pixel.ptr<int>(row);
+    const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
+    for (int col = 0; col < points.cols; ++col) {
+      const int v = voxel_of_pixel[col];
+      if (v < 0 || is_background[v]) continue;
+      visit(v, Eigen::Vector3f(point[col][0], point[col][1], point[col][2]));
+    }
+  }
+}
+
+// The seeds that may be the nearest to a point of the voxel: by the triangle inequality those not
+// farther from its mean than the nearest one is, plus twice the voxel's radius.
+std::vector<Eigen::Vector3f> NearSeeds(const Voxel& voxel, float radius,
+                                       const std::vector<Seed>& seeds) {
+  float nearest = std::numeric_limits<float>::infinity();
+  for (const Seed& seed : seeds) {
+    nearest = std::min(nearest, (voxel.mean - seed.position).squaredNorm());
+  }
+  const float limit = std::sqrt(nearest) + 2.01F * radius;  // a little more for rounding
+  std::vector<Eigen::Vector3f> near;
+  for (const Seed& seed : seeds) {
+    if ((voxel.mean - seed.position).squaredNorm() <= limit * limit) near.push_back(seed.position);
+  }
+  return near;
+}
+
 // What the data term needs of a voxel's points.
 struct PointStatistics {
   std::vector<float> variance;         // mean squared distance of the points to their mean
   std::vector<float> background_cost;  // Eq. 2 for the background label
 };
-
-float SquaredDistanceToNearest(const Eigen::Vector3f& point, const std::vector<Seed>& seeds) {
-  float nearest = std::numeric_limits<float>::infinity();
-  for (const Seed& seed : seeds) nearest = std::min(nearest, (point - seed.position).squaredNorm());
-  return nearest;
-}
 
 // Eq. 6: −ln(α · min_c(1 − p(c|x))). The minimum is at the nearest seed.
 float BackgroundCost(float squared_distance, const MrfOptions& options) {
@@ -30,21 +55,28 @@ float BackgroundCost(float squared_distance, const MrfOptions& options) {
 PointStatistics Collect(const VoxelGrid& grid, const cv::Mat& points,
                         const std::vector<char>& is_background, const std::vector<Seed>& seeds,
                         const MrfOptions& options) {
-  PointStatistics statistics{std::vector<float>(grid.voxels.size()),
-                             std::vector<float>(grid.voxels.size())};
-  for (int row = 0; row < points.rows; ++row) {
-    const int* voxel_of_pixel = grid.voxel_of_pixel.ptr<int>(row);
-    const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
-    for (int col = 0; col < points.cols; ++col) {
-      const int v = voxel_of_pixel[col];
-      if (v < 0 || is_background[v]) continue;
-      const Eigen::Vector3f x(point[col][0], point[col][1], point[col][2]);
-      const float share = 1.0F / static_cast<float>(grid.voxels[v].num_points);
-      statistics.variance[v] += share * (x - grid.voxels[v].mean).squaredNorm();
-      statistics.background_cost[v] +=
-          share * BackgroundCost(SquaredDistanceToNearest(x, seeds), options);
-    }
+  const std::size_t num_voxels = grid.voxels.size();
+  PointStatistics statistics{std::vector<float>(num_voxels), std::vector<float>(num_voxels)};
+  std::vector<float> squared_radius(num_voxels);
+  const auto share = [&](int v) { return 1.0F / static_cast<float>(grid.voxels[v].num_points); };
+  ForEachPoint(grid, points, is_background, [&](int v, const Eigen::Vector3f& x) {
+    const float squared_distance = (x - grid.voxels[v].mean).squaredNorm();
+    statistics.variance[v] += share(v) * squared_distance;
+    squared_radius[v] = std::max(squared_radius[v], squared_distance);
+  });
+
+  std::vector<std::vector<Eigen::Vector3f>> near_seeds(num_voxels);
+  for (std::size_t v = 0; v < num_voxels; ++v) {
+    if (is_background[v]) continue;
+    near_seeds[v] = NearSeeds(grid.voxels[v], std::sqrt(squared_radius[v]), seeds);
   }
+  ForEachPoint(grid, points, is_background, [&](int v, const Eigen::Vector3f& x) {
+    float nearest = std::numeric_limits<float>::infinity();
+    for (const Eigen::Vector3f& seed : near_seeds[v]) {
+      nearest = std::min(nearest, (x - seed).squaredNorm());
+    }
+    statistics.background_cost[v] += share(v) * BackgroundCost(nearest, options);
+  });
   return statistics;
 }
 
@@ -64,9 +96,11 @@ std::vector<PottsEnergy::Choice> ChoicesOfSeed(const VoxelGrid& grid,
                                                const std::vector<char>& is_background,
                                                const Seed& seed, const MrfOptions& options) {
   const float max_cost = static_cast<float>(-std::log(options.min_probability));
+  const float max_squared_distance = static_cast<float>(options.reach_m * options.reach_m);
   std::vector<PottsEnergy::Choice> choices;
   for (int v = 0; v < static_cast<int>(grid.voxels.size()); ++v) {
-    if (is_background[v]) continue;
+    const float squared_distance = (grid.voxels[v].mean - seed.position).squaredNorm();
+    if (is_background[v] || squared_distance > max_squared_distance) continue;
     const float cost = HypothesisCost(grid.voxels[v], variance[v], seed, options);
     if (cost < max_cost) choices.push_back({v, cost});
   }

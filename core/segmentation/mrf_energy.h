@@ -24,13 +24,15 @@ struct MrfOptions {
   // Probabilities below this count as this, since Eq. 6 is 0 at a seed; a hypothesis is no choice
   // for voxels where Eq. 5 is below it.
   double min_probability = 1e-6;
+  // Nor for voxels whose mean is farther than this from the seed; metres.
+  double reach_m = 100;
   int max_sweeps = 5;  // of alpha-expansion
 };
 
 // The energy over the voxels of `grid`: label 0 is the background, label k the hypothesis of
 // seeds[k - 1]. Voxels with `is_background` set (one entry a voxel) can only be background: the
 // support surface, where the paper sets the background's probability to one. A hypothesis offers
-// itself to the voxels where Eq. 5 is above `min_probability`.
+// itself to the voxels within `reach_m` where Eq. 5 is above `min_probability`.
 // `points`: CV_32FC3, the image that the grid was built from. Throws std::length_error if there
 // are more choices of voxel and hypothesis than memory should hold (2^25).
 PottsEnergy BuildEnergy(const VoxelGrid& grid, const cv::Mat& points,

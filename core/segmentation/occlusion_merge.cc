@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
+#include <set>
+#include <utility>
 
 #include "core/segmentation/disjoint_sets.h"
 #include "core/segmentation/image_borders.h"
@@ -91,6 +94,25 @@ class Evidence {
         borders_(FindImageBorders(image_, points, kBorderReachPx, kBorderStep)) {}
 
   const ImageBorders& Borders() const { return borders_; }
+
+  // Pairs of segments of some size of which a third one hides parts.
+  std::set<std::pair<int, int>> PairsWithCommonOccluder() const {
+    std::map<int, std::vector<int>> hidden_by;
+    for (const auto& [pair, border] : borders_) {
+      if (border.first_in_front >= kMinBorderPx) hidden_by[pair.first].push_back(pair.second);
+      if (border.second_in_front >= kMinBorderPx) hidden_by[pair.second].push_back(pair.first);
+    }
+    std::set<std::pair<int, int>> pairs;
+    for (auto& [front, hidden] : hidden_by) {
+      std::erase_if(hidden, [&](int s) { return segments_[s].voxels.size() < kMinVoxels; });
+      for (std::size_t i = 0; i < hidden.size(); ++i) {
+        for (std::size_t j = i + 1; j < hidden.size(); ++j) {
+          pairs.insert(std::minmax(hidden[i], hidden[j]));
+        }
+      }
+    }
+    return pairs;
+  }
   int NumSegments() const { return static_cast<int>(segments_.size()); }
 
   // True if `front` hides a part of the border of `back`.
@@ -103,7 +125,6 @@ class Evidence {
   }
 
   bool AreOneBehindAnOccluder(int a, int b) const {
-    if (options_.min_shared_surface <= 0 || !HaveCommonOccluder(a, b)) return false;
     if (colors_[a].DistanceTo(colors_[b]) > options_.max_color_distance) return false;
     const std::vector<int> in_a = Sample(segments_[a].voxels);
     const std::vector<int> in_b = Sample(segments_[b].voxels);
@@ -121,17 +142,10 @@ class Evidence {
 
  private:
   static constexpr int kMinBorderPx = 10;
-
-  bool HaveCommonOccluder(int a, int b) const {
-    for (int front = 1; front < NumSegments(); ++front) {
-      if (front != a && front != b && Hides(front, a) && Hides(front, b)) return true;
-    }
-    return false;
-  }
+  static constexpr std::size_t kMinVoxels = 10;
 
   cv::Point2d CenterPx(int segment) const {
-    const cv::Mat mask = image_ == segment;
-    const cv::Moments moments = cv::moments(mask, true);
+    const cv::Moments moments = cv::moments(image_ == segment, true);
     return {moments.m10 / moments.m00, moments.m01 / moments.m00};
   }
 
@@ -186,8 +200,8 @@ std::vector<int> MergeOccluded(const VoxelGrid& grid, const std::vector<int>& la
     const auto [a, b] = pair;
     if (evidence.IsInsideOf(a, b) || evidence.IsInsideOf(b, a)) objects.Join(a, b);
   }
-  for (int a = 1; a < evidence.NumSegments(); ++a) {
-    for (int b = a + 1; b < evidence.NumSegments(); ++b) {
+  if (options.min_shared_surface > 0) {
+    for (const auto& [a, b] : evidence.PairsWithCommonOccluder()) {
       if (evidence.AreOneBehindAnOccluder(a, b)) objects.Join(a, b);
     }
   }

@@ -82,8 +82,9 @@ struct Diagnostics {
   std::size_t seeds_on_support = 0;
   std::size_t num_seeds = 0;  // that became object hypotheses
   std::size_t num_voxels = 0;
-  std::size_t num_segments = 0;  // after the graph cut
-  std::size_t num_merged = 0;    // segments that refinement joined to another
+  std::size_t num_segments = 0;          // after the graph cut
+  std::size_t num_merged = 0;            // segments that refinement joined to another
+  std::size_t segments_implausible = 0;  // too large, hanging from a surface, or in the air
   std::size_t segments_too_small = 0;
   std::vector<std::string> messages;  // for people: what limited the result, most telling first
 };

@@ -40,6 +40,7 @@ v1::Diagnostics DiagnosticsToProto(const Diagnostics& diagnostics) {
   proto.set_num_segments(diagnostics.num_segments);
   proto.set_num_merged(diagnostics.num_merged);
   proto.set_segments_too_small(diagnostics.segments_too_small);
+  proto.set_segments_implausible(diagnostics.segments_implausible);
   for (const std::string& message : diagnostics.messages) proto.add_messages(message);
   return proto;
 }

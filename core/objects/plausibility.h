@@ -1,0 +1,37 @@
+// Which segments cannot be objects: walls, furniture, what hangs in the air. Goes beyond the paper,
+// whose scenes show a table and nothing else.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/scene/support_surface.h"
+#include "core/segmentation/voxel_grid.h"
+
+namespace fovea {
+
+struct PlausibilityOptions {
+  // Segments longer than this along an axis of their box are furniture or wall; metres.
+  double max_size_m = 100;
+  // Segments that lie under a support for the most part and reach up to less than this below it are
+  // its edge or its legs; metres, 0 switches the test off.
+  double max_hang_m = 0;
+  // Segments whose lowest point is higher than this above their support must touch another one;
+  // metres.
+  double max_rest_m = 100;
+};
+
+struct PlausibleSegments {
+  std::vector<int> labels;  // as given, 0 where a segment was removed
+  std::size_t num_removed = 0;
+};
+
+// `labels`: one entry a voxel, 0 = background. Removed are segments that are too large, that hang
+// from a support, or that neither rest on a support nor touch, directly or through others, one that
+// does. Nothing is removed where there is no support.
+PlausibleSegments RemoveImplausible(const VoxelGrid& grid, const std::vector<int>& labels,
+                                    const std::vector<Support>& supports,
+                                    const SupportOptions& support_options,
+                                    const PlausibilityOptions& options = {});
+
+}  // namespace fovea
