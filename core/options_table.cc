@@ -112,6 +112,9 @@ const std::vector<OptionEntry>& OptionTable() {
       Entry("cover.min_voxels", 1, 10000, "connected parts with fewer get no seed of their own",
             [](O& o) { return &o.cover.min_voxels; }),
 
+      Entry("cover.max_extent_m", 0.05, 100, "longer parts, walls, get none either; metres",
+            [](O& o) { return &o.cover.max_extent_m; }),
+
       Entry("mrf.gamma_per_m2", 0.1, 10000, "Eq. 5: fading of a hypothesis; 1/m2; paper: 180",
             [](O& o) { return &o.mrf.gamma_per_m2; }),
       Entry("mrf.alpha", 1e-6, 1, "Eq. 6: weight of the background; paper: 0.1",

@@ -16,6 +16,7 @@ DetectorOptions Default() {
   // Smaller peaks, and seeds wherever something above the support has none.
   options.seeds.disk_radius_px = 5;
   options.cover.spacing_m = 0.05;
+  options.cover.max_extent_m = 1.5;
   // The surface in the width of the sensor's noise, which grows with the square of the distance.
   options.support.tolerance_m = 0.004;
   options.support.tolerance_per_m = 0.006;

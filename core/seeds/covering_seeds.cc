@@ -1,5 +1,6 @@
 #include "core/seeds/covering_seeds.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -76,6 +77,13 @@ int MostCentral(const VoxelGrid& grid, const std::vector<int>& part) {
   });
 }
 
+// Longest side of the part's box along the camera's axes.
+float Extent(const VoxelGrid& grid, const std::vector<int>& part) {
+  Eigen::AlignedBox3f box;
+  for (const int v : part) box.extend(grid.voxels[v].mean);
+  return box.sizes().maxCoeff();
+}
+
 int Farthest(const std::vector<int>& part, const SurfaceDistance& distance) {
   return *std::max_element(part.begin(), part.end(),
                            [&](int a, int b) { return distance.Of(a) < distance.Of(b); });
@@ -90,6 +98,7 @@ std::vector<int> VoxelsToAdd(const VoxelGrid& grid, const std::vector<char>& is_
   };
   for (const std::vector<int>& part : Parts(grid, is_background)) {
     if (static_cast<int>(part.size()) < options.min_voxels) continue;
+    if (Extent(grid, part) > static_cast<float>(options.max_extent_m)) continue;
     if (distance.Of(part.front()) == kUnreached) add(MostCentral(grid, part));
     for (int voxel = Farthest(part, distance);
          distance.Of(voxel) > static_cast<float>(options.spacing_m);

@@ -15,6 +15,9 @@ struct CoverOptions {
   double spacing_m = 0;
   // Connected parts with fewer voxels get no seed.
   int min_voxels = 20;
+  // Nor do parts longer than this along an axis of the camera: they are walls and furniture, on
+  // which only what is salient is looked for; metres.
+  double max_extent_m = 100;
 };
 
 // Adds seeds until every connected part of the voxels that are not background is covered: first

@@ -54,6 +54,14 @@ TEST(CoverWithSeeds, LeavesTheBackgroundAlone) {
   EXPECT_TRUE(CoverWithSeeds(grid, std::vector<char>(21, 1), {}, {.spacing_m = 0.05}).empty());
 }
 
+TEST(CoverWithSeeds, LeavesPartsAloneThatAreTooLongForAnObject) {
+  const VoxelGrid grid = Line(30, {10});  // parts of 10 and 19 cm
+  const auto seeds = CoverWithSeeds(grid, std::vector<char>(grid.voxels.size(), 0), {},
+                                    {.spacing_m = 0.5, .min_voxels = 5, .max_extent_m = 0.15});
+  ASSERT_EQ(seeds.size(), 1U);
+  EXPECT_LT(seeds[0].pixel.x, 10);
+}
+
 TEST(CoverWithSeeds, DoesNothingWithoutSpacing) {
   EXPECT_TRUE(CoverWithSeeds(Line(21), std::vector<char>(21, 0), {}, {.spacing_m = 0}).empty());
 }
