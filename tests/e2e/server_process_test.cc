@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <fstream>
+#include <iterator>
+#include <string>
 
 #include "client/client.h"
 
@@ -65,12 +68,18 @@ TEST(ServerProcess, ExplainsItself) {
   for (const char* flag : {"--listen", "--max-message-mib", "--max-pixels", "--log-level"}) {
     EXPECT_THAT(help.out, HasSubstr(flag));
   }
-  const Finished options = Execute({FOVEA_SERVER, "--list-options"});
-  EXPECT_EQ(options.exit_code, 0);
-  EXPECT_THAT(options.out, StartsWith("| option | range | default | paper |"));
   const Finished version = Execute({FOVEA_SERVER, "--version"});
   EXPECT_EQ(version.exit_code, 0);
   EXPECT_THAT(version.out, MatchesRegex("fovea-server [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+TEST(ServerProcess, ListsTheOptionsAsTheDocumentationDoes) {
+  const Finished options = Execute({FOVEA_SERVER, "--list-options"});
+  EXPECT_EQ(options.exit_code, 0);
+  EXPECT_THAT(options.out, StartsWith("| option | range | default | paper |"));
+  std::ifstream file(FOVEA_SOURCE_DIR "/docs/options.md");
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_THAT(page, HasSubstr(options.out)) << "docs/options.md is out of date";
 }
 
 }  // namespace
