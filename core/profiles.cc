@@ -34,7 +34,7 @@ DetectorOptions Default() {
   // Voxels that grow with the distance, as pixels and noise do.
   options.voxels.perspective = true;
   // With dense seeds, hypotheses may reach across an object; grooves part the objects.
-  options.voxels.size_m = 0.009;
+  options.voxels.size_m = 0.01;
   options.voxels.neighbor_axes = 1;
   options.voxels.normal_smoothing = 1;
   options.mrf.gamma_per_m2 = 30;
