@@ -65,6 +65,7 @@ void ApplyCenterPrior(cv::Mat& map) {
     return static_cast<float>(std::exp(-offset * offset));
   };
   std::vector<float> across;
+  across.reserve(static_cast<std::size_t>(map.cols));
   for (int x = 0; x < map.cols; ++x) across.push_back(weight(x, map.cols));
   for (int y = 0; y < map.rows; ++y) {
     const float down = weight(y, map.rows);

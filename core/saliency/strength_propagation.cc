@@ -58,7 +58,10 @@ class Propagation {
   }
 
   cv::Mat Run() {
-    while (SweepDown() | SweepUp()) continue;
+    for (bool grew = true; grew;) {
+      grew = SweepDown();
+      grew |= SweepUp();
+    }
     return strengths_;
   }
 
