@@ -17,6 +17,8 @@ bool DetectStream::Send(const v1::DetectStreamRequest& request) { return stream_
 
 void DetectStream::DoneSending() { stream_->WritesDone(); }
 
+void DetectStream::Cancel() { context_.TryCancel(); }
+
 std::optional<v1::DetectStreamResponse> DetectStream::Receive() {
   v1::DetectStreamResponse response;
   if (!finished_ && stream_->Read(&response)) return response;

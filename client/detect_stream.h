@@ -13,8 +13,8 @@
 namespace fovea::client {
 
 // One stream of frames; Client::OpenStream makes it. One thread may send while another receives.
-// Send ahead by a frame or two, not more: the server answers in order, and frames that wait grow
-// old.
+// Send as fast as frames come: the server answers the newest one and drops those in between;
+// DetectStreamResponse.dropped counts them.
 class DetectStream {
  public:
   DetectStream(v1::DetectionService::Stub& stub, std::chrono::milliseconds timeout);
@@ -29,6 +29,9 @@ class DetectStream {
 
   // No more frames will come; answers to those sent still do.
   void DoneSending();
+
+  // Ends the stream at once. From any thread.
+  void Cancel();
 
   // The next answer in order, which may be a FrameError. Empty at the end, after DoneSending().
   // Throws RpcError where the stream broke or ran out of time.

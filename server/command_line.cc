@@ -21,8 +21,16 @@ void AddFlags(CLI::App& app, ServerOptions& options) {
   app.add_option("--max-pixels", options.max_pixels,
                  "Largest image in pixels, 1 to 100000000; checked before it is decoded")
       ->capture_default_str();
-  app.add_option("--max-concurrent", options.max_concurrent,
-                 "Frames computed at once, 0 to 1024; others wait. 0 = one per processor")
+  app.add_option("--compute-threads", options.compute_threads,
+                 "Frames computed at once, 0 to 1024; 0 = one per processor")
+      ->capture_default_str();
+  app.add_option("--max-waiting", options.max_waiting,
+                 "Frames that wait beyond those, -1 to 10000; more get RESOURCE_EXHAUSTED. "
+                 "-1 = two per compute thread")
+      ->capture_default_str();
+  app.add_option("--max-per-robot", options.max_per_robot,
+                 "Frames that one robot may have waiting or computed, 0 to 10000; 0 = two thirds "
+                 "of all")
       ->capture_default_str();
   app.add_option("--drain-timeout-s", options.drain_timeout_s,
                  "How long calls may finish after SIGTERM or SIGINT, 0 to 3600 seconds")

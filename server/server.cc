@@ -10,6 +10,9 @@
 #include <thread>
 #include <utility>
 
+#include "server/rpc/detect_call.h"
+#include "server/rpc/stream_call.h"
+
 namespace fovea::server {
 namespace {
 
@@ -18,9 +21,16 @@ const ServerOptions& Validated(const ServerOptions& options) {
   return options;
 }
 
-int NumSlots(const ServerOptions& options) {
-  if (options.max_concurrent > 0) return options.max_concurrent;
-  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+SchedulerLimits LimitsOf(const ServerOptions& options) {
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const int num_threads = options.compute_threads > 0 ? options.compute_threads : cores;
+  // An accepted frame waits for no more than two others on its thread.
+  const int max_waiting = options.max_waiting >= 0 ? options.max_waiting : 2 * num_threads;
+  // Leaves a third of the places to other robots.
+  const int fair_share = std::max(1, 2 * (num_threads + max_waiting) / 3);
+  return {.num_threads = num_threads,
+          .max_waiting = max_waiting,
+          .max_per_robot = options.max_per_robot > 0 ? options.max_per_robot : fair_share};
 }
 
 // Plugins of gRPC are global: they apply to every builder made afterwards.
@@ -45,17 +55,34 @@ void ConfigureChannel(const ServerOptions& options, grpc::ServerBuilder* builder
 
 Server::Server(const ServerOptions& options, DetectFunction detect)
     : options_(Validated(options)),
-      service_(std::move(detect), options_.max_pixels, NumSlots(options_)) {
+      scheduler_(LimitsOf(options_)),
+      metrics_(std::make_shared<Metrics>([this] { return scheduler_.NumWaiting(); })),
+      answerer_(std::move(detect), options_.max_pixels, *metrics_) {
   EnablePlugins();
+  Listen();
+  Serve();
+}
+
+void Server::Listen() {
   grpc::ServerBuilder builder;
   ConfigureChannel(options_, &builder);
   builder.AddListeningPort(options_.listen, grpc::InsecureServerCredentials(), &port_);
   builder.RegisterService(&service_);
+  auto queue = builder.AddCompletionQueue();
   server_ = builder.BuildAndStart();
+  // In any case: a queue that nobody empties cannot be given back.
+  loop_ = std::make_unique<EventLoop>(std::move(queue));
   if (!server_ || port_ == 0) {
     throw std::runtime_error("--listen: cannot listen on " + options_.listen +
                              ": the port is in use or the address is not one of this machine");
   }
+}
+
+void Server::Serve() {
+  environment_ = std::make_unique<CallEnvironment>(
+      CallEnvironment{service_, loop_->queue(), scheduler_, answerer_, live_calls_, *metrics_});
+  DetectCall::Accept(*environment_);
+  StreamCall::Accept(*environment_);
   server_->GetHealthCheckService()->SetServingStatus(v1::DetectionService::service_full_name(),
                                                      true);
 }
@@ -71,9 +98,11 @@ void Server::Drain() { Stop(options_.drain_timeout_s); }
 void Server::Stop(int timeout_s) {
   if (!server_) return;
   server_->GetHealthCheckService()->SetServingStatus(false);
-  service_.EndStreams();
+  live_calls_.EndStreams();
   server_->Shutdown(std::chrono::system_clock::now() + std::chrono::seconds(timeout_s));
   server_->Wait();
+  live_calls_.WaitUntilNone();
+  loop_.reset();
   server_.reset();
 }
 

@@ -45,7 +45,9 @@ void Validate(const ServerOptions& options) {
   RequireAddress(options.listen);
   RequireRange("--max-message-mib", options.max_message_mib, 1, 1024);
   RequireRange("--max-pixels", options.max_pixels, 1, 100'000'000);
-  RequireRange("--max-concurrent", options.max_concurrent, 0, 1024);
+  RequireRange("--compute-threads", options.compute_threads, 0, 1024);
+  RequireRange("--max-waiting", options.max_waiting, -1, 10'000);
+  RequireRange("--max-per-robot", options.max_per_robot, 0, 10'000);
   RequireRange("--drain-timeout-s", options.drain_timeout_s, 0, 3600);
   RequireLogLevel(options.log_level);
 }

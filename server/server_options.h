@@ -15,7 +15,12 @@ struct ServerOptions {
   // Largest decoded image in pixels, 1 … 100 million. The default is just above 1920x1080.
   std::int64_t max_pixels = std::int64_t{1920} * 1088;
   // Frames that are computed at once, 0 … 1024; 0 = one per processor.
-  int max_concurrent = 0;
+  int compute_threads = 0;
+  // Frames that wait beyond those, -1 … 10000; -1 = two per compute thread. More wait longer, fewer
+  // are refused sooner. A stream's newest frame is not counted.
+  int max_waiting = -1;
+  // Frames that one robot may have waiting or computed, 0 … 10000; 0 = two thirds of all.
+  int max_per_robot = 0;
   // How long calls may go on after a stop signal, 0 … 3600 s.
   int drain_timeout_s = 10;
   // trace, debug, info, warn, error or off.

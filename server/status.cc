@@ -4,6 +4,7 @@
 
 #include <new>
 #include <stdexcept>
+#include <string>
 
 #include "core/detector.h"
 
@@ -14,11 +15,8 @@ grpc::Status StatusOfCurrentException(bool deadline_passed) {
     throw;
   } catch (const std::invalid_argument& error) {
     return {grpc::StatusCode::INVALID_ARGUMENT, error.what()};
-  } catch (const Cancelled& error) {
-    if (deadline_passed) {
-      return {grpc::StatusCode::DEADLINE_EXCEEDED, "the deadline passed before the answer"};
-    }
-    return {grpc::StatusCode::CANCELLED, error.what()};
+  } catch (const Cancelled&) {
+    return StatusOfGoneCaller(deadline_passed);
   } catch (const std::bad_alloc&) {
     return {grpc::StatusCode::RESOURCE_EXHAUSTED, "not enough memory for this frame"};
   } catch (const std::exception& error) {
@@ -27,6 +25,19 @@ grpc::Status StatusOfCurrentException(bool deadline_passed) {
     spdlog::error("internal error of unknown type");
   }
   return {grpc::StatusCode::INTERNAL, "internal error; the server's log says more"};
+}
+
+grpc::Status StatusOfGoneCaller(bool deadline_passed) {
+  if (deadline_passed) {
+    return {grpc::StatusCode::DEADLINE_EXCEEDED, "the deadline passed before the answer"};
+  }
+  return {grpc::StatusCode::CANCELLED, "the caller left"};
+}
+
+void AddRetryAfter(std::chrono::milliseconds wait, grpc::ServerContext* context) {
+  const std::string text = std::to_string(wait.count());
+  context->AddTrailingMetadata("retry-after-ms", text);
+  context->AddTrailingMetadata("grpc-retry-pushback-ms", text);
 }
 
 const char* NameOf(grpc::StatusCode code) {

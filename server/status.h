@@ -1,6 +1,9 @@
 #pragma once
 
+#include <grpcpp/server_context.h>
 #include <grpcpp/support/status.h>
+
+#include <chrono>
 
 namespace fovea::server {
 
@@ -9,6 +12,13 @@ namespace fovea::server {
 // `deadline_passed`, else CANCELLED, std::bad_alloc → RESOURCE_EXHAUSTED, anything else →
 // INTERNAL with the text in the log only.
 grpc::Status StatusOfCurrentException(bool deadline_passed);
+
+// Of a caller that left, or whose deadline passed.
+grpc::Status StatusOfGoneCaller(bool deadline_passed);
+
+// Tells the caller when to try again: the trailing metadata `retry-after-ms`, and
+// `grpc-retry-pushback-ms`, which gRPC's own retries heed.
+void AddRetryAfter(std::chrono::milliseconds wait, grpc::ServerContext* context);
 
 // "INVALID_ARGUMENT".
 const char* NameOf(grpc::StatusCode code);

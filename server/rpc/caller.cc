@@ -1,0 +1,31 @@
+#include "server/rpc/caller.h"
+
+#include <chrono>
+#include <utility>
+
+#include "server/rpc/robot_name.h"
+#include "server/status.h"
+
+namespace fovea::server {
+
+Caller::Caller(grpc::ServerContext* context) : context_(context) {
+  context_->AsyncNotifyWhenDone(&done_);
+}
+
+void Caller::Begin(std::function<void()> on_gone) {
+  done_.then = [this, on_gone = std::move(on_gone)](bool) {
+    if (!context_->IsCancelled()) return;
+    gone_ = true;
+    on_gone();
+  };
+}
+
+void Caller::Identify() { robot_ = RobotName(context_->client_metadata(), context_->peer()); }
+
+bool Caller::DeadlinePassed() const {
+  return std::chrono::system_clock::now() >= context_->deadline();
+}
+
+grpc::Status Caller::StatusOfGone() const { return StatusOfGoneCaller(DeadlinePassed()); }
+
+}  // namespace fovea::server
