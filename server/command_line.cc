@@ -32,8 +32,12 @@ void AddFlags(CLI::App& app, ServerOptions& options) {
                  "Frames that one robot may have waiting or computed, 0 to 10000; 0 = two thirds "
                  "of all")
       ->capture_default_str();
+  app.add_option("--hold-s", options.hold_s,
+                 "How long to serve on with health NOT_SERVING after SIGTERM or SIGINT, 0 to 3600 "
+                 "seconds; a second signal ends it")
+      ->capture_default_str();
   app.add_option("--drain-timeout-s", options.drain_timeout_s,
-                 "How long calls may finish after SIGTERM or SIGINT, 0 to 3600 seconds")
+                 "How long calls may finish after that, 0 to 3600 seconds")
       ->capture_default_str();
   app.add_option("--log-level", options.log_level, "trace, debug, info, warn, error or off")
       ->capture_default_str();
@@ -46,14 +50,24 @@ std::optional<ServerOptions> ParseCommandLine(int argc, char** argv) {
                "fovea-server");
   ServerOptions options;
   AddFlags(app, options);
-  bool list_options = false;
+  app.set_config("--config", "",
+                 "File with any of these flags, one KEY = VALUE a line; flags given here win");
+  app.allow_config_extras(CLI::config_extras_mode::error);
+  bool list_options = false, check_config = false;
+  app.add_flag("--check-config", check_config,
+               "Say whether flags and configuration file are valid, and exit")
+      ->configurable(false);
   app.add_flag("--list-options", list_options,
-               "Print every option of the method with its range, profiles and meaning, and exit");
+               "Print every option of the method with its range, profiles and meaning, and exit")
+      ->configurable(false);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& wants_text) {  // --help, --version
     app.exit(wants_text);
     return std::nullopt;
+  } catch (const CLI::ConfigError& error) {
+    throw std::invalid_argument("--config: unknown key: " + std::string(error.what()) +
+                                " (--help lists the flags, which are the keys)");
   } catch (const CLI::ParseError& error) {
     throw std::invalid_argument(std::string(error.what()) + " (--help lists the flags)");
   }
@@ -62,6 +76,10 @@ std::optional<ServerOptions> ParseCommandLine(int argc, char** argv) {
     return std::nullopt;
   }
   Validate(options);
+  if (check_config) {
+    std::cout << "the configuration is valid\n";
+    return std::nullopt;
+  }
   return options;
 }
 

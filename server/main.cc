@@ -49,6 +49,16 @@ void WarnUnlessLoopback(const std::string& listen) {
   spdlog::warn("listening beyond loopback without authentication or encryption");
 }
 
+void StopGently(fovea::server::Server& server, const fovea::server::ServerOptions& options,
+                const sigset_t& signals) {
+  spdlog::info("stopping: serving on for {} s as NOT_SERVING, then calls have {} s to finish",
+               options.hold_s, options.drain_timeout_s);
+  server.StopAdvertising();
+  const timespec hold{.tv_sec = options.hold_s, .tv_nsec = 0};
+  sigtimedwait(&signals, nullptr, &hold);  // a second signal ends the hold
+  server.Drain();
+}
+
 int Run(int argc, char** argv) {
   const sigset_t signals = BlockStopSignals();
   const auto options = fovea::server::ParseCommandLine(argc, argv);
@@ -62,8 +72,7 @@ int Run(int argc, char** argv) {
 
   int signal = 0;
   sigwait(&signals, &signal);
-  spdlog::info("stopping, calls have {} s to finish", options->drain_timeout_s);
-  server.Drain();
+  StopGently(server, *options, signals);
   return EXIT_SUCCESS;
 }
 

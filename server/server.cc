@@ -33,6 +33,9 @@ SchedulerLimits LimitsOf(const ServerOptions& options) {
           .max_per_robot = options.max_per_robot > 0 ? options.max_per_robot : fair_share};
 }
 
+// For refusals to reach their callers; connections where nothing is left to say close at once.
+constexpr std::chrono::seconds kLastWords{1};
+
 // Plugins of gRPC are global: they apply to every builder made afterwards.
 void EnablePlugins() {
   static const bool once = [] {
@@ -95,11 +98,15 @@ std::string Server::Address() const {
 
 void Server::Drain() { Stop(options_.drain_timeout_s); }
 
+void Server::StopAdvertising() { server_->GetHealthCheckService()->SetServingStatus(false); }
+
 void Server::Stop(int timeout_s) {
   if (!server_) return;
-  server_->GetHealthCheckService()->SetServingStatus(false);
-  live_calls_.EndStreams();
-  server_->Shutdown(std::chrono::system_clock::now() + std::chrono::seconds(timeout_s));
+  StopAdvertising();
+  live_calls_.Stop();
+  live_calls_.WaitUntilIdle(std::chrono::steady_clock::now() + std::chrono::seconds(timeout_s));
+  // What is left now is late, has just been refused, or only watches the health.
+  server_->Shutdown(std::chrono::system_clock::now() + kLastWords);
   server_->Wait();
   live_calls_.WaitUntilNone();
   loop_.reset();

@@ -34,8 +34,12 @@ class Server {
   // HOST:PORT with the real port where 0 was asked for.
   std::string Address() const;
 
-  // Reports NOT_SERVING, takes no more calls, ends streams after the answer they are at, lets calls
-  // under way finish until the drain timeout and cancels what is left. Returns when all are gone.
+  // Reports NOT_SERVING to whoever checks its health, and serves on: load balancers and clients
+  // have time to turn elsewhere before Drain().
+  void StopAdvertising();
+
+  // Refuses new calls with UNAVAILABLE, ends streams after the answer they are at, lets calls under
+  // way finish until the drain timeout and cancels what is left. Returns when all are gone.
   void Drain();
 
  private:

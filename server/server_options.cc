@@ -48,6 +48,7 @@ void Validate(const ServerOptions& options) {
   RequireRange("--compute-threads", options.compute_threads, 0, 1024);
   RequireRange("--max-waiting", options.max_waiting, -1, 10'000);
   RequireRange("--max-per-robot", options.max_per_robot, 0, 10'000);
+  RequireRange("--hold-s", options.hold_s, 0, 3600);
   RequireRange("--drain-timeout-s", options.drain_timeout_s, 0, 3600);
   RequireLogLevel(options.log_level);
 }

@@ -21,7 +21,10 @@ struct ServerOptions {
   int max_waiting = -1;
   // Frames that one robot may have waiting or computed, 0 … 10000; 0 = two thirds of all.
   int max_per_robot = 0;
-  // How long calls may go on after a stop signal, 0 … 3600 s.
+  // How long to serve on with the health NOT_SERVING after a stop signal, 0 … 3600 s: longer than
+  // what stands in front (load balancer, probe) takes to notice. A second signal ends it.
+  int hold_s = 0;
+  // How long calls may go on after that, 0 … 3600 s.
   int drain_timeout_s = 10;
   // trace, debug, info, warn, error or off.
   std::string log_level = "info";

@@ -34,6 +34,10 @@ grpc::Status StatusOfGoneCaller(bool deadline_passed) {
   return {grpc::StatusCode::CANCELLED, "the caller left"};
 }
 
+grpc::Status StatusOfStopping() {
+  return {grpc::StatusCode::UNAVAILABLE, "the server is stopping"};
+}
+
 void AddRetryAfter(std::chrono::milliseconds wait, grpc::ServerContext* context) {
   const std::string text = std::to_string(wait.count());
   context->AddTrailingMetadata("retry-after-ms", text);

@@ -16,6 +16,8 @@ grpc::Status StatusOfCurrentException(bool deadline_passed);
 // Of a caller that left, or whose deadline passed.
 grpc::Status StatusOfGoneCaller(bool deadline_passed);
 
+grpc::Status StatusOfStopping();
+
 // Tells the caller when to try again: the trailing metadata `retry-after-ms`, and
 // `grpc-retry-pushback-ms`, which gRPC's own retries heed.
 void AddRetryAfter(std::chrono::milliseconds wait, grpc::ServerContext* context);

@@ -22,6 +22,11 @@ void DetectCall::OnRequest() {
   received_ = std::chrono::steady_clock::now();
   const auto self = shared_from_this();
   caller_.Begin([self] { self->OnGone(); });
+  begun_ = environment_.live_calls.Begin([] {});
+  if (!begun_) {
+    Refuse(StatusOfStopping());
+    return;
+  }
   try {
     caller_.Identify();
     environment_.metrics.OnReceived(caller_.robot(), request_.ByteSizeLong());

@@ -27,6 +27,7 @@ class DetectCall : public std::enable_shared_from_this<DetectCall> {
 
   const CallEnvironment& environment_;
   const LiveCalls::Token token_;
+  LiveCalls::Token begun_;
   grpc::ServerContext context_;
   Caller caller_{&context_};
   grpc::ServerAsyncResponseWriter<v1::DetectResponse> responder_{&context_};

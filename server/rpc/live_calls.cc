@@ -7,37 +7,44 @@ namespace fovea::server {
 
 LiveCalls::Token LiveCalls::Enter() {
   const std::lock_guard lock(mutex_);
-  ++num_calls_;
+  ++num_entered_;
   return {this, [](LiveCalls* calls) {
             const std::lock_guard inner(calls->mutex_);
-            if (--calls->num_calls_ == 0) calls->none_.notify_all();
+            --calls->num_entered_;
+            calls->changed_.notify_all();
           }};
 }
 
-LiveCalls::Token LiveCalls::EnterStream(std::function<void()> end) {
+LiveCalls::Token LiveCalls::Begin(std::function<void()> on_stop) {
   const std::lock_guard lock(mutex_);
-  if (streams_end_) return nullptr;
-  const int id = next_stream_++;
-  streams_.emplace(id, std::move(end));
+  if (stopping_) return nullptr;
+  const int id = ++last_id_;
+  begun_.emplace(id, std::move(on_stop));
   return {this, [id](LiveCalls* calls) {
             const std::lock_guard inner(calls->mutex_);
-            calls->streams_.erase(id);
+            calls->begun_.erase(id);
+            calls->changed_.notify_all();
           }};
 }
 
-void LiveCalls::EndStreams() {
-  std::vector<std::function<void()>> ends;
+void LiveCalls::Stop() {
+  std::vector<std::function<void()>> on_stops;
   {
     const std::lock_guard lock(mutex_);
-    streams_end_ = true;
-    for (const auto& [id, end] : streams_) ends.push_back(end);
+    stopping_ = true;
+    for (const auto& [id, on_stop] : begun_) on_stops.push_back(on_stop);
   }
-  for (const auto& end : ends) end();
+  for (const auto& on_stop : on_stops) on_stop();
+}
+
+void LiveCalls::WaitUntilIdle(std::chrono::steady_clock::time_point deadline) {
+  std::unique_lock lock(mutex_);
+  changed_.wait_until(lock, deadline, [this] { return begun_.empty(); });
 }
 
 void LiveCalls::WaitUntilNone() {
   std::unique_lock lock(mutex_);
-  none_.wait(lock, [this] { return num_calls_ == 0; });
+  changed_.wait(lock, [this] { return num_entered_ == 0; });
 }
 
 }  // namespace fovea::server

@@ -1,6 +1,7 @@
 // The calls that are under way, so that the server can end them and wait for the last.
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <functional>
 #include <map>
@@ -11,25 +12,27 @@ namespace fovea::server {
 
 class LiveCalls {
  public:
-  // A call holds this as long as it lives.
+  // A call holds these as long as it lives.
   using Token = std::shared_ptr<void>;
+
+  // For one that is waited for.
   Token Enter();
+  // For one that has begun; null once the server stops. `on_stop` is called by Stop().
+  Token Begin(std::function<void()> on_stop);
 
-  // `end` is called by EndStreams() for as long as the token it returns lives; null once streams
-  // have been ended.
-  Token EnterStream(std::function<void()> end);
-
-  // Streams end after the answer they are at; new ones are refused.
-  void EndStreams();
+  // No more calls begin.
+  void Stop();
+  // Until no call is left that has begun, or the time has come.
+  void WaitUntilIdle(std::chrono::steady_clock::time_point deadline);
   void WaitUntilNone();
 
  private:
   std::mutex mutex_;
-  std::condition_variable none_;
-  int num_calls_ = 0;
-  bool streams_end_ = false;
-  int next_stream_ = 0;
-  std::map<int, std::function<void()>> streams_;
+  std::condition_variable changed_;
+  int num_entered_ = 0;
+  bool stopping_ = false;
+  int last_id_ = 0;
+  std::map<int, std::function<void()>> begun_;
 };
 
 }  // namespace fovea::server

@@ -28,8 +28,6 @@ void SetError(const grpc::Status& status, v1::DetectStreamResponse* response) {
   response->mutable_error()->set_message(status.error_message());
 }
 
-const grpc::Status kStopping(grpc::StatusCode::UNAVAILABLE, "the server is stopping");
-
 }  // namespace
 
 void StreamCall::Accept(const CallEnvironment& environment) {
@@ -46,7 +44,7 @@ StreamCall::StreamCall(const CallEnvironment& environment)
     : environment_(environment), token_(environment.live_calls.Enter()) {}
 
 StreamCall::~StreamCall() {
-  if (stream_token_) environment_.metrics.OnStreams(-1);
+  if (begun_) environment_.metrics.OnStreams(-1);
 }
 
 void StreamCall::OnRequest() {
@@ -58,11 +56,11 @@ void StreamCall::OnRequest() {
     Finish({grpc::StatusCode::INVALID_ARGUMENT, error.what()});
     return;
   }
-  stream_token_ = environment_.live_calls.EnterStream([weak = weak_from_this()] {
+  begun_ = environment_.live_calls.Begin([weak = weak_from_this()] {
     if (const auto self = weak.lock()) self->End();
   });
-  if (!stream_token_) {
-    Finish(kStopping);
+  if (!begun_) {
+    Finish(StatusOfStopping());
     return;
   }
   environment_.metrics.OnStreams(1);
@@ -125,7 +123,7 @@ void StreamCall::Proceed() {
   if (broken_ || caller_.IsGone()) {
     Finish(caller_.StatusOfGone());
   } else if (ending_) {
-    Finish(kStopping);
+    Finish(StatusOfStopping());
   } else if (newest_) {
     TakeTurn();
   } else if (no_more_) {

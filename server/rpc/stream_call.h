@@ -47,7 +47,7 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
 
   const CallEnvironment& environment_;
   const LiveCalls::Token token_;
-  LiveCalls::Token stream_token_;
+  LiveCalls::Token begun_;
   grpc::ServerContext context_;
   Caller caller_{&context_};
   grpc::ServerAsyncReaderWriter<grpc::ByteBuffer, grpc::ByteBuffer> stream_{&context_};
