@@ -62,6 +62,22 @@ bool Client::IsServing() const {
   return response.status() == health::HealthCheckResponse::SERVING;
 }
 
+v1::GetServerInfoResponse Client::GetServerInfo() const {
+  grpc::ClientContext context;
+  SetTimeout(options_.timeout, &context);
+  v1::GetServerInfoResponse response;
+  ThrowUnlessOk(stub_->GetServerInfo(&context, {}, &response));
+  return response;
+}
+
+v1::GetStatisticsResponse Client::GetStatistics() const {
+  grpc::ClientContext context;
+  SetTimeout(options_.timeout, &context);
+  v1::GetStatisticsResponse response;
+  ThrowUnlessOk(stub_->GetStatistics(&context, {}, &response));
+  return response;
+}
+
 v1::DetectResponse Client::Detect(const v1::DetectRequest& request) const {
   return Detect(request, options_.timeout);
 }

@@ -35,6 +35,9 @@ class Client {
   // does not answer.
   bool IsServing() const;
 
+  v1::GetServerInfoResponse GetServerInfo() const;
+  v1::GetStatisticsResponse GetStatistics() const;
+
   v1::DetectResponse Detect(const v1::DetectRequest& request) const;
   v1::DetectResponse Detect(const v1::DetectRequest& request,
                             std::chrono::milliseconds timeout) const;

@@ -39,7 +39,17 @@ void AddFlags(CLI::App& app, ServerOptions& options) {
   app.add_option("--drain-timeout-s", options.drain_timeout_s,
                  "How long calls may finish after that, 0 to 3600 seconds")
       ->capture_default_str();
-  app.add_option("--log-level", options.log_level, "trace, debug, info, warn, error or off")
+  app.add_option(
+         "--metrics-listen", options.metrics_listen,
+         "Address of Prometheus' metrics, HTTP at HOST:PORT/metrics; port 0 takes a free one")
+      ->capture_default_str();
+  app.add_option(
+         "--slow-ms", options.slow_ms,
+         "Frames that take longer get a log line with the time of each stage, 0 to 3600000; "
+         "0 = none")
+      ->capture_default_str();
+  app.add_option("--log-level", options.log_level,
+                 "trace, debug, info, warn, error or off; SIGHUP reads it again from the file")
       ->capture_default_str();
 }
 

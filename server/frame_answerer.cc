@@ -21,16 +21,12 @@ double MillisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-void Log(const FrameRequest& request, const grpc::Status& status, int num_objects) {
-  LogFrame(request.frame != nullptr ? request.frame->id() : "", status,
-           static_cast<std::size_t>(num_objects), Clock::now() - request.received);
-}
-
 }  // namespace
 
-FrameAnswerer::FrameAnswerer(DetectFunction detect, std::int64_t max_pixels, Metrics& metrics)
+FrameAnswerer::FrameAnswerer(DetectFunction detect, const ServerOptions& options, Metrics& metrics)
     : detect_(std::move(detect)),
-      max_pixels_(static_cast<std::uint64_t>(max_pixels)),
+      max_pixels_(static_cast<std::uint64_t>(options.max_pixels)),
+      slow_(options.slow_ms),
       metrics_(metrics) {}
 
 grpc::Status FrameAnswerer::Answer(const FrameRequest& request, const Caller& caller,
@@ -45,15 +41,28 @@ grpc::Status FrameAnswerer::Answer(const FrameRequest& request, const Caller& ca
     *answer = ToProto(detections, trace, *request.frame, *request.options);
   } catch (...) {
     status = StatusOfCurrentException(caller.DeadlinePassed());
+    detections = {};
   }
-  Log(request, status, answer->objects_size());
-  metrics_.OnAnswered(status, status.ok() ? &detections : nullptr);
+  Record(request, caller, status, detections);
   return status;
 }
 
-void FrameAnswerer::Refuse(const FrameRequest& request, const grpc::Status& status) const {
-  Log(request, status, 0);
-  metrics_.OnAnswered(status, nullptr);
+void FrameAnswerer::Refuse(const FrameRequest& request, const Caller& caller,
+                           const grpc::Status& status) const {
+  Record(request, caller, status, {});
+}
+
+void FrameAnswerer::Record(const FrameRequest& request, const Caller& caller,
+                           const grpc::Status& status, const Detections& detections) const {
+  const std::string frame_id = request.frame != nullptr ? request.frame->id() : "";
+  LogFrame({.request_id = caller.request_id(),
+            .robot = caller.robot(),
+            .frame_id = frame_id,
+            .status = status,
+            .detections = detections,
+            .took = Clock::now() - request.received},
+           slow_);
+  metrics_.OnAnswered(status, detections);
 }
 
 Detections FrameAnswerer::Compute(const FrameRequest& request, const Caller& caller,

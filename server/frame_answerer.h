@@ -10,6 +10,7 @@
 #include "core/detector.h"
 #include "fovea/v1/detection.pb.h"
 #include "fovea/v1/frame.pb.h"
+#include "server/server_options.h"
 
 namespace fovea::server {
 
@@ -31,20 +32,23 @@ struct FrameRequest {
 class FrameAnswerer {
  public:
   // `metrics` must outlive it.
-  FrameAnswerer(DetectFunction detect, std::int64_t max_pixels, Metrics& metrics);
+  FrameAnswerer(DetectFunction detect, const ServerOptions& options, Metrics& metrics);
 
   // Fills `answer` where the status is OK. Stops between two stages once the caller is gone.
   grpc::Status Answer(const FrameRequest& request, const Caller& caller,
                       v1::Detections* answer) const;
 
   // Logs and counts a frame that is answered without being looked at.
-  void Refuse(const FrameRequest& request, const grpc::Status& status) const;
+  void Refuse(const FrameRequest& request, const Caller& caller, const grpc::Status& status) const;
 
  private:
+  void Record(const FrameRequest& request, const Caller& caller, const grpc::Status& status,
+              const Detections& detections) const;
   Detections Compute(const FrameRequest& request, const Caller& caller, Trace* trace) const;
 
   const DetectFunction detect_;
   const std::uint64_t max_pixels_;
+  const std::chrono::milliseconds slow_;
   Metrics& metrics_;
 };
 

@@ -1,5 +1,6 @@
 #include "server/server.h"
 
+#include <google/protobuf/util/time_util.h>
 #include <grpcpp/ext/proto_server_reflection_plugin.h>
 #include <grpcpp/grpcpp.h>
 #include <grpcpp/health_check_service_interface.h>
@@ -10,6 +11,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/options.h"
 #include "server/rpc/detect_call.h"
 #include "server/rpc/stream_call.h"
 
@@ -31,6 +33,19 @@ SchedulerLimits LimitsOf(const ServerOptions& options) {
   return {.num_threads = num_threads,
           .max_waiting = max_waiting,
           .max_per_robot = options.max_per_robot > 0 ? options.max_per_robot : fair_share};
+}
+
+v1::GetServerInfoResponse InfoOf(const ServerOptions& options, const SchedulerLimits& limits) {
+  v1::GetServerInfoResponse info;
+  info.set_version(FOVEA_VERSION);
+  *info.mutable_started_at() = google::protobuf::util::TimeUtil::GetCurrentTime();
+  for (const std::string& profile : ProfileNames()) info.add_profiles(profile);
+  info.set_max_message_bytes(static_cast<std::uint64_t>(options.max_message_mib) << 20);
+  info.set_max_pixels(static_cast<std::uint64_t>(options.max_pixels));
+  info.set_compute_threads(static_cast<std::uint32_t>(limits.num_threads));
+  info.set_max_waiting(static_cast<std::uint32_t>(limits.max_waiting));
+  info.set_max_per_robot(static_cast<std::uint32_t>(limits.max_per_robot));
+  return info;
 }
 
 // For refusals to reach their callers; connections where nothing is left to say close at once.
@@ -58,9 +73,11 @@ void ConfigureChannel(const ServerOptions& options, grpc::ServerBuilder* builder
 
 Server::Server(const ServerOptions& options, DetectFunction detect)
     : options_(Validated(options)),
-      scheduler_(LimitsOf(options_)),
+      limits_(LimitsOf(options_)),
+      scheduler_(limits_),
       metrics_(std::make_shared<Metrics>([this] { return scheduler_.NumWaiting(); })),
-      answerer_(std::move(detect), options_.max_pixels, *metrics_) {
+      answerer_(std::move(detect), options_, *metrics_),
+      service_(InfoOf(options_, limits_), *metrics_) {
   EnablePlugins();
   Listen();
   Serve();

@@ -48,6 +48,7 @@ class Server {
   void Stop(int timeout_s);
 
   const ServerOptions options_;
+  const SchedulerLimits limits_;
   Scheduler scheduler_;
   const std::shared_ptr<Metrics> metrics_;
   const FrameAnswerer answerer_;

@@ -17,7 +17,7 @@ void RequireRange(const char* flag, std::int64_t value, std::int64_t minimum,
                               std::to_string(maximum));
 }
 
-void RequireAddress(const std::string& listen) {
+void RequireAddress(const char* flag, const std::string& listen) {
   const std::size_t colon = listen.rfind(':');
   const std::string_view port =
       colon == std::string::npos ? std::string_view{} : std::string_view(listen).substr(colon + 1);
@@ -26,7 +26,7 @@ void RequireAddress(const std::string& listen) {
   const bool is_port =
       error == std::errc{} && end == port.data() + port.size() && number >= 0 && number <= 65535;
   if (colon == std::string::npos || colon == 0 || !is_port) {
-    throw std::invalid_argument("--listen: \"" + listen +
+    throw std::invalid_argument(std::string(flag) + ": \"" + listen +
                                 "\" is not HOST:PORT with a port of 0 to 65535");
   }
 }
@@ -42,7 +42,8 @@ void RequireLogLevel(const std::string& level) {
 }  // namespace
 
 void Validate(const ServerOptions& options) {
-  RequireAddress(options.listen);
+  RequireAddress("--listen", options.listen);
+  if (!options.metrics_listen.empty()) RequireAddress("--metrics-listen", options.metrics_listen);
   RequireRange("--max-message-mib", options.max_message_mib, 1, 1024);
   RequireRange("--max-pixels", options.max_pixels, 1, 100'000'000);
   RequireRange("--compute-threads", options.compute_threads, 0, 1024);
@@ -50,6 +51,7 @@ void Validate(const ServerOptions& options) {
   RequireRange("--max-per-robot", options.max_per_robot, 0, 10'000);
   RequireRange("--hold-s", options.hold_s, 0, 3600);
   RequireRange("--drain-timeout-s", options.drain_timeout_s, 0, 3600);
+  RequireRange("--slow-ms", options.slow_ms, 0, 3'600'000);
   RequireLogLevel(options.log_level);
 }
 

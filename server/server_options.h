@@ -26,6 +26,11 @@ struct ServerOptions {
   int hold_s = 0;
   // How long calls may go on after that, 0 … 3600 s.
   int drain_timeout_s = 10;
+  // HOST:PORT of Prometheus' metrics over HTTP; empty = none, port 0 takes a free one.
+  std::string metrics_listen;
+  // Frames that take longer get a line in the log with the time of each stage, 0 … 3600000 ms;
+  // 0 = none does.
+  int slow_ms = 2000;
   // trace, debug, info, warn, error or off.
   std::string log_level = "info";
 };

@@ -1,4 +1,5 @@
 // fovea: command-line client of a fovea server.
+#include <google/protobuf/util/json_util.h>
 #include <grpc/support/log.h>
 
 #include <CLI/CLI.hpp>
@@ -27,6 +28,17 @@ int CheckHealth(const std::string& server) {
   return EXIT_SUCCESS;
 }
 
+int PrintInfo(const std::string& server) {
+  const fovea::client::Client client(server);
+  google::protobuf::util::JsonPrintOptions options;
+  options.add_whitespace = true;
+  std::string info, statistics;
+  MessageToJsonString(client.GetServerInfo(), &info, options);
+  MessageToJsonString(client.GetStatistics(), &statistics, options);
+  std::cout << "{\n\"server\": " << info << ",\n\"statistics\": " << statistics << "}\n";
+  return EXIT_SUCCESS;
+}
+
 int Run(int argc, char** argv) {
   CLI::App app("Finds unknown objects in RGB-D frames by asking a fovea server.", "fovea");
   app.set_version_flag("--version", "fovea " FOVEA_VERSION);
@@ -36,11 +48,14 @@ int Run(int argc, char** argv) {
   CLI::App* detect = app.add_subcommand("detect", "Detect the objects of one frame or a folder");
   fovea::cli::AddDetectFlags(*detect, detect_flags);
 
-  std::string health_server = "127.0.0.1:50051";
+  std::string server_asked = "127.0.0.1:50051";
   CLI::App* health = app.add_subcommand("health", "Ask whether the server serves");
-  health->add_option("--server", health_server, "Address of the server, HOST:PORT")
-      ->type_name("HOST:PORT")
-      ->capture_default_str();
+  CLI::App* info = app.add_subcommand("info", "Print the server's limits and statistics as JSON");
+  for (CLI::App* command : {health, info}) {
+    command->add_option("--server", server_asked, "Address of the server, HOST:PORT")
+        ->type_name("HOST:PORT")
+        ->capture_default_str();
+  }
 
   try {
     app.parse(argc, argv);
@@ -49,9 +64,11 @@ int Run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     throw std::invalid_argument(std::string(error.what()) + " (--help lists the flags)");
   }
-  const std::string& server = *health ? health_server : detect_flags.server;
+  const std::string& server = *detect ? detect_flags.server : server_asked;
   try {
-    return *health ? CheckHealth(health_server) : fovea::cli::RunDetect(detect_flags);
+    if (*health) return CheckHealth(server);
+    if (*info) return PrintInfo(server);
+    return fovea::cli::RunDetect(detect_flags);
   } catch (const fovea::client::RpcError& error) {
     throw std::runtime_error(Explain(error, server));
   }

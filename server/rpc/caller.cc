@@ -3,7 +3,7 @@
 #include <chrono>
 #include <utility>
 
-#include "server/rpc/robot_name.h"
+#include "server/rpc/call_names.h"
 #include "server/status.h"
 
 namespace fovea::server {

@@ -20,10 +20,12 @@ class Caller {
   // deadline passes before the answer; it is kept until the call's end and no longer.
   void Begin(std::function<void()> on_gone);
 
-  // Whose turn the call takes; empty until Identify() has found out. That throws
-  // std::invalid_argument where the caller's name for itself will not do.
+  // Finds out the following two. Throws std::invalid_argument where the names that the caller chose
+  // will not do.
   void Identify();
+  // Whose turn the call takes.
   const std::string& robot() const { return robot_; }
+  const std::string& request_id() const { return request_id_; }
 
   // Whether to give up. From any thread.
   bool IsGone() const { return gone_ || DeadlinePassed(); }
@@ -36,7 +38,7 @@ class Caller {
   grpc::ServerContext* const context_;
   std::atomic<bool> gone_ = false;
   Event done_;
-  std::string robot_;
+  std::string robot_, request_id_;
 };
 
 }  // namespace fovea::server

@@ -58,7 +58,7 @@ void DetectCall::OnGone() {
 }
 
 void DetectCall::Refuse(const grpc::Status& status) {
-  environment_.answerer.Refuse(Request(), status);
+  environment_.answerer.Refuse(Request(), caller_, status);
   responder_.FinishWithError(status, Then([self = shared_from_this()](bool) {}));
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <chrono>
+
 #include "fovea/v1/detection_service.grpc.pb.h"
 #include "server/frame_answerer.h"
 #include "server/rpc/live_calls.h"
@@ -10,8 +12,25 @@ namespace fovea::server {
 
 // Frames are answered asynchronously, so that what waits holds no thread. Streams come as raw
 // bytes: a message that cannot be parsed shall not end them.
-using DetectionService = v1::DetectionService::WithAsyncMethod_Detect<
+using AsyncDetectionService = v1::DetectionService::WithAsyncMethod_Detect<
     v1::DetectionService::WithRawMethod_DetectStream<v1::DetectionService::Service>>;
+
+// The RPCs that compute nothing; DetectCall and StreamCall are the others.
+class DetectionService final : public AsyncDetectionService {
+ public:
+  // `info` is what GetServerInfo answers. `metrics` must outlive it.
+  DetectionService(v1::GetServerInfoResponse info, const Metrics& metrics);
+
+  grpc::Status GetServerInfo(grpc::ServerContext* context, const v1::GetServerInfoRequest* request,
+                             v1::GetServerInfoResponse* response) override;
+  grpc::Status GetStatistics(grpc::ServerContext* context, const v1::GetStatisticsRequest* request,
+                             v1::GetStatisticsResponse* response) override;
+
+ private:
+  const v1::GetServerInfoResponse info_;
+  const Metrics& metrics_;
+  const std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+};
 
 // What a call works with; outlives all calls.
 struct CallEnvironment {

@@ -164,7 +164,7 @@ void StreamCall::Compute() {
   if (status.ok()) {
     status = environment_.answerer.Answer(frame, caller_, response_.mutable_detections());
   } else {
-    environment_.answerer.Refuse(frame, status);
+    environment_.answerer.Refuse(frame, caller_, status);
   }
   if (!status.ok()) SetError(status, &response_);
 }

@@ -55,11 +55,10 @@ void Metrics::OnReceived(const std::string& robot, std::size_t bytes) {
 
 void Metrics::OnDropped() { dropped_.Increment(); }
 
-void Metrics::OnAnswered(const grpc::Status& status, const Detections* detections) {
+void Metrics::OnAnswered(const grpc::Status& status, const Detections& detections) {
   answered_.Add({{"code", NameOf(status.error_code())}}).Increment();
-  if (detections == nullptr) return;
-  objects_.Increment(static_cast<double>(detections->objects.size()));
-  for (const StageTime& time : detections->stage_times) {
+  objects_.Increment(static_cast<double>(detections.objects.size()));
+  for (const StageTime& time : detections.stage_times) {
     stages_.Add({{"stage", time.stage}}, Buckets()).Observe(time.duration_ms / 1000);
   }
 }

@@ -29,8 +29,8 @@ class Metrics : public prometheus::Collectable {
 
   void OnReceived(const std::string& robot, std::size_t bytes);
   void OnDropped();
-  // Whatever became of it; `detections` is null where the frame was not computed.
-  void OnAnswered(const grpc::Status& status, const Detections* detections);
+  // Whatever became of it; `detections` is empty where the status is not OK.
+  void OnAnswered(const grpc::Status& status, const Detections& detections);
   void OnSent(std::size_t bytes);
   void OnStreams(int change);
 

@@ -120,6 +120,25 @@ TEST(ServerProcess, HoldsBeforeItStops) {
   EXPECT_EQ(server.process().Wait().exit_code, 0);
 }
 
+TEST(ServerProcess, ReadsItsLogLevelAgain) {
+  const std::string path = ::testing::TempDir() + "fovea_level_" + std::to_string(getpid());
+  const auto write = [&](const char* text) { std::ofstream(path) << text; };
+  write("log-level = \"warn\"\n");
+  ServerProcess server({"--config", path, "--metrics-listen", "127.0.0.1:0"});
+  EXPECT_THAT(server.process().ReadLine(), StartsWith("metrics at http://127.0.0.1:"));
+  write("log-level = \"nonsense\"\n");
+  server.process().Signal(SIGHUP);
+  server.process().AwaitError("the configuration stays as it was: --log-level: \"nonsense\"");
+  write("log-level = \"info\"\n");
+  server.process().Signal(SIGHUP);
+  server.process().AwaitError("log level is info");
+  server.process().Signal(SIGTERM);
+  const Finished finished = server.process().Wait();
+  EXPECT_EQ(finished.exit_code, 0);
+  EXPECT_THAT(finished.err, HasSubstr("info stopping"));
+  std::filesystem::remove(path);
+}
+
 TEST(ServerProcess, ExplainsItself) {
   const Finished help = Execute({FOVEA_SERVER, "--help"});
   EXPECT_EQ(help.exit_code, 0);

@@ -1,4 +1,4 @@
-#include "server/rpc/robot_name.h"
+#include "server/rpc/call_names.h"
 
 #include <gtest/gtest.h>
 
@@ -26,6 +26,12 @@ TEST(RobotName, MustBePrintable) {
                                   std::string("a\0b", 3), std::string("caf\xC3\xA9")}) {
     EXPECT_THROW(NameOf(name), std::invalid_argument) << name;
   }
+}
+
+TEST(RequestId, IsWhatTheCallerSaysElseUnique) {
+  EXPECT_EQ(RequestId({{"fovea-request-id", "a-1"}}), "a-1");
+  EXPECT_NE(RequestId({}), RequestId({}));
+  EXPECT_THROW(RequestId({{"fovea-request-id", ""}}), std::invalid_argument);
 }
 
 }  // namespace
