@@ -7,18 +7,12 @@
 #include <memory>
 #include <string>
 
+#include "client/client_options.h"
 #include "client/detect_stream.h"
 #include "client/rpc_error.h"
 #include "fovea/v1/detection_service.grpc.pb.h"
 
 namespace fovea::client {
-
-struct ClientOptions {
-  // Of a call that is given none.
-  std::chrono::milliseconds timeout{10'000};
-  // Largest answer; the clouds of a 1920x1080 frame are 31 MiB.
-  int max_answer_mib = 64;
-};
 
 // Thread-safe: one client serves any number of threads over one connection, which it opens at the
 // first call and opens again when it was lost. Every call has a deadline; it throws RpcError with

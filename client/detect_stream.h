@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "client/client_options.h"
 #include "client/rpc_error.h"
 #include "fovea/v1/detection_service.grpc.pb.h"
 
@@ -17,7 +18,8 @@ namespace fovea::client {
 // DetectStreamResponse.dropped counts them.
 class DetectStream {
  public:
-  DetectStream(v1::DetectionService::Stub& stub, std::chrono::milliseconds timeout);
+  DetectStream(v1::DetectionService::Stub& stub, const ClientOptions& options,
+               std::chrono::milliseconds timeout);
   // Cancels what has no answer yet.
   ~DetectStream();
 

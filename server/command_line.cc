@@ -4,16 +4,39 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "server/access/credentials.h"
+#include "server/access/gate_keeper.h"
 #include "server/option_table.h"
 
 namespace fovea::server {
 namespace {
 
+void AddProtectionFlags(CLI::App& app, ServerOptions& options) {
+  app.add_flag("--insecure", options.insecure, "Serve other machines unprotected");
+  app.add_option("--tls-cert", options.tls_cert, "Certificate chain of the server, PEM file");
+  app.add_option("--tls-key", options.tls_key, "Its private key, PEM file");
+  app.add_option("--tls-client-ca", options.tls_client_ca,
+                 "Authority whose certificates clients must show, PEM file");
+  app.add_option("--tls-reload-s", options.tls_reload_s,
+                 "How often these files are read again, 1 to 86400 seconds")
+      ->capture_default_str();
+  app.add_option("--tokens", options.tokens,
+                 "File with a line `ROBOT SHA256 [EXPIRES]` for every token; callers need one. "
+                 "SIGHUP reads it again");
+}
+
 void AddFlags(CLI::App& app, ServerOptions& options) {
   app.set_version_flag("--version", "fovea-server " FOVEA_VERSION);
-  app.add_option("--listen", options.listen,
-                 "Address to listen on, HOST:PORT; port 0 takes a free one. Calls are neither "
-                 "authenticated nor encrypted: leave loopback only for a trusted network")
+  app.add_option(
+         "--listen", options.listen,
+         "Address to listen on, HOST:PORT; port 0 takes a free one. Other than loopback only "
+         "with TLS and client certificates or tokens, or with --insecure")
+      ->capture_default_str();
+  AddProtectionFlags(app, options);
+  app.add_option("--max-streams", options.max_streams, "Streams open at once, 1 to 10000")
+      ->capture_default_str();
+  app.add_option("--max-streams-per-robot", options.max_streams_per_robot,
+                 "Streams that one robot may have open, 1 to 10000")
       ->capture_default_str();
   app.add_option("--max-message-mib", options.max_message_mib,
                  "Largest request in MiB, 1 to 1024; larger ones get RESOURCE_EXHAUSTED")
@@ -87,6 +110,8 @@ std::optional<ServerOptions> ParseCommandLine(int argc, char** argv) {
   }
   Validate(options);
   if (check_config) {
+    MakeCredentials(options);
+    const GateKeeper reads_tokens(options.tokens);
     std::cout << "the configuration is valid\n";
     return std::nullopt;
   }

@@ -28,12 +28,6 @@ sigset_t BlockSignals() {
   return signals;
 }
 
-void WarnUnlessLoopback(const std::string& listen) {
-  const std::string host = fovea::server::HostOf(listen);
-  if (host.starts_with("127.") || host == "localhost" || host == "[::1]") return;
-  spdlog::warn("listening beyond loopback without authentication or encryption");
-}
-
 void StopGently(fovea::server::Server& server, const fovea::server::ServerOptions& options,
                 const sigset_t& signals) {
   spdlog::info("stopping: serving on for {} s as NOT_SERVING, then calls have {} s to finish",
@@ -45,11 +39,12 @@ void StopGently(fovea::server::Server& server, const fovea::server::ServerOption
 }
 
 // SIGHUP: what can change while serving is read again. A mistake changes nothing.
-void Reload(int argc, char** argv) {
+void Reload(int argc, char** argv, fovea::server::Server& server) {
   try {
     const auto options = fovea::server::ParseCommandLine(argc, argv);
+    server.ReloadTokens();
     fovea::server::SetLogLevel(options->log_level);
-    spdlog::warn("read the configuration again, log level is {}", options->log_level);
+    spdlog::warn("read configuration and tokens again, log level is {}", options->log_level);
   } catch (const std::exception& error) {
     spdlog::error("the configuration stays as it was: {}", error.what());
   }
@@ -78,10 +73,10 @@ int Run(int argc, char** argv) {
   fovea::server::SetUpProcess();
   fovea::server::Server server(*options);
   std::cout << "listening on " << server.Address() << std::endl;
-  WarnUnlessLoopback(options->listen);
+  if (options->insecure) spdlog::warn("other machines may call unprotected (--insecure)");
 
   const auto metrics = ServeMetrics(*options, server);
-  while (WaitFor(signals) == SIGHUP) Reload(argc, argv);
+  while (WaitFor(signals) == SIGHUP) Reload(argc, argv, server);
   StopGently(server, *options, signals);
   return EXIT_SUCCESS;
 }

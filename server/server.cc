@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/options.h"
+#include "server/access/credentials.h"
 #include "server/rpc/detect_call.h"
 #include "server/rpc/stream_call.h"
 
@@ -48,6 +49,9 @@ v1::GetServerInfoResponse InfoOf(const ServerOptions& options, const SchedulerLi
   return info;
 }
 
+// More wait at the client until one of them is done.
+constexpr int kMaxCallsPerConnection = 128;
+
 // For refusals to reach their callers; connections where nothing is left to say close at once.
 constexpr std::chrono::seconds kLastWords{1};
 
@@ -67,6 +71,11 @@ void ConfigureChannel(const ServerOptions& options, grpc::ServerBuilder* builder
   builder->AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
   // Clients may ping an idle connection this often without being cut off.
   builder->AddChannelArgument(GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS, 10'000);
+  // A machine that went without a word is noticed, and half a handshake does not last.
+  builder->AddChannelArgument(GRPC_ARG_KEEPALIVE_TIME_MS, 30'000);
+  builder->AddChannelArgument(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, 10'000);
+  builder->AddChannelArgument(GRPC_ARG_SERVER_HANDSHAKE_TIMEOUT_MS, 10'000);
+  builder->AddChannelArgument(GRPC_ARG_MAX_CONCURRENT_STREAMS, kMaxCallsPerConnection);
 }
 
 }  // namespace
@@ -77,7 +86,9 @@ Server::Server(const ServerOptions& options, DetectFunction detect)
       scheduler_(limits_),
       metrics_(std::make_shared<Metrics>([this] { return scheduler_.NumWaiting(); })),
       answerer_(std::move(detect), options_, *metrics_),
-      service_(InfoOf(options_, limits_), *metrics_) {
+      gate_keeper_(options_.tokens),
+      stream_places_(options_.max_streams, options_.max_streams_per_robot),
+      service_(InfoOf(options_, limits_), *metrics_, gate_keeper_) {
   EnablePlugins();
   Listen();
   Serve();
@@ -86,7 +97,7 @@ Server::Server(const ServerOptions& options, DetectFunction detect)
 void Server::Listen() {
   grpc::ServerBuilder builder;
   ConfigureChannel(options_, &builder);
-  builder.AddListeningPort(options_.listen, grpc::InsecureServerCredentials(), &port_);
+  builder.AddListeningPort(options_.listen, MakeCredentials(options_), &port_);
   builder.RegisterService(&service_);
   auto queue = builder.AddCompletionQueue();
   server_ = builder.BuildAndStart();
@@ -100,7 +111,8 @@ void Server::Listen() {
 
 void Server::Serve() {
   environment_ = std::make_unique<CallEnvironment>(
-      CallEnvironment{service_, loop_->queue(), scheduler_, answerer_, live_calls_, *metrics_});
+      CallEnvironment{service_, loop_->queue(), scheduler_, answerer_, live_calls_, *metrics_,
+                      gate_keeper_, stream_places_});
   DetectCall::Accept(*environment_);
   StreamCall::Accept(*environment_);
   server_->GetHealthCheckService()->SetServingStatus(v1::DetectionService::service_full_name(),

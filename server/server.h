@@ -5,6 +5,8 @@
 #include <memory>
 #include <string>
 
+#include "server/access/gate_keeper.h"
+#include "server/access/stream_places.h"
 #include "server/frame_answerer.h"
 #include "server/rpc/detection_service.h"
 #include "server/rpc/event_loop.h"
@@ -27,6 +29,9 @@ class Server {
 
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
+
+  // Takes over the tokens that the file holds now. Throws std::exception, and changes nothing then.
+  void ReloadTokens() { gate_keeper_.Reload(); }
 
   // For Prometheus to collect.
   const std::shared_ptr<Metrics>& metrics() const { return metrics_; }
@@ -52,6 +57,8 @@ class Server {
   Scheduler scheduler_;
   const std::shared_ptr<Metrics> metrics_;
   const FrameAnswerer answerer_;
+  GateKeeper gate_keeper_;
+  StreamPlaces stream_places_;
   LiveCalls live_calls_;
   DetectionService service_;
   int port_ = 0;

@@ -31,6 +31,26 @@ void RequireAddress(const char* flag, const std::string& listen) {
   }
 }
 
+bool IsLoopback(const std::string& host) {
+  return host.starts_with("127.") || host == "localhost" || host == "[::1]";
+}
+
+void RequireProtection(const ServerOptions& options) {
+  if (options.tls_cert.empty() != options.tls_key.empty()) {
+    throw std::invalid_argument("--tls-cert and --tls-key: one needs the other");
+  }
+  if (!options.tls_client_ca.empty() && options.tls_cert.empty()) {
+    throw std::invalid_argument("--tls-client-ca: needs --tls-cert and --tls-key");
+  }
+  const bool knows_callers = !options.tls_client_ca.empty() || !options.tokens.empty();
+  const bool is_protected = !options.tls_cert.empty() && knows_callers;
+  if (is_protected || options.insecure || IsLoopback(HostOf(options.listen))) return;
+  throw std::invalid_argument(
+      "--listen: \"" + options.listen +
+      "\" is open to other machines; give --tls-cert, --tls-key and either --tls-client-ca or "
+      "--tokens, or --insecure to serve them unprotected");
+}
+
 void RequireLogLevel(const std::string& level) {
   constexpr std::array<std::string_view, 6> kLevels{"trace", "debug", "info",
                                                     "warn",  "error", "off"};
@@ -44,6 +64,10 @@ void RequireLogLevel(const std::string& level) {
 void Validate(const ServerOptions& options) {
   RequireAddress("--listen", options.listen);
   if (!options.metrics_listen.empty()) RequireAddress("--metrics-listen", options.metrics_listen);
+  RequireProtection(options);
+  RequireRange("--tls-reload-s", options.tls_reload_s, 1, 86'400);
+  RequireRange("--max-streams", options.max_streams, 1, 10'000);
+  RequireRange("--max-streams-per-robot", options.max_streams_per_robot, 1, 10'000);
   RequireRange("--max-message-mib", options.max_message_mib, 1, 1024);
   RequireRange("--max-pixels", options.max_pixels, 1, 100'000'000);
   RequireRange("--compute-threads", options.compute_threads, 0, 1024);

@@ -6,9 +6,21 @@
 namespace fovea::server {
 
 struct ServerOptions {
-  // HOST:PORT; port 0 takes a free one. Loopback unless told otherwise: there is no
-  // authentication.
+  // HOST:PORT; port 0 takes a free one. Other than loopback only with TLS and either client
+  // certificates or tokens, or with `insecure`.
   std::string listen = "127.0.0.1:50051";
+  // Serve callers from other machines unprotected.
+  bool insecure = false;
+  // PEM files: the server's certificate chain and its key; and the authority whose certificates
+  // clients must have. Empty = no TLS; no client certificates.
+  std::string tls_cert, tls_key, tls_client_ca;
+  // How often these files are read again, 1 … 86400 s.
+  int tls_reload_s = 30;
+  // File of tokens, see TokenTable; empty = callers need none.
+  std::string tokens;
+  // Streams that are open at once, of all robots and of one, 1 … 10000.
+  int max_streams = 256;
+  int max_streams_per_robot = 16;
   // Largest request, 1 … 1024 MiB. The default lets 1280x720 RGB8 with 32FC1 depth (6.2 MiB) and
   // 1920x1080 (13.9 MiB) through.
   int max_message_mib = 16;

@@ -7,6 +7,8 @@
 #include <string>
 
 #include "core/detector.h"
+#include "server/access/token_table.h"
+#include "server/scheduling/scheduler.h"
 
 namespace fovea::server {
 
@@ -15,6 +17,10 @@ grpc::Status StatusOfCurrentException(bool deadline_passed) {
     throw;
   } catch (const std::invalid_argument& error) {
     return {grpc::StatusCode::INVALID_ARGUMENT, error.what()};
+  } catch (const Unauthenticated& error) {
+    return {grpc::StatusCode::UNAUTHENTICATED, error.what()};
+  } catch (const Overloaded& error) {
+    return {grpc::StatusCode::RESOURCE_EXHAUSTED, error.what()};
   } catch (const Cancelled&) {
     return StatusOfGoneCaller(deadline_passed);
   } catch (const std::bad_alloc&) {
@@ -56,6 +62,8 @@ const char* NameOf(grpc::StatusCode code) {
       return "DEADLINE_EXCEEDED";
     case grpc::StatusCode::RESOURCE_EXHAUSTED:
       return "RESOURCE_EXHAUSTED";
+    case grpc::StatusCode::UNAUTHENTICATED:
+      return "UNAUTHENTICATED";
     case grpc::StatusCode::UNAVAILABLE:
       return "UNAVAILABLE";
     default:

@@ -20,7 +20,11 @@ void Caller::Begin(std::function<void()> on_gone) {
   };
 }
 
-void Caller::Identify() { robot_ = RobotName(context_->client_metadata(), context_->peer()); }
+void Caller::Identify(const GateKeeper& gate_keeper) {
+  robot_ = gate_keeper.Admit(*context_);
+  request_id_ = RequestId(context_->client_metadata());
+  context_->AddTrailingMetadata(kRequestIdKey, request_id_);
+}
 
 bool Caller::DeadlinePassed() const {
   return std::chrono::system_clock::now() >= context_->deadline();

@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 
+#include "server/access/gate_keeper.h"
 #include "server/rpc/event_loop.h"
 
 namespace fovea::server {
@@ -20,9 +21,9 @@ class Caller {
   // deadline passes before the answer; it is kept until the call's end and no longer.
   void Begin(std::function<void()> on_gone);
 
-  // Finds out the following two. Throws std::invalid_argument where the names that the caller chose
-  // will not do.
-  void Identify();
+  // Finds out the following two. Throws Unauthenticated where the caller may not call, and
+  // std::invalid_argument where the names that it chose will not do.
+  void Identify(const GateKeeper& gate_keeper);
   // Whose turn the call takes.
   const std::string& robot() const { return robot_; }
   const std::string& request_id() const { return request_id_; }

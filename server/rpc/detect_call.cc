@@ -28,7 +28,7 @@ void DetectCall::OnRequest() {
     return;
   }
   try {
-    caller_.Identify();
+    caller_.Identify(environment_.gate_keeper);
     environment_.metrics.OnReceived(caller_.robot(), request_.ByteSizeLong());
     ticket_ = environment_.scheduler.Submit(
         caller_.robot(), {.compute =
@@ -38,11 +38,11 @@ void DetectCall::OnRequest() {
                                     self->response_.mutable_detections());
                               },
                           .deliver = [self] { self->Deliver(); }});
-  } catch (const QueueFull& full) {
+  } catch (const Overloaded& full) {
     AddRetryAfter(full.retry_after, &context_);
-    Refuse({grpc::StatusCode::RESOURCE_EXHAUSTED, full.what()});
-  } catch (const std::invalid_argument& error) {
-    Refuse({grpc::StatusCode::INVALID_ARGUMENT, error.what()});
+    Refuse(StatusOfCurrentException(/*deadline_passed=*/false));
+  } catch (...) {
+    Refuse(StatusOfCurrentException(/*deadline_passed=*/false));
   }
 }
 

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 
 #include "fovea/v1/detection_service.grpc.pb.h"
+#include "server/access/gate_keeper.h"
+#include "server/access/stream_places.h"
 #include "server/frame_answerer.h"
 #include "server/rpc/live_calls.h"
 #include "server/scheduling/scheduler.h"
@@ -18,8 +21,9 @@ using AsyncDetectionService = v1::DetectionService::WithAsyncMethod_Detect<
 // The RPCs that compute nothing; DetectCall and StreamCall are the others.
 class DetectionService final : public AsyncDetectionService {
  public:
-  // `info` is what GetServerInfo answers. `metrics` must outlive it.
-  DetectionService(v1::GetServerInfoResponse info, const Metrics& metrics);
+  // `info` is what GetServerInfo answers. The others must outlive it.
+  DetectionService(v1::GetServerInfoResponse info, const Metrics& metrics,
+                   const GateKeeper& gate_keeper);
 
   grpc::Status GetServerInfo(grpc::ServerContext* context, const v1::GetServerInfoRequest* request,
                              v1::GetServerInfoResponse* response) override;
@@ -27,8 +31,12 @@ class DetectionService final : public AsyncDetectionService {
                              v1::GetStatisticsResponse* response) override;
 
  private:
+  grpc::Status IfAdmitted(const grpc::ServerContext& context,
+                          const std::function<void()>& answer) const;
+
   const v1::GetServerInfoResponse info_;
   const Metrics& metrics_;
+  const GateKeeper& gate_keeper_;
   const std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };
 
@@ -40,6 +48,8 @@ struct CallEnvironment {
   const FrameAnswerer& answerer;
   LiveCalls& live_calls;
   Metrics& metrics;
+  const GateKeeper& gate_keeper;
+  StreamPlaces& stream_places;
 };
 
 }  // namespace fovea::server

@@ -44,18 +44,24 @@ StreamCall::StreamCall(const CallEnvironment& environment)
     : environment_(environment), token_(environment.live_calls.Enter()) {}
 
 StreamCall::~StreamCall() {
-  if (begun_) environment_.metrics.OnStreams(-1);
+  if (place_) environment_.metrics.OnStreams(-1);
 }
 
 void StreamCall::OnRequest() {
   caller_.Begin([self = shared_from_this()] { self->OnGone(); });
   const std::lock_guard lock(mutex_);
   try {
-    caller_.Identify();
-  } catch (const std::invalid_argument& error) {
-    Finish({grpc::StatusCode::INVALID_ARGUMENT, error.what()});
-    return;
+    Open();
+  } catch (const Overloaded& full) {
+    AddRetryAfter(full.retry_after, &context_);
+    Finish(StatusOfCurrentException(/*deadline_passed=*/false));
+  } catch (...) {
+    Finish(StatusOfCurrentException(/*deadline_passed=*/false));
   }
+}
+
+void StreamCall::Open() {
+  caller_.Identify(environment_.gate_keeper);
   begun_ = environment_.live_calls.Begin([weak = weak_from_this()] {
     if (const auto self = weak.lock()) self->End();
   });
@@ -63,6 +69,7 @@ void StreamCall::OnRequest() {
     Finish(StatusOfStopping());
     return;
   }
+  place_ = environment_.stream_places.Take(caller_.robot());
   environment_.metrics.OnStreams(1);
   Read();
 }

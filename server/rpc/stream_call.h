@@ -34,6 +34,7 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   };
 
   void OnRequest();
+  void Open();  // mutex_ is held
   void Read();
   void OnRead();
   void OnGone();
@@ -48,6 +49,7 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   const CallEnvironment& environment_;
   const LiveCalls::Token token_;
   LiveCalls::Token begun_;
+  StreamPlaces::Place place_;
   grpc::ServerContext context_;
   Caller caller_{&context_};
   grpc::ServerAsyncReaderWriter<grpc::ByteBuffer, grpc::ByteBuffer> stream_{&context_};

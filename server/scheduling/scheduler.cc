@@ -50,13 +50,13 @@ std::size_t Scheduler::NumWaiting() const {
 void Scheduler::RequireRoom(const std::string& robot) const {
   const auto of_robot = counted_by_robot_.find(robot);
   if (of_robot != counted_by_robot_.end() && of_robot->second >= limits_.max_per_robot) {
-    throw QueueFull("this robot has " + std::to_string(of_robot->second) +
-                        " frames waiting or computed, the most that one may have",
-                    RetryAfter());
+    throw Overloaded("this robot has " + std::to_string(of_robot->second) +
+                         " frames waiting or computed, the most that one may have",
+                     RetryAfter());
   }
   if (num_counted_ >= limits_.num_threads + limits_.max_waiting) {
-    throw QueueFull("the queue is full with " + std::to_string(num_counted_) + " frames",
-                    RetryAfter());
+    throw Overloaded("the queue is full with " + std::to_string(num_counted_) + " frames",
+                     RetryAfter());
   }
 }
 

@@ -16,10 +16,10 @@
 
 namespace fovea::server {
 
-// Thrown where work would have to wait behind too much other work.
-class QueueFull : public std::runtime_error {
+// Thrown where there is too much of something already.
+class Overloaded : public std::runtime_error {
  public:
-  QueueFull(const std::string& text, std::chrono::milliseconds wait)
+  Overloaded(const std::string& text, std::chrono::milliseconds wait)
       : std::runtime_error(text), retry_after(wait) {}
 
   // When there should be room, going by what recent work took.
@@ -50,7 +50,7 @@ class Scheduler {
   Scheduler(const Scheduler&) = delete;
   Scheduler& operator=(const Scheduler&) = delete;
 
-  // Has `work` done when it is the robot's turn. Throws QueueFull at once where the limits forbid.
+  // Has `work` done when it is the robot's turn. Throws Overloaded at once where the limits forbid.
   Ticket Submit(const std::string& robot, Work work);
 
   // The same without limits, for those who have only one piece of work waiting at any time.

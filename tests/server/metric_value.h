@@ -7,12 +7,16 @@
 
 namespace fovea::testing {
 
-// Of the gauge or counter `name`, summed over its labels.
-inline double MetricValue(const server::Metrics& metrics, const std::string& name) {
+// Of the gauge or counter `name`, summed over its labels, or over those with this value.
+inline double MetricValue(const server::Metrics& metrics, const std::string& name,
+                          const std::string& label = "") {
   double sum = 0;
   for (const auto& family : metrics.Collect()) {
     if (family.name != name) continue;
-    for (const auto& metric : family.metric) sum += metric.gauge.value + metric.counter.value;
+    for (const auto& metric : family.metric) {
+      if (!label.empty() && metric.label.front().value != label) continue;
+      sum += metric.gauge.value + metric.counter.value;
+    }
   }
   return sum;
 }

@@ -206,6 +206,16 @@ TEST(Scheduling, SurvivesAStormOfDeadlines) {
   EXPECT_TRUE(Call(held.loopback, "late").Run().ok());
 }
 
+TEST(Scheduling, ReturnsTheIdOfTheRequest) {
+  const Loopback loopback(FindOne);
+  Call named(loopback, "robot"), nameless(loopback, "robot");
+  named.context.AddMetadata("fovea-request-id", "mine-1");
+  EXPECT_TRUE(named.Run().ok());
+  EXPECT_EQ(named.Trailer("fovea-request-id"), "mine-1");
+  EXPECT_TRUE(nameless.Run().ok());
+  EXPECT_GT(std::stoi(nameless.Trailer("fovea-request-id")), 0);
+}
+
 TEST(Scheduling, RefusesARobotsNameThatCannotBe) {
   Loopback loopback(FindOne);
   const grpc::Status status = Call(loopback, std::string(65, 'x')).Run();

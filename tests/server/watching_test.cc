@@ -136,8 +136,10 @@ TEST(RequestLog, NamesRequestRobotAndFrame) {
     const Loopback loopback(FindOne);
     DetectTwiceOnceBadly(loopback);
   }
-  EXPECT_THAT(log.text(),
-              HasSubstr(" robot=\"ipv4:127.0.0.1\" frame=\"frame-7\" code=OK objects=1"));
+  EXPECT_THAT(
+      log.text(),
+      ::testing::ContainsRegex(
+          "request=\"[0-9]+\" robot=\"ipv4:127.0.0.1\" frame=\"frame-7\" code=OK objects=1"));
   EXPECT_THAT(log.text(), HasSubstr("code=INVALID_ARGUMENT"));
   EXPECT_THAT(log.text(), HasSubstr("error=\"frame: is missing\""));
   EXPECT_THAT(log.text(), Not(HasSubstr("slow ")));
