@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "client/channel.h"
+#include "client/retry.h"
 #include "grpc/health/v1/health.grpc.pb.h"
 
 namespace fovea::client {
@@ -53,18 +54,18 @@ bool Client::IsServing() const {
 }
 
 v1::GetServerInfoResponse Client::GetServerInfo() const {
-  grpc::ClientContext context;
-  PrepareCall(options_, options_.timeout, &context);
   v1::GetServerInfoResponse response;
-  ThrowUnlessOk(stub_->GetServerInfo(&context, {}, &response));
+  ThrowUnlessOk(CallWithRetries(options_, options_.timeout, [&](grpc::ClientContext* context) {
+    return stub_->GetServerInfo(context, {}, &response);
+  }));
   return response;
 }
 
 v1::GetStatisticsResponse Client::GetStatistics() const {
-  grpc::ClientContext context;
-  PrepareCall(options_, options_.timeout, &context);
   v1::GetStatisticsResponse response;
-  ThrowUnlessOk(stub_->GetStatistics(&context, {}, &response));
+  ThrowUnlessOk(CallWithRetries(options_, options_.timeout, [&](grpc::ClientContext* context) {
+    return stub_->GetStatistics(context, {}, &response);
+  }));
   return response;
 }
 
@@ -74,15 +75,20 @@ v1::DetectResponse Client::Detect(const v1::DetectRequest& request) const {
 
 v1::DetectResponse Client::Detect(const v1::DetectRequest& request,
                                   std::chrono::milliseconds timeout) const {
-  grpc::ClientContext context;
-  PrepareCall(options_, timeout, &context);
   v1::DetectResponse response;
-  ThrowUnlessOk(stub_->Detect(&context, request, &response));
+  ThrowUnlessOk(CallWithRetries(options_, timeout, [&](grpc::ClientContext* context) {
+    return stub_->Detect(context, request, &response);
+  }));
   return response;
 }
 
 std::unique_ptr<DetectStream> Client::OpenStream(std::chrono::milliseconds timeout) const {
   return std::make_unique<DetectStream>(*stub_, options_, timeout);
+}
+
+std::unique_ptr<ResumingStream> Client::OpenResumingStream(
+    std::chrono::milliseconds timeout) const {
+  return std::make_unique<ResumingStream>(stub_, options_, timeout);
 }
 
 }  // namespace fovea::client

@@ -35,6 +35,10 @@ class DetectStream {
   // Ends the stream at once. From any thread.
   void Cancel();
 
+  // Once Receive() has ended or thrown.
+  const std::optional<grpc::Status>& status() const { return finished_; }
+  const grpc::ClientContext& context() const { return context_; }
+
   // The next answer in order, which may be a FrameError. Empty at the end, after DoneSending().
   // Throws RpcError where the stream broke or ran out of time.
   std::optional<v1::DetectStreamResponse> Receive();

@@ -13,6 +13,8 @@
 
 namespace {
 
+using fovea::cli::ConnectionFlags;
+
 // gRPC's text about a server that is away names neither the cause nor a remedy.
 std::string Explain(const fovea::client::RpcError& error, const std::string& server) {
   if (error.code() != grpc::StatusCode::UNAVAILABLE) return error.what();
@@ -20,16 +22,16 @@ std::string Explain(const fovea::client::RpcError& error, const std::string& ser
          ")";
 }
 
-int CheckHealth(const std::string& server) {
-  if (!fovea::client::Client(server).IsServing()) {
-    throw std::runtime_error(server + " answers, but does not serve (it is stopping)");
+int CheckHealth(const ConnectionFlags& flags) {
+  if (!fovea::cli::Connect(flags).IsServing()) {
+    throw std::runtime_error(flags.server + " answers, but does not serve (it is stopping)");
   }
-  std::cout << server << " is serving\n";
+  std::cout << flags.server << " is serving\n";
   return EXIT_SUCCESS;
 }
 
-int PrintInfo(const std::string& server) {
-  const fovea::client::Client client(server);
+int PrintInfo(const ConnectionFlags& flags) {
+  const fovea::client::Client client = fovea::cli::Connect(flags);
   google::protobuf::util::JsonPrintOptions options;
   options.add_whitespace = true;
   std::string info, statistics;
@@ -48,14 +50,10 @@ int Run(int argc, char** argv) {
   CLI::App* detect = app.add_subcommand("detect", "Detect the objects of one frame or a folder");
   fovea::cli::AddDetectFlags(*detect, detect_flags);
 
-  std::string server_asked = "127.0.0.1:50051";
+  ConnectionFlags connection;
   CLI::App* health = app.add_subcommand("health", "Ask whether the server serves");
   CLI::App* info = app.add_subcommand("info", "Print the server's limits and statistics as JSON");
-  for (CLI::App* command : {health, info}) {
-    command->add_option("--server", server_asked, "Address of the server, HOST:PORT")
-        ->type_name("HOST:PORT")
-        ->capture_default_str();
-  }
+  for (CLI::App* command : {health, info}) fovea::cli::AddConnectionFlags(*command, connection);
 
   try {
     app.parse(argc, argv);
@@ -64,13 +62,13 @@ int Run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     throw std::invalid_argument(std::string(error.what()) + " (--help lists the flags)");
   }
-  const std::string& server = *detect ? detect_flags.server : server_asked;
+  const ConnectionFlags& asked = *detect ? detect_flags.connection : connection;
   try {
-    if (*health) return CheckHealth(server);
-    if (*info) return PrintInfo(server);
+    if (*health) return CheckHealth(connection);
+    if (*info) return PrintInfo(connection);
     return fovea::cli::RunDetect(detect_flags);
   } catch (const fovea::client::RpcError& error) {
-    throw std::runtime_error(Explain(error, server));
+    throw std::runtime_error(Explain(error, asked.server));
   }
 }
 

@@ -7,16 +7,19 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include "client/client.h"
+#include "tests/server/frames.h"
 
 namespace fovea::testing {
 namespace {
@@ -137,6 +140,32 @@ TEST(ServerProcess, ReadsItsLogLevelAgain) {
   EXPECT_EQ(finished.exit_code, 0);
   EXPECT_THAT(finished.err, HasSubstr("info stopping"));
   std::filesystem::remove(path);
+}
+
+TEST(ServerProcess, IsReplacedInMidStreamAfterKill) {
+  client::ClientOptions options{.timeout = kPatience};
+  options.retry.max_attempts = 1000;
+  auto server = std::make_optional<ServerProcess>();
+  const std::string address = server->address();
+  const auto stream = client::Client(address, options).OpenResumingStream(kPatience);
+  v1::DetectStreamRequest request;
+  *request.mutable_frame() = TestFrame();
+  stream->Send(request);
+  EXPECT_EQ(stream->Receive()->lost, 0U);
+  server->process().Signal(SIGKILL);
+  server->process().Wait();
+  stream->Send(request);
+  Process replacement({FOVEA_SERVER, "--listen", address});
+  replacement.ReadLine();
+  std::atomic<bool> answered = false;
+  std::jthread sender([&] {
+    while (!answered) {
+      stream->Send(request);
+      std::this_thread::yield();
+    }
+  });
+  EXPECT_GE(stream->Receive()->lost, 1U);
+  answered = true;
 }
 
 TEST(ServerProcess, ExplainsItself) {

@@ -27,7 +27,7 @@ using ::testing::StartsWith;
 using ::testing::ThrowsMessage;
 
 ClientOptions With(const std::string& token) {
-  ClientOptions options{.timeout = kPatience};
+  ClientOptions options = PatientOptions();
   options.token = token;
   return options;
 }
@@ -56,7 +56,7 @@ class Tls : public ::testing::Test {
   }
 
   static ClientOptions Trusting(const Authority& authority, const PemPair& own = {}) {
-    ClientOptions options{.timeout = kPatience};
+    ClientOptions options = PatientOptions();
     options.tls = client::TlsOptions{.root_certificates = authority.Certificate(),
                                      .certificate_chain = own.certificate,
                                      .private_key = own.key};
@@ -236,7 +236,7 @@ TEST(Limits, StreamsAreCountedByRobotAndInAll) {
   const Loopback loopback(FindOne, options);
   std::vector<std::unique_ptr<client::DetectStream>> open;
   const auto open_stream = [&](const std::string& robot) {
-    ClientOptions of_robot{.timeout = kPatience};
+    ClientOptions of_robot = PatientOptions();
     of_robot.robot = robot;
     auto stream = Client(loopback.server.Address(), of_robot).OpenStream(kPatience);
     v1::DetectStreamRequest request;

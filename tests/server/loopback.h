@@ -19,10 +19,17 @@ inline server::ServerOptions LoopbackOptions() {
   return options;
 }
 
+// Calls are made once, so that tests see what the server says to them.
+inline client::ClientOptions PatientOptions() {
+  client::ClientOptions options{.timeout = kPatience};
+  options.retry.max_attempts = 1;
+  return options;
+}
+
 struct Loopback {
   explicit Loopback(server::DetectFunction detect = fovea::Detect,
                     const server::ServerOptions& options = LoopbackOptions())
-      : server(options, std::move(detect)), client(server.Address(), {.timeout = kPatience}) {}
+      : server(options, std::move(detect)), client(server.Address(), PatientOptions()) {}
 
   server::Server server;
   client::Client client;
