@@ -60,7 +60,7 @@ grpc::Status CallWithRetries(const ClientOptions& options, milliseconds timeout,
     grpc::ClientContext context;
     PrepareCall(options, std::chrono::duration_cast<milliseconds>(deadline - Clock::now()),
                 &context);
-    const grpc::Status status = call(&context);
+    grpc::Status status = call(&context);
     if (status.ok() || attempt >= options.retry.max_attempts) return status;
     if (!IsWorthRetrying(status, context)) return status;
     const milliseconds wait = BackoffAfter(attempt, options.retry, context);

@@ -131,6 +131,7 @@ TEST(Scheduling, RobotsTakeTurns) {
   send("third", 21, true);
   gate.Let(6);
   threads.clear();
+  const std::lock_guard lock(mutex);
   EXPECT_THAT(order, ElementsAre(1, 2, 11, 21, 3, 4));
 }
 
