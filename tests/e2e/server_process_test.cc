@@ -112,6 +112,12 @@ TEST(ServerProcess, ChecksItsConfiguration) {
   EXPECT_THAT(missing.err, HasSubstr("/nowhere.toml"));
 }
 
+TEST(ServerProcess, TheSampleConfigurationIsValid) {
+  const Finished sample = Execute(
+      {FOVEA_SERVER, "--check-config", "--config", FOVEA_SOURCE_DIR "/deploy/fovea-server.toml"});
+  EXPECT_EQ(sample.exit_code, 0) << sample.err;
+}
+
 // The hold is long: only a second signal ends it before the test's patience does.
 TEST(ServerProcess, HoldsBeforeItStops) {
   ServerProcess server({"--hold-s", "3600"});
