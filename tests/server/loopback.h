@@ -13,11 +13,8 @@ namespace fovea::testing {
 // Long enough that only a hang reaches it.
 constexpr std::chrono::minutes kPatience{1};
 
-inline server::ServerOptions LoopbackOptions() {
-  server::ServerOptions options;
-  options.listen = "127.0.0.1:0";
-  return options;
-}
+// A free port of this machine.
+server::ServerOptions LoopbackOptions();
 
 // Calls are made once, so that tests see what the server says to them.
 inline client::ClientOptions PatientOptions() {

@@ -4,10 +4,13 @@
 
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <future>
+#include <mutex>
 #include <new>
 #include <opencv2/imgproc.hpp>
 #include <thread>
+#include <utility>
 
 #include "tests/server/detectors.h"
 #include "tests/server/frames.h"
@@ -20,13 +23,25 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 // A detector that hands its frame to the test.
-struct Recorder {
-  RgbdFrame* frame;
+class Recorder {
+ public:
   Detections operator()(const RgbdFrame& given, const DetectorOptions& options, Trace* trace,
-                        const std::function<bool()>& should_stop) const {
-    *frame = given;
+                        const std::function<bool()>& should_stop) {
+    {
+      const std::scoped_lock lock(mutex_);
+      frame_ = given;
+    }
     return FindOne(given, options, trace, should_stop);
   }
+
+  RgbdFrame Take() {
+    const std::scoped_lock lock(mutex_);
+    return std::exchange(frame_, {});
+  }
+
+ private:
+  std::mutex mutex_;
+  RgbdFrame frame_;
 };
 
 TEST(Detect, EchoesTheFrameAndStartsStageTimesWithQueueAndDecoding) {
@@ -86,8 +101,8 @@ TEST(Detect, GivesThePoseInTheReferenceFrame) {
 }
 
 TEST(Detect, DecodesEveryEncodingToTheSameFrame) {
-  RgbdFrame frame;
-  Loopback loopback(Recorder{&frame});
+  Recorder recorder;
+  Loopback loopback(std::ref(recorder));
   cv::Mat bgr, meters_bytes = TestMeters();
   cv::cvtColor(TestColor(), bgr, cv::COLOR_RGB2BGR);
   const std::string units = BytesOf(TestDepth()), meters = BytesOf(meters_bytes);
@@ -110,6 +125,9 @@ TEST(Detect, DecodesEveryEncodingToTheSameFrame) {
       *request.mutable_frame()->mutable_color() = color;
       *request.mutable_frame()->mutable_depth() = depth;
       loopback.client.Detect(request);
+      const RgbdFrame frame = recorder.Take();
+      ASSERT_EQ(frame.color_rgb.size(), cv::Size(kWidth, kHeight));
+      ASSERT_EQ(frame.depth_m.size(), cv::Size(kWidth, kHeight));
       const double loss = color.encoding() == v1::COLOR_ENCODING_JPEG ? 12 : 0;
       EXPECT_LE(cv::norm(frame.color_rgb, TestColor(), cv::NORM_INF), loss);
       EXPECT_EQ(std::memcmp(frame.depth_m.data, meters_bytes.data, meters.size()), 0);
