@@ -153,8 +153,8 @@ TEST(RequestLog, NamesTheStagesOfSlowFrames) {
     Gate gate;
     const Loopback loopback(std::ref(gate), options);
     std::jthread late([&] {
-      const auto begun = std::chrono::steady_clock::now();
       gate.WaitUntilBegun();
+      const auto begun = std::chrono::steady_clock::now();
       while (std::chrono::steady_clock::now() - begun <
              5 * std::chrono::milliseconds(options.slow_ms)) {
         std::this_thread::yield();
