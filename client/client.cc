@@ -1,8 +1,9 @@
 #include "client/client.h"
 
-#include <grpcpp/create_channel.h>
-#include <grpcpp/security/credentials.h>
+#include <utility>
 
+#include "client/channel.h"
+#include "client/retry.h"
 #include "grpc/health/v1/health.grpc.pb.h"
 
 namespace fovea::client {
@@ -10,20 +11,10 @@ namespace {
 
 namespace health = grpc::health::v1;
 
-std::shared_ptr<grpc::Channel> Connect(const std::string& address, const ClientOptions& options) {
-  grpc::ChannelArguments arguments;
-  arguments.SetMaxReceiveMessageSize(options.max_answer_mib << 20);
-  return grpc::CreateCustomChannel(address, grpc::InsecureChannelCredentials(), arguments);
-}
-
 health::HealthCheckRequest AboutDetection() {
   health::HealthCheckRequest request;
   request.set_service(v1::DetectionService::service_full_name());
   return request;
-}
-
-void SetTimeout(std::chrono::milliseconds timeout, grpc::ClientContext* context) {
-  context->set_deadline(std::chrono::system_clock::now() + timeout);
 }
 
 void ThrowUnlessOk(const grpc::Status& status) {
@@ -33,13 +24,13 @@ void ThrowUnlessOk(const grpc::Status& status) {
 }  // namespace
 
 Client::Client(const std::string& address, ClientOptions options)
-    : options_(options),
-      channel_(Connect(address, options_)),
+    : options_(std::move(options)),
+      channel_(MakeChannel(address, options_)),
       stub_(v1::DetectionService::NewStub(channel_)) {}
 
 void Client::WaitUntilReady(std::chrono::milliseconds timeout) const {
   grpc::ClientContext context;
-  SetTimeout(timeout, &context);
+  PrepareCall(options_, timeout, &context);
   context.set_wait_for_ready(true);  // a server that is not up yet is no error
   const auto watch = health::Health::NewStub(channel_)->Watch(&context, AboutDetection());
   health::HealthCheckResponse response;
@@ -56,10 +47,26 @@ void Client::WaitUntilReady(std::chrono::milliseconds timeout) const {
 
 bool Client::IsServing() const {
   grpc::ClientContext context;
-  SetTimeout(options_.timeout, &context);
+  PrepareCall(options_, options_.timeout, &context);
   health::HealthCheckResponse response;
   ThrowUnlessOk(health::Health::NewStub(channel_)->Check(&context, AboutDetection(), &response));
   return response.status() == health::HealthCheckResponse::SERVING;
+}
+
+v1::GetServerInfoResponse Client::GetServerInfo() const {
+  v1::GetServerInfoResponse response;
+  ThrowUnlessOk(CallWithRetries(options_, options_.timeout, [&](grpc::ClientContext* context) {
+    return stub_->GetServerInfo(context, {}, &response);
+  }));
+  return response;
+}
+
+v1::GetStatisticsResponse Client::GetStatistics() const {
+  v1::GetStatisticsResponse response;
+  ThrowUnlessOk(CallWithRetries(options_, options_.timeout, [&](grpc::ClientContext* context) {
+    return stub_->GetStatistics(context, {}, &response);
+  }));
+  return response;
 }
 
 v1::DetectResponse Client::Detect(const v1::DetectRequest& request) const {
@@ -68,15 +75,20 @@ v1::DetectResponse Client::Detect(const v1::DetectRequest& request) const {
 
 v1::DetectResponse Client::Detect(const v1::DetectRequest& request,
                                   std::chrono::milliseconds timeout) const {
-  grpc::ClientContext context;
-  SetTimeout(timeout, &context);
   v1::DetectResponse response;
-  ThrowUnlessOk(stub_->Detect(&context, request, &response));
+  ThrowUnlessOk(CallWithRetries(options_, timeout, [&](grpc::ClientContext* context) {
+    return stub_->Detect(context, request, &response);
+  }));
   return response;
 }
 
 std::unique_ptr<DetectStream> Client::OpenStream(std::chrono::milliseconds timeout) const {
-  return std::make_unique<DetectStream>(*stub_, timeout);
+  return std::make_unique<DetectStream>(*stub_, options_, timeout);
+}
+
+std::unique_ptr<ResumingStream> Client::OpenResumingStream(
+    std::chrono::milliseconds timeout) const {
+  return std::make_unique<ResumingStream>(stub_, options_, timeout);
 }
 
 }  // namespace fovea::client

@@ -1,9 +1,12 @@
 #include "client/detect_stream.h"
 
+#include "client/channel.h"
+
 namespace fovea::client {
 
-DetectStream::DetectStream(v1::DetectionService::Stub& stub, std::chrono::milliseconds timeout) {
-  context_.set_deadline(std::chrono::system_clock::now() + timeout);
+DetectStream::DetectStream(v1::DetectionService::Stub& stub, const ClientOptions& options,
+                           std::chrono::milliseconds timeout) {
+  PrepareCall(options, timeout, &context_);
   stream_ = stub.DetectStream(&context_);
 }
 
@@ -16,6 +19,8 @@ DetectStream::~DetectStream() {
 bool DetectStream::Send(const v1::DetectStreamRequest& request) { return stream_->Write(request); }
 
 void DetectStream::DoneSending() { stream_->WritesDone(); }
+
+void DetectStream::Cancel() { context_.TryCancel(); }
 
 std::optional<v1::DetectStreamResponse> DetectStream::Receive() {
   v1::DetectStreamResponse response;

@@ -7,17 +7,19 @@
 #include <memory>
 #include <optional>
 
+#include "client/client_options.h"
 #include "client/rpc_error.h"
 #include "fovea/v1/detection_service.grpc.pb.h"
 
 namespace fovea::client {
 
 // One stream of frames; Client::OpenStream makes it. One thread may send while another receives.
-// Send ahead by a frame or two, not more: the server answers in order, and frames that wait grow
-// old.
+// Send as fast as frames come: the server answers the newest one and drops those in between;
+// DetectStreamResponse.dropped counts them.
 class DetectStream {
  public:
-  DetectStream(v1::DetectionService::Stub& stub, std::chrono::milliseconds timeout);
+  DetectStream(v1::DetectionService::Stub& stub, const ClientOptions& options,
+               std::chrono::milliseconds timeout);
   // Cancels what has no answer yet.
   ~DetectStream();
 
@@ -29,6 +31,13 @@ class DetectStream {
 
   // No more frames will come; answers to those sent still do.
   void DoneSending();
+
+  // Ends the stream at once. From any thread.
+  void Cancel();
+
+  // Once Receive() has ended or thrown.
+  const std::optional<grpc::Status>& status() const { return finished_; }
+  const grpc::ClientContext& context() const { return context_; }
 
   // The next answer in order, which may be a FrameError. Empty at the end, after DoneSending().
   // Throws RpcError where the stream broke or ran out of time.

@@ -7,7 +7,7 @@ packages="
 build-essential cmake ninja-build ccache pkg-config
 libeigen3-dev libopencv-dev libpcl-dev
 libgrpc-dev libgrpc++-dev libprotobuf-dev protobuf-compiler protobuf-compiler-grpc grpc-proto
-libspdlog-dev libfmt-dev libcli11-dev libzstd-dev libturbojpeg0-dev libspng-dev nlohmann-json3-dev
+libssl-dev prometheus-cpp-dev libspdlog-dev libfmt-dev libcli11-dev libzstd-dev libturbojpeg0-dev libspng-dev nlohmann-json3-dev
 libgtest-dev libgmock-dev libbenchmark-dev
 "
 

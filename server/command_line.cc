@@ -4,16 +4,39 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "server/access/credentials.h"
+#include "server/access/gate_keeper.h"
 #include "server/option_table.h"
 
 namespace fovea::server {
 namespace {
 
+void AddProtectionFlags(CLI::App& app, ServerOptions& options) {
+  app.add_flag("--insecure", options.insecure, "Serve other machines unprotected");
+  app.add_option("--tls-cert", options.tls_cert, "Certificate chain of the server, PEM file");
+  app.add_option("--tls-key", options.tls_key, "Its private key, PEM file");
+  app.add_option("--tls-client-ca", options.tls_client_ca,
+                 "Authority whose certificates clients must show, PEM file");
+  app.add_option("--tls-reload-s", options.tls_reload_s,
+                 "How often these files are read again, 1 to 86400 seconds")
+      ->capture_default_str();
+  app.add_option("--tokens", options.tokens,
+                 "File with a line `ROBOT SHA256 [EXPIRES]` for every token; callers need one. "
+                 "SIGHUP reads it again");
+}
+
 void AddFlags(CLI::App& app, ServerOptions& options) {
   app.set_version_flag("--version", "fovea-server " FOVEA_VERSION);
-  app.add_option("--listen", options.listen,
-                 "Address to listen on, HOST:PORT; port 0 takes a free one. Calls are neither "
-                 "authenticated nor encrypted: leave loopback only for a trusted network")
+  app.add_option(
+         "--listen", options.listen,
+         "Address to listen on, HOST:PORT; port 0 takes a free one. Other than loopback only "
+         "with TLS and client certificates or tokens, or with --insecure")
+      ->capture_default_str();
+  AddProtectionFlags(app, options);
+  app.add_option("--max-streams", options.max_streams, "Streams open at once, 1 to 10000")
+      ->capture_default_str();
+  app.add_option("--max-streams-per-robot", options.max_streams_per_robot,
+                 "Streams that one robot may have open, 1 to 10000")
       ->capture_default_str();
   app.add_option("--max-message-mib", options.max_message_mib,
                  "Largest request in MiB, 1 to 1024; larger ones get RESOURCE_EXHAUSTED")
@@ -21,13 +44,35 @@ void AddFlags(CLI::App& app, ServerOptions& options) {
   app.add_option("--max-pixels", options.max_pixels,
                  "Largest image in pixels, 1 to 100000000; checked before it is decoded")
       ->capture_default_str();
-  app.add_option("--max-concurrent", options.max_concurrent,
-                 "Frames computed at once, 0 to 1024; others wait. 0 = one per processor")
+  app.add_option("--compute-threads", options.compute_threads,
+                 "Frames computed at once, 0 to 1024; 0 = one per processor")
+      ->capture_default_str();
+  app.add_option("--max-waiting", options.max_waiting,
+                 "Frames that wait beyond those, -1 to 10000; more get RESOURCE_EXHAUSTED. "
+                 "-1 = two per compute thread")
+      ->capture_default_str();
+  app.add_option("--max-per-robot", options.max_per_robot,
+                 "Frames that one robot may have waiting or computed, 0 to 10000; 0 = two thirds "
+                 "of all")
+      ->capture_default_str();
+  app.add_option("--hold-s", options.hold_s,
+                 "How long to serve on with health NOT_SERVING after SIGTERM or SIGINT, 0 to 3600 "
+                 "seconds; a second signal ends it")
       ->capture_default_str();
   app.add_option("--drain-timeout-s", options.drain_timeout_s,
-                 "How long calls may finish after SIGTERM or SIGINT, 0 to 3600 seconds")
+                 "How long calls may finish after that, 0 to 3600 seconds")
       ->capture_default_str();
-  app.add_option("--log-level", options.log_level, "trace, debug, info, warn, error or off")
+  app.add_option(
+         "--metrics-listen", options.metrics_listen,
+         "Address of Prometheus' metrics, HTTP at HOST:PORT/metrics; port 0 takes a free one")
+      ->capture_default_str();
+  app.add_option(
+         "--slow-ms", options.slow_ms,
+         "Frames that take longer get a log line with the time of each stage, 0 to 3600000; "
+         "0 = none")
+      ->capture_default_str();
+  app.add_option("--log-level", options.log_level,
+                 "trace, debug, info, warn, error or off; SIGHUP reads it again from the file")
       ->capture_default_str();
 }
 
@@ -38,14 +83,24 @@ std::optional<ServerOptions> ParseCommandLine(int argc, char** argv) {
                "fovea-server");
   ServerOptions options;
   AddFlags(app, options);
-  bool list_options = false;
+  app.set_config("--config", "",
+                 "File with any of these flags, one KEY = VALUE a line; flags given here win");
+  app.allow_config_extras(CLI::config_extras_mode::error);
+  bool list_options = false, check_config = false;
+  app.add_flag("--check-config", check_config,
+               "Say whether flags and configuration file are valid, and exit")
+      ->configurable(false);
   app.add_flag("--list-options", list_options,
-               "Print every option of the method with its range, profiles and meaning, and exit");
+               "Print every option of the method with its range, profiles and meaning, and exit")
+      ->configurable(false);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& wants_text) {  // --help, --version
     app.exit(wants_text);
     return std::nullopt;
+  } catch (const CLI::ConfigError& error) {
+    throw std::invalid_argument("--config: unknown key: " + std::string(error.what()) +
+                                " (--help lists the flags, which are the keys)");
   } catch (const CLI::ParseError& error) {
     throw std::invalid_argument(std::string(error.what()) + " (--help lists the flags)");
   }
@@ -54,6 +109,12 @@ std::optional<ServerOptions> ParseCommandLine(int argc, char** argv) {
     return std::nullopt;
   }
   Validate(options);
+  if (check_config) {
+    MakeCredentials(options);
+    const GateKeeper reads_tokens(options.tokens);
+    std::cout << "the configuration is valid\n";
+    return std::nullopt;
+  }
   return options;
 }
 

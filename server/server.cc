@@ -1,5 +1,6 @@
 #include "server/server.h"
 
+#include <google/protobuf/util/time_util.h>
 #include <grpcpp/ext/proto_server_reflection_plugin.h>
 #include <grpcpp/grpcpp.h>
 #include <grpcpp/health_check_service_interface.h>
@@ -10,6 +11,11 @@
 #include <thread>
 #include <utility>
 
+#include "core/options.h"
+#include "server/access/credentials.h"
+#include "server/rpc/detect_call.h"
+#include "server/rpc/stream_call.h"
+
 namespace fovea::server {
 namespace {
 
@@ -18,10 +24,36 @@ const ServerOptions& Validated(const ServerOptions& options) {
   return options;
 }
 
-int NumSlots(const ServerOptions& options) {
-  if (options.max_concurrent > 0) return options.max_concurrent;
-  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+SchedulerLimits LimitsOf(const ServerOptions& options) {
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const int num_threads = options.compute_threads > 0 ? options.compute_threads : cores;
+  // An accepted frame waits for no more than two others on its thread.
+  const int max_waiting = options.max_waiting >= 0 ? options.max_waiting : 2 * num_threads;
+  // Leaves a third of the places to other robots.
+  const int fair_share = std::max(1, 2 * (num_threads + max_waiting) / 3);
+  return {.num_threads = num_threads,
+          .max_waiting = max_waiting,
+          .max_per_robot = options.max_per_robot > 0 ? options.max_per_robot : fair_share};
 }
+
+v1::GetServerInfoResponse InfoOf(const ServerOptions& options, const SchedulerLimits& limits) {
+  v1::GetServerInfoResponse info;
+  info.set_version(FOVEA_VERSION);
+  *info.mutable_started_at() = google::protobuf::util::TimeUtil::GetCurrentTime();
+  for (const std::string& profile : ProfileNames()) info.add_profiles(profile);
+  info.set_max_message_bytes(static_cast<std::uint64_t>(options.max_message_mib) << 20);
+  info.set_max_pixels(static_cast<std::uint64_t>(options.max_pixels));
+  info.set_compute_threads(static_cast<std::uint32_t>(limits.num_threads));
+  info.set_max_waiting(static_cast<std::uint32_t>(limits.max_waiting));
+  info.set_max_per_robot(static_cast<std::uint32_t>(limits.max_per_robot));
+  return info;
+}
+
+// More wait at the client until one of them is done.
+constexpr int kMaxCallsPerConnection = 128;
+
+// For refusals to reach their callers; connections where nothing is left to say close at once.
+constexpr std::chrono::seconds kLastWords{1};
 
 // Plugins of gRPC are global: they apply to every builder made afterwards.
 void EnablePlugins() {
@@ -39,23 +71,50 @@ void ConfigureChannel(const ServerOptions& options, grpc::ServerBuilder* builder
   builder->AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
   // Clients may ping an idle connection this often without being cut off.
   builder->AddChannelArgument(GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS, 10'000);
+  // A machine that went without a word is noticed, and half a handshake does not last.
+  builder->AddChannelArgument(GRPC_ARG_KEEPALIVE_TIME_MS, 30'000);
+  builder->AddChannelArgument(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, 10'000);
+  builder->AddChannelArgument(GRPC_ARG_SERVER_HANDSHAKE_TIMEOUT_MS, 10'000);
+  builder->AddChannelArgument(GRPC_ARG_MAX_CONCURRENT_STREAMS, kMaxCallsPerConnection);
 }
 
 }  // namespace
 
 Server::Server(const ServerOptions& options, DetectFunction detect)
     : options_(Validated(options)),
-      service_(std::move(detect), options_.max_pixels, NumSlots(options_)) {
+      limits_(LimitsOf(options_)),
+      scheduler_(limits_),
+      metrics_(std::make_shared<Metrics>([this] { return scheduler_.NumWaiting(); })),
+      answerer_(std::move(detect), options_, *metrics_),
+      gate_keeper_(options_.tokens),
+      stream_places_(options_.max_streams, options_.max_streams_per_robot),
+      service_(InfoOf(options_, limits_), *metrics_, gate_keeper_) {
   EnablePlugins();
+  Listen();
+  Serve();
+}
+
+void Server::Listen() {
   grpc::ServerBuilder builder;
   ConfigureChannel(options_, &builder);
-  builder.AddListeningPort(options_.listen, grpc::InsecureServerCredentials(), &port_);
+  builder.AddListeningPort(options_.listen, MakeCredentials(options_), &port_);
   builder.RegisterService(&service_);
+  auto queue = builder.AddCompletionQueue();
   server_ = builder.BuildAndStart();
+  // In any case: a queue that nobody empties cannot be given back.
+  loop_ = std::make_unique<EventLoop>(std::move(queue));
   if (!server_ || port_ == 0) {
     throw std::runtime_error("--listen: cannot listen on " + options_.listen +
                              ": the port is in use or the address is not one of this machine");
   }
+}
+
+void Server::Serve() {
+  environment_ = std::make_unique<CallEnvironment>(
+      CallEnvironment{service_, loop_->queue(), scheduler_, answerer_, live_calls_, *metrics_,
+                      gate_keeper_, stream_places_});
+  DetectCall::Accept(*environment_);
+  StreamCall::Accept(*environment_);
   server_->GetHealthCheckService()->SetServingStatus(v1::DetectionService::service_full_name(),
                                                      true);
 }
@@ -68,12 +127,18 @@ std::string Server::Address() const {
 
 void Server::Drain() { Stop(options_.drain_timeout_s); }
 
+void Server::StopAdvertising() { server_->GetHealthCheckService()->SetServingStatus(false); }
+
 void Server::Stop(int timeout_s) {
   if (!server_) return;
-  server_->GetHealthCheckService()->SetServingStatus(false);
-  service_.EndStreams();
-  server_->Shutdown(std::chrono::system_clock::now() + std::chrono::seconds(timeout_s));
+  StopAdvertising();
+  live_calls_.Stop();
+  live_calls_.WaitUntilIdle(std::chrono::steady_clock::now() + std::chrono::seconds(timeout_s));
+  // What is left now is late, has just been refused, or only watches the health.
+  server_->Shutdown(std::chrono::system_clock::now() + kLastWords);
   server_->Wait();
+  live_calls_.WaitUntilNone();
+  loop_.reset();
   server_.reset();
 }
 

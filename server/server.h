@@ -5,8 +5,15 @@
 #include <memory>
 #include <string>
 
-#include "server/detection_service.h"
+#include "server/access/gate_keeper.h"
+#include "server/access/stream_places.h"
+#include "server/frame_answerer.h"
+#include "server/rpc/detection_service.h"
+#include "server/rpc/event_loop.h"
+#include "server/rpc/live_calls.h"
+#include "server/scheduling/scheduler.h"
 #include "server/server_options.h"
+#include "server/watching/metrics.h"
 
 namespace fovea::server {
 
@@ -23,20 +30,41 @@ class Server {
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
+  // Takes over the tokens that the file holds now. Throws std::exception, and changes nothing then.
+  void ReloadTokens() { gate_keeper_.Reload(); }
+
+  // For Prometheus to collect.
+  const std::shared_ptr<Metrics>& metrics() const { return metrics_; }
+
   // HOST:PORT with the real port where 0 was asked for.
   std::string Address() const;
 
-  // Reports NOT_SERVING, takes no more calls, lets those under way finish until the drain timeout
-  // and cancels what is left. Returns when all are gone.
+  // Reports NOT_SERVING to whoever checks its health, and serves on: load balancers and clients
+  // have time to turn elsewhere before Drain().
+  void StopAdvertising();
+
+  // Refuses new calls with UNAVAILABLE, ends streams after the answer they are at, lets calls under
+  // way finish until the drain timeout and cancels what is left. Returns when all are gone.
   void Drain();
 
  private:
+  void Listen();
+  void Serve();
   void Stop(int timeout_s);
 
   const ServerOptions options_;
+  const SchedulerLimits limits_;
+  Scheduler scheduler_;
+  const std::shared_ptr<Metrics> metrics_;
+  const FrameAnswerer answerer_;
+  GateKeeper gate_keeper_;
+  StreamPlaces stream_places_;
+  LiveCalls live_calls_;
   DetectionService service_;
   int port_ = 0;
   std::unique_ptr<grpc::Server> server_;
+  std::unique_ptr<EventLoop> loop_;
+  std::unique_ptr<CallEnvironment> environment_;
 };
 
 }  // namespace fovea::server

@@ -17,7 +17,7 @@ void RequireRange(const char* flag, std::int64_t value, std::int64_t minimum,
                               std::to_string(maximum));
 }
 
-void RequireAddress(const std::string& listen) {
+void RequireAddress(const char* flag, const std::string& listen) {
   const std::size_t colon = listen.rfind(':');
   const std::string_view port =
       colon == std::string::npos ? std::string_view{} : std::string_view(listen).substr(colon + 1);
@@ -26,9 +26,29 @@ void RequireAddress(const std::string& listen) {
   const bool is_port =
       error == std::errc{} && end == port.data() + port.size() && number >= 0 && number <= 65535;
   if (colon == std::string::npos || colon == 0 || !is_port) {
-    throw std::invalid_argument("--listen: \"" + listen +
+    throw std::invalid_argument(std::string(flag) + ": \"" + listen +
                                 "\" is not HOST:PORT with a port of 0 to 65535");
   }
+}
+
+bool IsLoopback(const std::string& host) {
+  return host.starts_with("127.") || host == "localhost" || host == "[::1]";
+}
+
+void RequireProtection(const ServerOptions& options) {
+  if (options.tls_cert.empty() != options.tls_key.empty()) {
+    throw std::invalid_argument("--tls-cert and --tls-key: one needs the other");
+  }
+  if (!options.tls_client_ca.empty() && options.tls_cert.empty()) {
+    throw std::invalid_argument("--tls-client-ca: needs --tls-cert and --tls-key");
+  }
+  const bool knows_callers = !options.tls_client_ca.empty() || !options.tokens.empty();
+  const bool is_protected = !options.tls_cert.empty() && knows_callers;
+  if (is_protected || options.insecure || IsLoopback(HostOf(options.listen))) return;
+  throw std::invalid_argument(
+      "--listen: \"" + options.listen +
+      "\" is open to other machines; give --tls-cert, --tls-key and either --tls-client-ca or "
+      "--tokens, or --insecure to serve them unprotected");
 }
 
 void RequireLogLevel(const std::string& level) {
@@ -42,11 +62,20 @@ void RequireLogLevel(const std::string& level) {
 }  // namespace
 
 void Validate(const ServerOptions& options) {
-  RequireAddress(options.listen);
+  RequireAddress("--listen", options.listen);
+  if (!options.metrics_listen.empty()) RequireAddress("--metrics-listen", options.metrics_listen);
+  RequireProtection(options);
+  RequireRange("--tls-reload-s", options.tls_reload_s, 1, 86'400);
+  RequireRange("--max-streams", options.max_streams, 1, 10'000);
+  RequireRange("--max-streams-per-robot", options.max_streams_per_robot, 1, 10'000);
   RequireRange("--max-message-mib", options.max_message_mib, 1, 1024);
   RequireRange("--max-pixels", options.max_pixels, 1, 100'000'000);
-  RequireRange("--max-concurrent", options.max_concurrent, 0, 1024);
+  RequireRange("--compute-threads", options.compute_threads, 0, 1024);
+  RequireRange("--max-waiting", options.max_waiting, -1, 10'000);
+  RequireRange("--max-per-robot", options.max_per_robot, 0, 10'000);
+  RequireRange("--hold-s", options.hold_s, 0, 3600);
   RequireRange("--drain-timeout-s", options.drain_timeout_s, 0, 3600);
+  RequireRange("--slow-ms", options.slow_ms, 0, 3'600'000);
   RequireLogLevel(options.log_level);
 }
 

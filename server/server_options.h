@@ -6,18 +6,43 @@
 namespace fovea::server {
 
 struct ServerOptions {
-  // HOST:PORT; port 0 takes a free one. Loopback unless told otherwise: there is no
-  // authentication.
+  // HOST:PORT; port 0 takes a free one. Other than loopback only with TLS and either client
+  // certificates or tokens, or with `insecure`.
   std::string listen = "127.0.0.1:50051";
+  // Serve callers from other machines unprotected.
+  bool insecure = false;
+  // PEM files: the server's certificate chain and its key; and the authority whose certificates
+  // clients must have. Empty = no TLS; no client certificates.
+  std::string tls_cert, tls_key, tls_client_ca;
+  // How often these files are read again, 1 … 86400 s.
+  int tls_reload_s = 30;
+  // File of tokens, see TokenTable; empty = callers need none.
+  std::string tokens;
+  // Streams that are open at once, of all robots and of one, 1 … 10000.
+  int max_streams = 256;
+  int max_streams_per_robot = 16;
   // Largest request, 1 … 1024 MiB. The default lets 1280x720 RGB8 with 32FC1 depth (6.2 MiB) and
   // 1920x1080 (13.9 MiB) through.
   int max_message_mib = 16;
   // Largest decoded image in pixels, 1 … 100 million. The default is just above 1920x1080.
   std::int64_t max_pixels = std::int64_t{1920} * 1088;
   // Frames that are computed at once, 0 … 1024; 0 = one per processor.
-  int max_concurrent = 0;
-  // How long calls may go on after a stop signal, 0 … 3600 s.
+  int compute_threads = 0;
+  // Frames that wait beyond those, -1 … 10000; -1 = two per compute thread. More wait longer, fewer
+  // are refused sooner. A stream's newest frame is not counted.
+  int max_waiting = -1;
+  // Frames that one robot may have waiting or computed, 0 … 10000; 0 = two thirds of all.
+  int max_per_robot = 0;
+  // How long to serve on with the health NOT_SERVING after a stop signal, 0 … 3600 s: longer than
+  // what stands in front (load balancer, probe) takes to notice. A second signal ends it.
+  int hold_s = 0;
+  // How long calls may go on after that, 0 … 3600 s.
   int drain_timeout_s = 10;
+  // HOST:PORT of Prometheus' metrics over HTTP; empty = none, port 0 takes a free one.
+  std::string metrics_listen;
+  // Frames that take longer get a line in the log with the time of each stage, 0 … 3600000 ms;
+  // 0 = none does.
+  int slow_ms = 2000;
   // trace, debug, info, warn, error or off.
   std::string log_level = "info";
 };

@@ -4,8 +4,11 @@
 
 #include <new>
 #include <stdexcept>
+#include <string>
 
 #include "core/detector.h"
+#include "server/access/token_table.h"
+#include "server/scheduling/scheduler.h"
 
 namespace fovea::server {
 
@@ -14,11 +17,12 @@ grpc::Status StatusOfCurrentException(bool deadline_passed) {
     throw;
   } catch (const std::invalid_argument& error) {
     return {grpc::StatusCode::INVALID_ARGUMENT, error.what()};
-  } catch (const Cancelled& error) {
-    if (deadline_passed) {
-      return {grpc::StatusCode::DEADLINE_EXCEEDED, "the deadline passed before the answer"};
-    }
-    return {grpc::StatusCode::CANCELLED, error.what()};
+  } catch (const Unauthenticated& error) {
+    return {grpc::StatusCode::UNAUTHENTICATED, error.what()};
+  } catch (const Overloaded& error) {
+    return {grpc::StatusCode::RESOURCE_EXHAUSTED, error.what()};
+  } catch (const Cancelled&) {
+    return StatusOfGoneCaller(deadline_passed);
   } catch (const std::bad_alloc&) {
     return {grpc::StatusCode::RESOURCE_EXHAUSTED, "not enough memory for this frame"};
   } catch (const std::exception& error) {
@@ -27,6 +31,23 @@ grpc::Status StatusOfCurrentException(bool deadline_passed) {
     spdlog::error("internal error of unknown type");
   }
   return {grpc::StatusCode::INTERNAL, "internal error; the server's log says more"};
+}
+
+grpc::Status StatusOfGoneCaller(bool deadline_passed) {
+  if (deadline_passed) {
+    return {grpc::StatusCode::DEADLINE_EXCEEDED, "the deadline passed before the answer"};
+  }
+  return {grpc::StatusCode::CANCELLED, "the caller left"};
+}
+
+grpc::Status StatusOfStopping() {
+  return {grpc::StatusCode::UNAVAILABLE, "the server is stopping"};
+}
+
+void AddRetryAfter(std::chrono::milliseconds wait, grpc::ServerContext* context) {
+  const std::string text = std::to_string(wait.count());
+  context->AddTrailingMetadata("retry-after-ms", text);
+  context->AddTrailingMetadata("grpc-retry-pushback-ms", text);
 }
 
 const char* NameOf(grpc::StatusCode code) {
@@ -41,6 +62,8 @@ const char* NameOf(grpc::StatusCode code) {
       return "DEADLINE_EXCEEDED";
     case grpc::StatusCode::RESOURCE_EXHAUSTED:
       return "RESOURCE_EXHAUSTED";
+    case grpc::StatusCode::UNAUTHENTICATED:
+      return "UNAUTHENTICATED";
     case grpc::StatusCode::UNAVAILABLE:
       return "UNAVAILABLE";
     default:

@@ -1,14 +1,27 @@
 #pragma once
 
+#include <grpcpp/server_context.h>
 #include <grpcpp/support/status.h>
+
+#include <chrono>
 
 namespace fovea::server {
 
 // The one place where exceptions become statuses. Call it inside a catch block:
-// std::invalid_argument → INVALID_ARGUMENT, Cancelled → DEADLINE_EXCEEDED where
+// std::invalid_argument → INVALID_ARGUMENT, Unauthenticated → UNAUTHENTICATED, Overloaded →
+// RESOURCE_EXHAUSTED, Cancelled → DEADLINE_EXCEEDED where
 // `deadline_passed`, else CANCELLED, std::bad_alloc → RESOURCE_EXHAUSTED, anything else →
 // INTERNAL with the text in the log only.
 grpc::Status StatusOfCurrentException(bool deadline_passed);
+
+// Of a caller that left, or whose deadline passed.
+grpc::Status StatusOfGoneCaller(bool deadline_passed);
+
+grpc::Status StatusOfStopping();
+
+// Tells the caller when to try again: the trailing metadata `retry-after-ms`, and
+// `grpc-retry-pushback-ms`, which gRPC's own retries heed.
+void AddRetryAfter(std::chrono::milliseconds wait, grpc::ServerContext* context);
 
 // "INVALID_ARGUMENT".
 const char* NameOf(grpc::StatusCode code);

@@ -90,8 +90,7 @@ CLI::Option* AddFlag(CLI::App& command, const char* flag, std::string& value, co
 }
 
 void AddCommonFlags(CLI::App& command, DetectFlags& flags) {
-  AddFlag(command, "--server", flags.server, "HOST:PORT", "Address of the server")
-      ->capture_default_str();
+  AddConnectionFlags(command, flags.connection);
   command.add_option("--timeout", flags.timeout_s, "Longest wait for one answer")
       ->type_name("SECONDS")
       ->capture_default_str();
@@ -151,7 +150,7 @@ void AddDetectFlags(CLI::App& command, DetectFlags& flags) {
 }
 
 int RunDetect(const DetectFlags& flags) {
-  const client::Client client(flags.server);
+  const client::Client client = Connect(flags.connection);
   if (!flags.input.empty()) return DetectMany(flags, client);
   Require(flags.output.empty(), "--output needs --input: the folder to read from");
   Require(!flags.color.empty() && !flags.depth.empty(),

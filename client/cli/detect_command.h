@@ -4,13 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "client/cli/connection.h"
 #include "client/cli/outputs.h"
 
 namespace fovea::cli {
 
 // The flags of `fovea detect` as they were written.
 struct DetectFlags {
-  std::string server = "127.0.0.1:50051";
+  ConnectionFlags connection;
   double timeout_s = 30;
   std::string color, depth, intrinsics, gravity, profile, id, input, output;
   double depth_unit_m = 0.001;

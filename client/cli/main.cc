@@ -1,4 +1,5 @@
 // fovea: command-line client of a fovea server.
+#include <google/protobuf/util/json_util.h>
 #include <grpc/support/log.h>
 
 #include <CLI/CLI.hpp>
@@ -12,6 +13,8 @@
 
 namespace {
 
+using fovea::cli::ConnectionFlags;
+
 // gRPC's text about a server that is away names neither the cause nor a remedy.
 std::string Explain(const fovea::client::RpcError& error, const std::string& server) {
   if (error.code() != grpc::StatusCode::UNAVAILABLE) return error.what();
@@ -19,11 +22,22 @@ std::string Explain(const fovea::client::RpcError& error, const std::string& ser
          ")";
 }
 
-int CheckHealth(const std::string& server) {
-  if (!fovea::client::Client(server).IsServing()) {
-    throw std::runtime_error(server + " answers, but does not serve (it is stopping)");
+int CheckHealth(const ConnectionFlags& flags) {
+  if (!fovea::cli::Connect(flags).IsServing()) {
+    throw std::runtime_error(flags.server + " answers, but does not serve (it is stopping)");
   }
-  std::cout << server << " is serving\n";
+  std::cout << flags.server << " is serving\n";
+  return EXIT_SUCCESS;
+}
+
+int PrintInfo(const ConnectionFlags& flags) {
+  const fovea::client::Client client = fovea::cli::Connect(flags);
+  google::protobuf::util::JsonPrintOptions options;
+  options.add_whitespace = true;
+  std::string info, statistics;
+  MessageToJsonString(client.GetServerInfo(), &info, options);
+  MessageToJsonString(client.GetStatistics(), &statistics, options);
+  std::cout << "{\n\"server\": " << info << ",\n\"statistics\": " << statistics << "}\n";
   return EXIT_SUCCESS;
 }
 
@@ -36,11 +50,10 @@ int Run(int argc, char** argv) {
   CLI::App* detect = app.add_subcommand("detect", "Detect the objects of one frame or a folder");
   fovea::cli::AddDetectFlags(*detect, detect_flags);
 
-  std::string health_server = "127.0.0.1:50051";
+  ConnectionFlags connection;
   CLI::App* health = app.add_subcommand("health", "Ask whether the server serves");
-  health->add_option("--server", health_server, "Address of the server, HOST:PORT")
-      ->type_name("HOST:PORT")
-      ->capture_default_str();
+  CLI::App* info = app.add_subcommand("info", "Print the server's limits and statistics as JSON");
+  for (CLI::App* command : {health, info}) fovea::cli::AddConnectionFlags(*command, connection);
 
   try {
     app.parse(argc, argv);
@@ -49,11 +62,13 @@ int Run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     throw std::invalid_argument(std::string(error.what()) + " (--help lists the flags)");
   }
-  const std::string& server = *health ? health_server : detect_flags.server;
+  const ConnectionFlags& asked = *detect ? detect_flags.connection : connection;
   try {
-    return *health ? CheckHealth(health_server) : fovea::cli::RunDetect(detect_flags);
+    if (*health) return CheckHealth(connection);
+    if (*info) return PrintInfo(connection);
+    return fovea::cli::RunDetect(detect_flags);
   } catch (const fovea::client::RpcError& error) {
-    throw std::runtime_error(Explain(error, server));
+    throw std::runtime_error(Explain(error, asked.server));
   }
 }
 

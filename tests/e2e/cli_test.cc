@@ -60,6 +60,13 @@ class CliTest : public ::testing::Test {
   fs::path folder_;
 };
 
+TEST_F(CliTest, PrintsLimitsAndStatistics) {
+  const Finished info = Execute({FOVEA_CLI, "info", "--server", server_.address()});
+  EXPECT_EQ(info.exit_code, 0) << info.err;
+  EXPECT_THAT(info.out, HasSubstr("\"maxPixels\": \"2088960\""));
+  EXPECT_THAT(info.out, HasSubstr("\"uptime\": "));
+}
+
 TEST_F(CliTest, WritesEveryOutputOfAFrame) {
   const Finished finished =
       DetectFrame({"--labels", At("l.png"), "--json", At("j.json"), "--overlay", At("o.png"),

@@ -8,6 +8,7 @@
 
 #include <cstdlib>
 #include <stdexcept>
+#include <thread>
 
 namespace fovea::testing {
 namespace {
@@ -64,6 +65,15 @@ std::string Process::ReadLine() {
   std::string line;
   for (char c; read(out_, &c, 1) == 1 && c != '\n';) line += c;
   return line;
+}
+
+void Process::AwaitError(const std::string& text) const {
+  std::string seen(1 << 16, '\0');
+  while (true) {
+    const ssize_t size = pread(err_, seen.data(), seen.size(), 0);
+    if (seen.substr(0, static_cast<std::size_t>(size)).find(text) != std::string::npos) return;
+    std::this_thread::yield();
+  }
 }
 
 void Process::Signal(int number) const { kill(pid_, number); }

@@ -26,6 +26,8 @@ class Process {
 
   // The next line of stdout, without its end; empty when the child closed it.
   std::string ReadLine();
+  // Returns once stderr holds `text`.
+  void AwaitError(const std::string& text) const;
   void Signal(int number) const;
   Finished Wait();
 

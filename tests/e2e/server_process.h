@@ -1,6 +1,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/e2e/process.h"
 
@@ -9,9 +11,8 @@ namespace fovea::testing {
 // fovea-server on a free port.
 class ServerProcess {
  public:
-  ServerProcess() : process_({FOVEA_SERVER, "--listen", "127.0.0.1:0"}) {
-    line_ = process_.ReadLine();
-  }
+  explicit ServerProcess(std::vector<std::string> flags = {})
+      : process_(CommandLine(std::move(flags))), line_(process_.ReadLine()) {}
 
   // What it printed when it was ready.
   const std::string& line() const { return line_; }
@@ -19,6 +20,11 @@ class ServerProcess {
   Process& process() { return process_; }
 
  private:
+  static std::vector<std::string> CommandLine(std::vector<std::string> flags) {
+    flags.insert(flags.begin(), {FOVEA_SERVER, "--listen", "127.0.0.1:0"});
+    return flags;
+  }
+
   Process process_;
   std::string line_;
 };

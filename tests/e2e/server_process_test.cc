@@ -4,14 +4,22 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
+#include <thread>
+#include <utility>
+#include <vector>
 
 #include "client/client.h"
+#include "tests/server/frames.h"
 
 namespace fovea::testing {
 namespace {
@@ -60,6 +68,110 @@ TEST(ServerProcess, RefusesBadFlagsInOneLine) {
     EXPECT_THAT(finished.err, HasSubstr(error));
     EXPECT_EQ(std::count(finished.err.begin(), finished.err.end(), '\n'), 1) << finished.err;
   }
+}
+
+class ConfigFile {
+ public:
+  explicit ConfigFile(const std::string& text)
+      : path_(::testing::TempDir() + "fovea_config_" + std::to_string(getpid()) + ".toml") {
+    std::ofstream(path_) << text;
+  }
+  ~ConfigFile() { std::filesystem::remove(path_); }
+  const std::string& path() const { return path_; }
+
+ private:
+  const std::string path_;
+};
+
+TEST(ServerProcess, ReadsItsConfigurationFromAFile) {
+  const ConfigFile file("# ours\nlisten = \"127.0.0.1:0\"\nlog-level = \"debug\"\n");
+  Process server({FOVEA_SERVER, "--config", file.path()});
+  EXPECT_THAT(server.ReadLine(), StartsWith("listening on 127.0.0.1:"));
+}
+
+TEST(ServerProcess, ChecksItsConfiguration) {
+  const ConfigFile good("max-pixels = 1000\n");
+  const Finished valid = Execute({FOVEA_SERVER, "--check-config", "--config", good.path()});
+  EXPECT_EQ(valid.exit_code, 0) << valid.err;
+  EXPECT_EQ(valid.out, "the configuration is valid\n");
+
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"max-pixels = 0\n", "--max-pixels: 0 is not between 1 and 100000000"},
+      {"max-pixels = many\n", "max-pixels"},
+      {"max-pixel = 1000\n", "--config: unknown key: INI was not able to parse max-pixel"},
+      {"[section]\nlisten = \"127.0.0.1:0\"\n", "section"},
+      {"check-config = true\n", "check-config"}};
+  for (const auto& [text, error] : cases) {
+    const ConfigFile bad(text);
+    const Finished invalid = Execute({FOVEA_SERVER, "--check-config", "--config", bad.path()});
+    EXPECT_EQ(invalid.exit_code, 1) << text;
+    EXPECT_THAT(invalid.err, HasSubstr(error)) << text;
+  }
+  const Finished missing = Execute({FOVEA_SERVER, "--config", "/nowhere.toml"});
+  EXPECT_EQ(missing.exit_code, 1);
+  EXPECT_THAT(missing.err, HasSubstr("/nowhere.toml"));
+}
+
+TEST(ServerProcess, TheSampleConfigurationIsValid) {
+  const Finished sample = Execute(
+      {FOVEA_SERVER, "--check-config", "--config", FOVEA_SOURCE_DIR "/deploy/fovea-server.toml"});
+  EXPECT_EQ(sample.exit_code, 0) << sample.err;
+}
+
+// The hold is long: only a second signal ends it before the test's patience does.
+TEST(ServerProcess, HoldsBeforeItStops) {
+  ServerProcess server({"--hold-s", "3600"});
+  const client::Client client(server.address(), {.timeout = kPatience});
+  client.WaitUntilReady(kPatience);
+  server.process().Signal(SIGTERM);
+  while (client.IsServing()) std::this_thread::yield();
+  server.process().Signal(SIGTERM);
+  EXPECT_EQ(server.process().Wait().exit_code, 0);
+}
+
+TEST(ServerProcess, ReadsItsLogLevelAgain) {
+  const std::string path = ::testing::TempDir() + "fovea_level_" + std::to_string(getpid());
+  const auto write = [&](const char* text) { std::ofstream(path) << text; };
+  write("log-level = \"warn\"\n");
+  ServerProcess server({"--config", path, "--metrics-listen", "127.0.0.1:0"});
+  EXPECT_THAT(server.process().ReadLine(), StartsWith("metrics at http://127.0.0.1:"));
+  write("log-level = \"nonsense\"\n");
+  server.process().Signal(SIGHUP);
+  server.process().AwaitError("the configuration stays as it was: --log-level: \"nonsense\"");
+  write("log-level = \"info\"\n");
+  server.process().Signal(SIGHUP);
+  server.process().AwaitError("log level is info");
+  server.process().Signal(SIGTERM);
+  const Finished finished = server.process().Wait();
+  EXPECT_EQ(finished.exit_code, 0);
+  EXPECT_THAT(finished.err, HasSubstr("info stopping"));
+  std::filesystem::remove(path);
+}
+
+TEST(ServerProcess, IsReplacedInMidStreamAfterKill) {
+  client::ClientOptions options{.timeout = kPatience};
+  options.retry.max_attempts = 1000;
+  auto server = std::make_optional<ServerProcess>();
+  const std::string address = server->address();
+  const auto stream = client::Client(address, options).OpenResumingStream(kPatience);
+  v1::DetectStreamRequest request;
+  *request.mutable_frame() = TestFrame();
+  stream->Send(request);
+  EXPECT_EQ(stream->Receive()->lost, 0U);
+  server->process().Signal(SIGKILL);
+  server->process().Wait();
+  stream->Send(request);
+  Process replacement({FOVEA_SERVER, "--listen", address});
+  replacement.ReadLine();
+  std::atomic<bool> answered = false;
+  std::jthread sender([&] {
+    while (!answered) {
+      stream->Send(request);
+      std::this_thread::yield();
+    }
+  });
+  EXPECT_GE(stream->Receive()->lost, 1U);
+  answered = true;
 }
 
 TEST(ServerProcess, ExplainsItself) {

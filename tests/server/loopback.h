@@ -16,10 +16,17 @@ constexpr std::chrono::minutes kPatience{1};
 // A free port of this machine.
 server::ServerOptions LoopbackOptions();
 
+// Calls are made once, so that tests see what the server says to them.
+inline client::ClientOptions PatientOptions() {
+  client::ClientOptions options{.timeout = kPatience};
+  options.retry.max_attempts = 1;
+  return options;
+}
+
 struct Loopback {
   explicit Loopback(server::DetectFunction detect = fovea::Detect,
                     const server::ServerOptions& options = LoopbackOptions())
-      : server(options, std::move(detect)), client(server.Address(), {.timeout = kPatience}) {}
+      : server(options, std::move(detect)), client(server.Address(), PatientOptions()) {}
 
   server::Server server;
   client::Client client;

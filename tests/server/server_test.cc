@@ -6,17 +6,21 @@
 #include <grpcpp/generic/generic_stub.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <future>
 #include <opencv2/core.hpp>
 #include <thread>
 
 #include "grpc/health/v1/health.grpc.pb.h"
+#include "tests/server/detectors.h"
 #include "tests/server/frames.h"
 #include "tests/server/loopback.h"
+#include "tests/server/metric_value.h"
 
 namespace fovea::testing {
 namespace {
 
+using ::testing::AnyOf;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 using HealthResponse = grpc::health::v1::HealthCheckResponse;
@@ -98,7 +102,15 @@ TEST(Server, ListsItsServicesByReflection) {
   wait();
 }
 
-TEST(Server, ReportsNotServingWhenItDrains) {
+TEST(Server, ServesOnWhileItNoLongerAdvertises) {
+  Loopback loopback(FindOne);
+  loopback.server.StopAdvertising();
+  EXPECT_FALSE(loopback.client.IsServing());
+  EXPECT_NO_THROW(loopback.client.Detect(TestRequest()));
+}
+
+// Whoever only watches the health does not hold up the end.
+TEST(Server, TellsWatchersThatItDrains) {
   Loopback loopback;
   const auto channel =
       grpc::CreateChannel(loopback.server.Address(), grpc::InsecureChannelCredentials());
@@ -109,29 +121,64 @@ TEST(Server, ReportsNotServingWhenItDrains) {
   HealthResponse response;
   ASSERT_TRUE(watch->Read(&response));
   EXPECT_EQ(response.status(), HealthResponse::SERVING);
-
-  auto drained = std::async(std::launch::async, [&] { loopback.server.Drain(); });
+  loopback.server.StopAdvertising();
   ASSERT_TRUE(watch->Read(&response));
   EXPECT_EQ(response.status(), HealthResponse::NOT_SERVING);
-  context.TryCancel();
-  watch->Finish();
+  loopback.server.Drain();
+  while (watch->Read(&response)) EXPECT_EQ(response.status(), HealthResponse::NOT_SERVING);
+  EXPECT_FALSE(watch->Finish().ok());
+}
+
+TEST(Server, RefusesNewCallsWhileItDrains) {
+  Gate gate;
+  Loopback loopback(std::ref(gate));
+  auto accepted = std::async(std::launch::async, [&] { loopback.client.Detect(TestRequest()); });
+  gate.WaitUntilBegun();
+  auto drained = std::async(std::launch::async, [&] { loopback.server.Drain(); });
+  // Streams, since an idle one that was let in would be ended with the same words.
+  const grpc::Status status = StatusOf([&] { loopback.client.OpenStream(kPatience)->Receive(); });
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::UNAVAILABLE);
+  gate.Let();
+  EXPECT_NO_THROW(accepted.get());
   drained.wait();
 }
 
+// Every call that was let in is answered, however many there are when the end comes.
+TEST(Server, LosesNothingAcceptedWhenItDrainsUnderLoad) {
+  server::ServerOptions options = LoopbackOptions();
+  options.max_waiting = options.max_per_robot = 100;
+  Loopback loopback(FindOne, options);
+  std::atomic<int> num_answered = 0;
+  std::vector<std::jthread> callers;
+  callers.reserve(8);
+  for (int caller = 0; caller < 8; ++caller) {
+    callers.emplace_back([&] {
+      try {
+        while (true) {
+          loopback.client.Detect(TestRequest());
+          ++num_answered;
+        }
+      } catch (const client::RpcError& error) {
+        // gRPC cancels calls that come while it shuts down.
+        EXPECT_THAT(error.code(), AnyOf(grpc::StatusCode::UNAVAILABLE, grpc::StatusCode::CANCELLED))
+            << error.what();
+      }
+    });
+  }
+  while (num_answered < 100) std::this_thread::yield();
+  loopback.server.Drain();
+  callers.clear();
+  EXPECT_EQ(MetricValue(*loopback.server.metrics(), "fovea_objects_total"), num_answered);
+}
+
 TEST(Server, LetsACallFinishWhileItDrains) {
-  std::promise<void> started, go_on;
-  Loopback loopback([&](const RgbdFrame& frame, auto&&...) {
-    started.set_value();
-    go_on.get_future().wait();
-    Detections detections;
-    detections.labels = cv::Mat::zeros(frame.depth_m.size(), CV_16UC1);
-    return detections;
-  });
+  Gate gate;
+  Loopback loopback(std::ref(gate));
   auto answer =
       std::async(std::launch::async, [&] { return loopback.client.Detect(TestRequest()); });
-  started.get_future().wait();
+  gate.WaitUntilBegun();
   auto drained = std::async(std::launch::async, [&] { loopback.server.Drain(); });
-  go_on.set_value();
+  gate.Let();
   EXPECT_EQ(answer.get().detections().frame_id(), "frame-7");
   drained.wait();
 }
@@ -139,18 +186,11 @@ TEST(Server, LetsACallFinishWhileItDrains) {
 TEST(Server, CancelsWhatOutlastsTheDrain) {
   server::ServerOptions options = LoopbackOptions();
   options.drain_timeout_s = 0;
-  std::promise<void> started;
-  Loopback loopback(
-      [&](const RgbdFrame&, const DetectorOptions&, Trace*,
-          const std::function<bool()>& should_stop) -> Detections {
-        started.set_value();
-        while (!should_stop()) std::this_thread::yield();
-        throw Cancelled();
-      },
-      options);
+  Endless detector;
+  Loopback loopback(std::ref(detector), options);
   auto status = std::async(
       std::launch::async, [&] { return StatusOf([&] { loopback.client.Detect(TestRequest()); }); });
-  started.get_future().wait();
+  detector.started.get_future().wait();
   loopback.server.Drain();
   EXPECT_FALSE(status.get().ok());
 }

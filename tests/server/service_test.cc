@@ -12,6 +12,7 @@
 #include <thread>
 #include <utility>
 
+#include "tests/server/detectors.h"
 #include "tests/server/frames.h"
 #include "tests/server/loopback.h"
 
@@ -20,43 +21,6 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
-
-// A detector that finds one object in the frame's middle.
-Detections FindOne(const RgbdFrame& frame, const DetectorOptions&, Trace* trace,
-                   const std::function<bool()>&) {
-  Detections detections;
-  detections.labels = cv::Mat::zeros(frame.depth_m.size(), CV_16UC1);
-  DetectedObject object;
-  object.label = 1;
-  object.confidence = 0.75F;
-  object.bounds_px = {10, 8, 4, 3};
-  detections.labels(object.bounds_px).setTo(1);
-  detections.labels.at<std::uint16_t>(8, 10) = 0;
-  object.num_pixels = 11;
-  object.box.center = {0.1F, 0.2F, 1.0F};
-  object.box.size_m = {0.3F, 0.2F, 0.1F};
-  object.grasps.resize(1);
-  object.cloud.push_back(pcl::PointXYZRGB(1.0F, 2.0F, 3.0F));
-  detections.objects = {object};
-  detections.stage_times = {{"first", 1.5}};
-  if (trace != nullptr) {
-    trace->color_saliency = cv::Mat::eye(frame.depth_m.size(), CV_32FC1);
-    trace->seeds.resize(2);
-  }
-  return detections;
-}
-
-// A detector that computes until it is told to stop, and says when it began.
-struct Endless {
-  std::promise<void> started;
-
-  Detections operator()(const RgbdFrame&, const DetectorOptions&, Trace*,
-                        const std::function<bool()>& should_stop) {
-    started.set_value();
-    while (!should_stop()) std::this_thread::yield();
-    throw Cancelled();
-  }
-};
 
 // A detector that hands its frame to the test.
 class Recorder {
@@ -80,7 +44,7 @@ class Recorder {
   RgbdFrame frame_;
 };
 
-TEST(Detect, EchoesTheFrameAndStartsStageTimesWithDecoding) {
+TEST(Detect, EchoesTheFrameAndStartsStageTimesWithQueueAndDecoding) {
   Loopback loopback(FindOne);
   v1::DetectRequest request = TestRequest();
   request.mutable_frame()->mutable_captured_at()->set_seconds(1234);
@@ -90,9 +54,10 @@ TEST(Detect, EchoesTheFrameAndStartsStageTimesWithDecoding) {
   EXPECT_EQ(answer.profile(), "default");
   EXPECT_EQ(answer.width(), std::uint32_t{kWidth});
   EXPECT_EQ(answer.height(), std::uint32_t{kHeight});
-  ASSERT_EQ(answer.stage_times_size(), 2);
-  EXPECT_EQ(answer.stage_times(0).stage(), "decode");
-  EXPECT_EQ(answer.stage_times(1).duration().nanos(), 1'500'000);
+  ASSERT_EQ(answer.stage_times_size(), 3);
+  EXPECT_EQ(answer.stage_times(0).stage(), "queue");
+  EXPECT_EQ(answer.stage_times(1).stage(), "decode");
+  EXPECT_EQ(answer.stage_times(2).duration().nanos(), 1'500'000);
   ASSERT_EQ(answer.objects_size(), 1);
   EXPECT_EQ(answer.objects(0).id(), "frame-7/1");
 }
@@ -192,10 +157,10 @@ TEST(Detect, StopsWhenTheCallerLeaves) {
   loopback.server.Drain();
 }
 
-TEST(Detect, WaitsForASlotOnlyAsLongAsTheDeadline) {
+TEST(Detect, WaitsForItsTurnOnlyAsLongAsTheDeadline) {
   Endless detector;
   server::ServerOptions options = LoopbackOptions();
-  options.max_concurrent = 1;
+  options.compute_threads = 1;
   Loopback loopback(std::ref(detector), options);
   const auto stream = loopback.client.OpenStream(kPatience);
   v1::DetectStreamRequest request;
@@ -223,7 +188,10 @@ TEST(Detect, TurnsExceptionsIntoStatuses) {
 }
 
 TEST(Detect, ServesManyCallersAtOnce) {
-  Loopback loopback(FindOne);
+  server::ServerOptions options = LoopbackOptions();
+  options.max_waiting = 8;
+  options.max_per_robot = 8;
+  Loopback loopback(FindOne, options);
   std::vector<std::future<int>> counts;
   counts.reserve(8);
   for (int caller = 0; caller < 8; ++caller) {
@@ -236,48 +204,6 @@ TEST(Detect, ServesManyCallersAtOnce) {
     }));
   }
   for (auto& count : counts) EXPECT_EQ(count.get(), 20);
-}
-
-TEST(DetectStream, AnswersInOrderAndOutlivesBadFrames) {
-  Loopback loopback(FindOne);
-  const auto stream = loopback.client.OpenStream(kPatience);
-  const std::vector<bool> good{true, false, true, false, false, true};
-  for (std::size_t i = 0; i < good.size(); ++i) {
-    v1::DetectStreamRequest request;
-    *request.mutable_frame() = TestFrame();
-    request.mutable_frame()->set_id(std::to_string(i));
-    if (!good[i]) request.mutable_frame()->clear_depth();
-    ASSERT_TRUE(stream->Send(request));
-  }
-  stream->DoneSending();
-  for (std::size_t i = 0; i < good.size(); ++i) {
-    SCOPED_TRACE(i);
-    const auto response = stream->Receive();
-    ASSERT_TRUE(response);
-    EXPECT_EQ(response->sequence(), i);
-    EXPECT_EQ(response->frame_id(), std::to_string(i));
-    EXPECT_EQ(response->has_detections(), good[i]);
-    if (good[i]) continue;
-    EXPECT_EQ(response->error().code(), grpc::StatusCode::INVALID_ARGUMENT);
-    EXPECT_THAT(response->error().message(), StartsWith("frame.depth: "));
-  }
-  EXPECT_FALSE(stream->Receive());
-}
-
-TEST(DetectStream, KeepsTheLastOptions) {
-  Loopback loopback(FindOne);
-  const auto stream = loopback.client.OpenStream(kPatience);
-  const auto masks_after = [&](const std::function<void(v1::DetectStreamRequest&)>& change) {
-    v1::DetectStreamRequest request;
-    *request.mutable_frame() = TestFrame();
-    change(request);
-    stream->Send(request);
-    return stream->Receive()->detections().objects(0).has_mask();
-  };
-  EXPECT_FALSE(masks_after([](auto&) {}));
-  EXPECT_TRUE(masks_after([](auto& r) { r.mutable_options()->set_return_masks(true); }));
-  EXPECT_TRUE(masks_after([](auto&) {}));
-  EXPECT_FALSE(masks_after([](auto& r) { r.mutable_options(); }));
 }
 
 }  // namespace

@@ -1,0 +1,21 @@
+// How the command line reaches its server.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+
+#include "client/client.h"
+
+namespace fovea::cli {
+
+struct ConnectionFlags {
+  std::string server = "127.0.0.1:50051";
+  std::string tls_ca, tls_cert, tls_key, token_file, robot;
+};
+
+void AddConnectionFlags(CLI::App& command, ConnectionFlags& flags);
+
+// Throws std::runtime_error for files that cannot be read.
+client::Client Connect(const ConnectionFlags& flags);
+
+}  // namespace fovea::cli

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+namespace fovea::client {
+
+// PEM texts, not paths.
+struct TlsOptions {
+  // Whom to trust; empty = the authorities of this machine.
+  std::string root_certificates;
+  // What the server asks for with mutual TLS; both or none.
+  std::string certificate_chain, private_key;
+};
+
+// Calls are tried again where that is safe and promises something: when the server was away, was
+// stopping, or had too much to do and said when to come back.
+struct RetryOptions {
+  int max_attempts = 5;  // 1 = never again
+  // Before the second attempt; doubles with each, up to the maximum. The real wait is random
+  // between half of it and all of it, so that robots do not come back all at once.
+  std::chrono::milliseconds backoff{50}, max_backoff{2000};
+};
+
+struct ClientOptions {
+  // Of a call that is given none.
+  std::chrono::milliseconds timeout{10'000};
+  RetryOptions retry = {};
+  // Largest answer; the clouds of a 1920x1080 frame are 31 MiB.
+  int max_answer_mib = 64;
+  // Encrypts where it is given.
+  std::optional<TlsOptions> tls = std::nullopt;
+  // Sent as `authorization: Bearer …`; empty = none. Without TLS anybody on the way can read it.
+  std::string token = {};
+  // The robot's name, sent as `fovea-robot`; empty = the server goes by the host.
+  std::string robot = {};
+};
+
+}  // namespace fovea::client

@@ -1,0 +1,85 @@
+#include "client/resuming_stream.h"
+
+#include <thread>
+#include <utility>
+
+#include "client/retry.h"
+#include "client/rpc_error.h"
+
+namespace fovea::client {
+
+ResumingStream::ResumingStream(std::shared_ptr<v1::DetectionService::Stub> stub,
+                               ClientOptions options, std::chrono::milliseconds timeout)
+    : stub_(std::move(stub)),
+      options_(std::move(options)),
+      deadline_(Clock::now() + timeout),
+      stream_(Open()) {}
+
+void ResumingStream::Send(const v1::DetectStreamRequest& request) {
+  const std::lock_guard lock(mutex_);
+  ++num_sent_;
+  if (request.has_options()) last_options_ = request.options();
+  if (!std::exchange(repeat_options_, false) || request.has_options()) {
+    stream_->Send(request);
+    return;
+  }
+  v1::DetectStreamRequest with_options = request;
+  *with_options.mutable_options() = last_options_;
+  stream_->Send(with_options);
+}
+
+void ResumingStream::DoneSending() {
+  const std::lock_guard lock(mutex_);
+  done_ = true;
+  stream_->DoneSending();
+}
+
+std::optional<ResumingStream::Answer> ResumingStream::Receive() {
+  while (true) {
+    const std::shared_ptr<DetectStream> current = stream();
+    try {
+      auto response = current->Receive();
+      if (!response) return std::nullopt;
+      return Account(std::move(*response));
+    } catch (const RpcError&) {
+      Resume(*current);
+    }
+  }
+}
+
+std::shared_ptr<DetectStream> ResumingStream::stream() const {
+  const std::lock_guard lock(mutex_);
+  return stream_;
+}
+
+ResumingStream::Answer ResumingStream::Account(v1::DetectStreamResponse response) {
+  failures_ = 0;
+  // first_of_stream_ changes in this thread only.
+  response.set_sequence(response.sequence() + first_of_stream_);
+  next_expected_ = response.sequence() + 1;
+  return {std::move(response), std::exchange(num_lost_, 0)};
+}
+
+void ResumingStream::Resume(const DetectStream& broken) {
+  if (failures_++ == 0) broken_since_ = Clock::now();
+  const auto wait = BackoffAfter(failures_, options_.retry, broken.context());
+  const Clock::time_point now = Clock::now();
+  const bool too_late = now + wait >= deadline_ || now - broken_since_ >= options_.timeout;
+  if (too_late || !IsWorthRetrying(*broken.status(), broken.context())) throw;
+  std::this_thread::sleep_for(wait);
+
+  const std::lock_guard lock(mutex_);
+  num_lost_ += num_sent_ - next_expected_;
+  next_expected_ = first_of_stream_ = num_sent_;
+  stream_ = Open();
+  repeat_options_ = true;
+  if (done_) stream_->DoneSending();
+}
+
+std::shared_ptr<DetectStream> ResumingStream::Open() {
+  return std::make_shared<DetectStream>(
+      *stub_, options_,
+      std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - Clock::now()));
+}
+
+}  // namespace fovea::client

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "client/client_options.h"
+#include "client/detect_stream.h"
+#include "fovea/v1/detection_service.grpc.pb.h"
+
+namespace fovea::client {
+
+// A DetectStream that is opened again when it breaks, for example because the server was killed
+// and started again; Client::OpenResumingStream makes it. One thread may send while another
+// receives.
+class ResumingStream {
+ public:
+  struct Answer {
+    // Its `sequence` counts on over all connections, so it is the number of the frame sent.
+    v1::DetectStreamResponse response;
+    // Frames since the last answer that were sent into a connection that broke, and get no answer.
+    std::uint64_t lost = 0;
+  };
+
+  ResumingStream(std::shared_ptr<v1::DetectionService::Stub> stub, ClientOptions options,
+                 std::chrono::milliseconds timeout);
+
+  // While the connection is broken the frame is lost.
+  void Send(const v1::DetectStreamRequest& request);
+  void DoneSending();
+
+  // The next answer. Empty at the end, after DoneSending(). Throws RpcError where trying again
+  // would bring nothing, where no frame has been answered for ClientOptions::timeout since the
+  // stream broke, and where its time is over.
+  std::optional<Answer> Receive();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::shared_ptr<DetectStream> stream() const;
+  Answer Account(v1::DetectStreamResponse response);
+  // Waits and opens a new stream; rethrows the error where that is not worth it.
+  void Resume(const DetectStream& broken);
+  std::shared_ptr<DetectStream> Open();
+
+  const std::shared_ptr<v1::DetectionService::Stub> stub_;
+  const ClientOptions options_;
+  const Clock::time_point deadline_;
+
+  mutable std::mutex mutex_;
+  std::shared_ptr<DetectStream> stream_;
+  v1::DetectOptions last_options_;
+  bool repeat_options_ = false;  // the new stream does not know them yet
+  bool done_ = false;
+  std::uint64_t num_sent_ = 0, first_of_stream_ = 0;
+
+  // Only of the receiving thread.
+  std::uint64_t next_expected_ = 0;  // number of the first frame whose fate is not known
+  std::uint64_t num_lost_ = 0;
+  int failures_ = 0;
+  Clock::time_point broken_since_;
+};
+
+}  // namespace fovea::client

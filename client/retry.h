@@ -1,0 +1,24 @@
+#pragma once
+
+#include <grpcpp/client_context.h>
+
+#include <chrono>
+#include <functional>
+
+#include "client/client_options.h"
+
+namespace fovea::client {
+
+// Whether a call that ended so may be made again. Detection changes nothing on the server, so that
+// only matters for what it would bring.
+bool IsWorthRetrying(const grpc::Status& status, const grpc::ClientContext& context);
+
+// How long to wait before attempt `attempt` + 1 (the first is 1).
+std::chrono::milliseconds BackoffAfter(int attempt, const RetryOptions& options,
+                                       const grpc::ClientContext& context);
+
+// Makes the call, again if need be and while the deadline allows. Returns the last status.
+grpc::Status CallWithRetries(const ClientOptions& options, std::chrono::milliseconds timeout,
+                             const std::function<grpc::Status(grpc::ClientContext*)>& call);
+
+}  // namespace fovea::client

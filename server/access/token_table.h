@@ -1,0 +1,43 @@
+// Who may call: robots by the hash of their token.
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace fovea::server {
+
+// Thrown for callers that are not let in.
+class Unauthenticated : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+class TokenTable {
+ public:
+  // In whole seconds, since years beyond 2262 do not fit the nanoseconds of a time_point.
+  using Time = std::chrono::sys_seconds;
+
+  // Reads lines of `ROBOT SHA256 [EXPIRES]`: a name of 1 to 64 printable characters without spaces,
+  // the SHA-256 of its token in 64 hexadecimal digits, and when it ends, as 2027-01-31T12:00:00Z.
+  // Empty lines and those that start with # are skipped. A robot may have several tokens.
+  // Throws std::invalid_argument that names the line, std::runtime_error where there is no file.
+  static TokenTable FromFile(const std::string& path);
+
+  // The robot that has this token. Throws Unauthenticated for one that is not known or has expired.
+  const std::string& RobotOf(std::string_view token, Time now) const;
+
+ private:
+  struct Entry {
+    std::string robot;
+    Time expires = Time::max();
+  };
+
+  void Add(const std::string& line);
+
+  std::map<std::string, Entry> by_hash_;
+};
+
+}  // namespace fovea::server

@@ -1,0 +1,55 @@
+// What both RPCs do with a frame: decode, detect, convert, log, count.
+#pragma once
+
+#include <grpcpp/support/status.h>
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+
+#include "core/detector.h"
+#include "fovea/v1/detection.pb.h"
+#include "fovea/v1/frame.pb.h"
+#include "server/server_options.h"
+
+namespace fovea::server {
+
+// Has the contract of fovea::Detect; tests put their own here.
+using DetectFunction = std::function<Detections(const RgbdFrame&, const DetectorOptions&, Trace*,
+                                                const std::function<bool()>& should_stop)>;
+
+class Caller;
+class Metrics;
+
+// One frame that is to be answered; null where the request has none.
+struct FrameRequest {
+  const v1::Frame* frame = nullptr;
+  const v1::DetectOptions* options = nullptr;
+  std::chrono::steady_clock::time_point received;
+};
+
+// Thread-safe.
+class FrameAnswerer {
+ public:
+  // `metrics` must outlive it.
+  FrameAnswerer(DetectFunction detect, const ServerOptions& options, Metrics& metrics);
+
+  // Fills `answer` where the status is OK. Stops between two stages once the caller is gone.
+  grpc::Status Answer(const FrameRequest& request, const Caller& caller,
+                      v1::Detections* answer) const;
+
+  // Logs and counts a frame that is answered without being looked at.
+  void Refuse(const FrameRequest& request, const Caller& caller, const grpc::Status& status) const;
+
+ private:
+  void Record(const FrameRequest& request, const Caller& caller, const grpc::Status& status,
+              const Detections& detections) const;
+  Detections Compute(const FrameRequest& request, const Caller& caller, Trace* trace) const;
+
+  const DetectFunction detect_;
+  const std::uint64_t max_pixels_;
+  const std::chrono::milliseconds slow_;
+  Metrics& metrics_;
+};
+
+}  // namespace fovea::server

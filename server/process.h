@@ -1,0 +1,15 @@
+// What is set once for the whole process.
+#pragma once
+
+#include <string>
+
+namespace fovea::server {
+
+// To stderr. `level`: trace, debug, info, warn, error or off.
+void SetUpLogging(const std::string& level);
+void SetLogLevel(const std::string& level);
+
+// Memory and threads for many detections side by side.
+void SetUpProcess();
+
+}  // namespace fovea::server

@@ -1,0 +1,35 @@
+#include "server/rpc/caller.h"
+
+#include <chrono>
+#include <utility>
+
+#include "server/rpc/call_names.h"
+#include "server/status.h"
+
+namespace fovea::server {
+
+Caller::Caller(grpc::ServerContext* context) : context_(context) {
+  context_->AsyncNotifyWhenDone(&done_);
+}
+
+void Caller::Begin(std::function<void()> on_gone) {
+  done_.then = [this, on_gone = std::move(on_gone)](bool) {
+    if (!context_->IsCancelled()) return;
+    gone_ = true;
+    on_gone();
+  };
+}
+
+void Caller::Identify(const GateKeeper& gate_keeper) {
+  robot_ = gate_keeper.Admit(*context_);
+  request_id_ = RequestId(context_->client_metadata());
+  context_->AddTrailingMetadata(kRequestIdKey, request_id_);
+}
+
+bool Caller::DeadlinePassed() const {
+  return std::chrono::system_clock::now() >= context_->deadline();
+}
+
+grpc::Status Caller::StatusOfGone() const { return StatusOfGoneCaller(DeadlinePassed()); }
+
+}  // namespace fovea::server

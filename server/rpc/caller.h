@@ -1,0 +1,45 @@
+// Who called, and whether anybody still waits for the answer.
+#pragma once
+
+#include <grpcpp/server_context.h>
+
+#include <atomic>
+#include <functional>
+#include <string>
+
+#include "server/access/gate_keeper.h"
+#include "server/rpc/event_loop.h"
+
+namespace fovea::server {
+
+class Caller {
+ public:
+  // Before the call is asked for: gRPC wants to know by then that it shall tell of its end.
+  explicit Caller(grpc::ServerContext* context);
+
+  // The call has begun. `on_gone` is called on the event loop's thread if the caller leaves or its
+  // deadline passes before the answer; it is kept until the call's end and no longer.
+  void Begin(std::function<void()> on_gone);
+
+  // Finds out the following two. Throws Unauthenticated where the caller may not call, and
+  // std::invalid_argument where the names that it chose will not do.
+  void Identify(const GateKeeper& gate_keeper);
+  // Whose turn the call takes.
+  const std::string& robot() const { return robot_; }
+  const std::string& request_id() const { return request_id_; }
+
+  // Whether to give up. From any thread.
+  bool IsGone() const { return gone_ || DeadlinePassed(); }
+  bool DeadlinePassed() const;
+
+  // CANCELLED or DEADLINE_EXCEEDED.
+  grpc::Status StatusOfGone() const;
+
+ private:
+  grpc::ServerContext* const context_;
+  std::atomic<bool> gone_ = false;
+  Event done_;
+  std::string robot_, request_id_;
+};
+
+}  // namespace fovea::server

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <grpcpp/server_context.h>
+#include <grpcpp/support/async_unary_call.h>
+
+#include <memory>
+
+#include "server/rpc/caller.h"
+#include "server/rpc/detection_service.h"
+
+namespace fovea::server {
+
+// One call of Detect. Lives as long as an operation or its turn refers to it.
+class DetectCall : public std::enable_shared_from_this<DetectCall> {
+ public:
+  // Waits for a call, and for the next one when that came.
+  static void Accept(const CallEnvironment& environment);
+
+  explicit DetectCall(const CallEnvironment& environment);
+
+ private:
+  void OnRequest();
+  void Deliver();
+  void OnGone();
+  void Refuse(const grpc::Status& status);
+  FrameRequest Request() const;
+
+  const CallEnvironment& environment_;
+  const LiveCalls::Token token_;
+  LiveCalls::Token begun_;
+  grpc::ServerContext context_;
+  Caller caller_{&context_};
+  grpc::ServerAsyncResponseWriter<v1::DetectResponse> responder_{&context_};
+  v1::DetectRequest request_;
+  v1::DetectResponse response_;
+  grpc::Status status_;
+  std::chrono::steady_clock::time_point received_;
+  Scheduler::Ticket ticket_ = 0;
+};
+
+}  // namespace fovea::server

@@ -1,0 +1,39 @@
+#include "server/rpc/detection_service.h"
+
+#include <utility>
+
+#include "server/status.h"
+#include "server/watching/statistics.h"
+
+namespace fovea::server {
+
+DetectionService::DetectionService(v1::GetServerInfoResponse info, const Metrics& metrics,
+                                   const GateKeeper& gate_keeper)
+    : info_(std::move(info)), metrics_(metrics), gate_keeper_(gate_keeper) {}
+
+grpc::Status DetectionService::GetServerInfo(grpc::ServerContext* context,
+                                             const v1::GetServerInfoRequest* /*request*/,
+                                             v1::GetServerInfoResponse* response) {
+  return IfAdmitted(*context, [&] { *response = info_; });
+}
+
+grpc::Status DetectionService::GetStatistics(grpc::ServerContext* context,
+                                             const v1::GetStatisticsRequest* /*request*/,
+                                             v1::GetStatisticsResponse* response) {
+  return IfAdmitted(*context, [&] {
+    *response = StatisticsOf(metrics_.Collect(), std::chrono::steady_clock::now() - started_);
+  });
+}
+
+grpc::Status DetectionService::IfAdmitted(const grpc::ServerContext& context,
+                                          const std::function<void()>& answer) const {
+  try {
+    gate_keeper_.Admit(context);
+    answer();
+    return grpc::Status::OK;
+  } catch (...) {
+    return StatusOfCurrentException(/*deadline_passed=*/false);
+  }
+}
+
+}  // namespace fovea::server

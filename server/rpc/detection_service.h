@@ -1,0 +1,55 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+
+#include "fovea/v1/detection_service.grpc.pb.h"
+#include "server/access/gate_keeper.h"
+#include "server/access/stream_places.h"
+#include "server/frame_answerer.h"
+#include "server/rpc/live_calls.h"
+#include "server/scheduling/scheduler.h"
+#include "server/watching/metrics.h"
+
+namespace fovea::server {
+
+// Frames are answered asynchronously, so that what waits holds no thread. Streams come as raw
+// bytes: a message that cannot be parsed shall not end them.
+using AsyncDetectionService = v1::DetectionService::WithAsyncMethod_Detect<
+    v1::DetectionService::WithRawMethod_DetectStream<v1::DetectionService::Service>>;
+
+// The RPCs that compute nothing; DetectCall and StreamCall are the others.
+class DetectionService final : public AsyncDetectionService {
+ public:
+  // `info` is what GetServerInfo answers. The others must outlive it.
+  DetectionService(v1::GetServerInfoResponse info, const Metrics& metrics,
+                   const GateKeeper& gate_keeper);
+
+  grpc::Status GetServerInfo(grpc::ServerContext* context, const v1::GetServerInfoRequest* request,
+                             v1::GetServerInfoResponse* response) override;
+  grpc::Status GetStatistics(grpc::ServerContext* context, const v1::GetStatisticsRequest* request,
+                             v1::GetStatisticsResponse* response) override;
+
+ private:
+  grpc::Status IfAdmitted(const grpc::ServerContext& context,
+                          const std::function<void()>& answer) const;
+
+  const v1::GetServerInfoResponse info_;
+  const Metrics& metrics_;
+  const GateKeeper& gate_keeper_;
+  const std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+};
+
+// What a call works with; outlives all calls.
+struct CallEnvironment {
+  DetectionService& service;
+  grpc::ServerCompletionQueue* queue;
+  Scheduler& scheduler;
+  const FrameAnswerer& answerer;
+  LiveCalls& live_calls;
+  Metrics& metrics;
+  const GateKeeper& gate_keeper;
+  StreamPlaces& stream_places;
+};
+
+}  // namespace fovea::server

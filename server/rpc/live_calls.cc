@@ -1,0 +1,50 @@
+#include "server/rpc/live_calls.h"
+
+#include <utility>
+#include <vector>
+
+namespace fovea::server {
+
+LiveCalls::Token LiveCalls::Enter() {
+  const std::lock_guard lock(mutex_);
+  ++num_entered_;
+  return {this, [](LiveCalls* calls) {
+            const std::lock_guard inner(calls->mutex_);
+            --calls->num_entered_;
+            calls->changed_.notify_all();
+          }};
+}
+
+LiveCalls::Token LiveCalls::Begin(std::function<void()> on_stop) {
+  const std::lock_guard lock(mutex_);
+  if (stopping_) return nullptr;
+  const int id = ++last_id_;
+  begun_.emplace(id, std::move(on_stop));
+  return {this, [id](LiveCalls* calls) {
+            const std::lock_guard inner(calls->mutex_);
+            calls->begun_.erase(id);
+            calls->changed_.notify_all();
+          }};
+}
+
+void LiveCalls::Stop() {
+  std::vector<std::function<void()>> on_stops;
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+    for (const auto& [id, on_stop] : begun_) on_stops.push_back(on_stop);
+  }
+  for (const auto& on_stop : on_stops) on_stop();
+}
+
+void LiveCalls::WaitUntilIdle(std::chrono::steady_clock::time_point deadline) {
+  std::unique_lock lock(mutex_);
+  changed_.wait_until(lock, deadline, [this] { return begun_.empty(); });
+}
+
+void LiveCalls::WaitUntilNone() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return num_entered_ == 0; });
+}
+
+}  // namespace fovea::server

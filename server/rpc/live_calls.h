@@ -1,0 +1,38 @@
+// The calls that are under way, so that the server can end them and wait for the last.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+
+namespace fovea::server {
+
+class LiveCalls {
+ public:
+  // A call holds these as long as it lives.
+  using Token = std::shared_ptr<void>;
+
+  // For one that is waited for.
+  Token Enter();
+  // For one that has begun; null once the server stops. `on_stop` is called by Stop().
+  Token Begin(std::function<void()> on_stop);
+
+  // No more calls begin.
+  void Stop();
+  // Until no call is left that has begun, or the time has come.
+  void WaitUntilIdle(std::chrono::steady_clock::time_point deadline);
+  void WaitUntilNone();
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  int num_entered_ = 0;
+  bool stopping_ = false;
+  int last_id_ = 0;
+  std::map<int, std::function<void()>> begun_;
+};
+
+}  // namespace fovea::server

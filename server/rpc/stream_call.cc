@@ -1,0 +1,184 @@
+#include "server/rpc/stream_call.h"
+
+#include <grpcpp/impl/codegen/proto_utils.h>
+
+#include <utility>
+
+#include "server/status.h"
+
+namespace fovea::server {
+namespace {
+
+template <typename Message>
+grpc::Status Parse(grpc::ByteBuffer* bytes, Message* message) {
+  if (grpc::SerializationTraits<Message>::Deserialize(bytes, message).ok()) return {};
+  return {grpc::StatusCode::INVALID_ARGUMENT, "the message is not a DetectStreamRequest"};
+}
+
+template <typename Message>
+grpc::ByteBuffer BytesOf(const Message& message) {
+  grpc::ByteBuffer bytes;
+  bool own_buffer = false;
+  grpc::SerializationTraits<Message>::Serialize(message, &bytes, &own_buffer);
+  return bytes;
+}
+
+void SetError(const grpc::Status& status, v1::DetectStreamResponse* response) {
+  response->mutable_error()->set_code(status.error_code());
+  response->mutable_error()->set_message(status.error_message());
+}
+
+}  // namespace
+
+void StreamCall::Accept(const CallEnvironment& environment) {
+  const auto call = std::make_shared<StreamCall>(environment);
+  environment.service.RequestDetectStream(&call->context_, &call->stream_, environment.queue,
+                                          environment.queue, Then([call, &environment](bool ok) {
+                                            if (!ok) return;  // the server stops
+                                            Accept(environment);
+                                            call->OnRequest();
+                                          }));
+}
+
+StreamCall::StreamCall(const CallEnvironment& environment)
+    : environment_(environment), token_(environment.live_calls.Enter()) {}
+
+StreamCall::~StreamCall() {
+  if (place_) environment_.metrics.OnStreams(-1);
+}
+
+void StreamCall::OnRequest() {
+  caller_.Begin([self = shared_from_this()] { self->OnGone(); });
+  const std::lock_guard lock(mutex_);
+  try {
+    Open();
+  } catch (const Overloaded& full) {
+    AddRetryAfter(full.retry_after, &context_);
+    Finish(StatusOfCurrentException(/*deadline_passed=*/false));
+  } catch (...) {
+    Finish(StatusOfCurrentException(/*deadline_passed=*/false));
+  }
+}
+
+void StreamCall::Open() {
+  caller_.Identify(environment_.gate_keeper);
+  begun_ = environment_.live_calls.Begin([weak = weak_from_this()] {
+    if (const auto self = weak.lock()) self->End();
+  });
+  if (!begun_) {
+    Finish(StatusOfStopping());
+    return;
+  }
+  place_ = environment_.stream_places.Take(caller_.robot());
+  environment_.metrics.OnStreams(1);
+  Read();
+}
+
+void StreamCall::Read() {
+  stream_.Read(&bytes_, Then([self = shared_from_this()](bool ok) {
+    if (ok) {
+      self->OnRead();
+      return;
+    }
+    const std::lock_guard lock(self->mutex_);
+    self->no_more_ = true;
+    self->Proceed();
+  }));
+}
+
+void StreamCall::OnRead() {
+  Received received;
+  received.at = std::chrono::steady_clock::now();
+  environment_.metrics.OnReceived(caller_.robot(), bytes_.Length());
+  received.error = Parse(&bytes_, &received.request);
+  bytes_.Clear();
+  const std::lock_guard lock(mutex_);
+  if (received.request.has_options()) options_ = received.request.options();
+  *received.request.mutable_options() = options_;
+  received.sequence = num_received_++;
+  if (newest_) {
+    ++num_dropped_;
+    environment_.metrics.OnDropped();
+  }
+  newest_ = std::move(received);
+  Proceed();
+  if (!finished_) Read();
+}
+
+void StreamCall::OnGone() {
+  const std::lock_guard lock(mutex_);
+  // Work that has begun stops by itself.
+  if (busy_ && environment_.scheduler.Withdraw(caller_.robot(), ticket_)) busy_ = false;
+  Proceed();
+}
+
+void StreamCall::OnWritten(bool ok) {
+  const std::lock_guard lock(mutex_);
+  busy_ = false;
+  broken_ = !ok;
+  Proceed();
+}
+
+void StreamCall::End() {
+  const std::lock_guard lock(mutex_);
+  ending_ = true;
+  Proceed();
+}
+
+void StreamCall::Proceed() {
+  if (finished_ || busy_) return;
+  if (broken_ || caller_.IsGone()) {
+    Finish(caller_.StatusOfGone());
+  } else if (ending_) {
+    Finish(StatusOfStopping());
+  } else if (newest_) {
+    TakeTurn();
+  } else if (no_more_) {
+    Finish(grpc::Status::OK);
+  }
+}
+
+void StreamCall::TakeTurn() {
+  busy_ = true;
+  const auto self = shared_from_this();
+  ticket_ = environment_.scheduler.SubmitTurn(
+      caller_.robot(),
+      {.compute = [self] { self->Compute(); }, .deliver = [self] { self->Deliver(); }});
+}
+
+void StreamCall::Deliver() {
+  const grpc::ByteBuffer bytes = BytesOf(response_);
+  environment_.metrics.OnSent(bytes.Length());
+  stream_.Write(bytes, Then([self = shared_from_this()](bool ok) { self->OnWritten(ok); }));
+}
+
+void StreamCall::Compute() {
+  Received received;
+  response_.Clear();
+  {
+    const std::lock_guard lock(mutex_);
+    received = std::move(*newest_);
+    newest_.reset();
+    response_.set_dropped(std::exchange(num_dropped_, 0));
+  }
+  const v1::DetectStreamRequest& request = received.request;
+  response_.set_frame_id(request.frame().id());
+  response_.set_sequence(received.sequence);
+  const FrameRequest frame{.frame = request.has_frame() ? &request.frame() : nullptr,
+                           .options = &request.options(),
+                           .received = received.at};
+  grpc::Status status = received.error;
+  if (status.ok()) {
+    status = environment_.answerer.Answer(frame, caller_, response_.mutable_detections());
+  } else {
+    environment_.answerer.Refuse(frame, caller_, status);
+  }
+  if (!status.ok()) SetError(status, &response_);
+}
+
+void StreamCall::Finish(const grpc::Status& status) {
+  finished_ = true;
+  stream_.Finish(status, Then([self = shared_from_this()](bool) {}));
+}
+
+}  // namespace fovea::server

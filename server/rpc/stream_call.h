@@ -1,0 +1,72 @@
+#pragma once
+
+#include <grpcpp/server_context.h>
+#include <grpcpp/support/async_stream.h>
+#include <grpcpp/support/byte_buffer.h>
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "server/rpc/caller.h"
+#include "server/rpc/detection_service.h"
+
+namespace fovea::server {
+
+// One call of DetectStream. One frame is worked on, the newest one waits, those in between are
+// dropped: it reads all the time, and when its turn comes takes what came last.
+class StreamCall : public std::enable_shared_from_this<StreamCall> {
+ public:
+  // Waits for a stream, and for the next one when that came.
+  static void Accept(const CallEnvironment& environment);
+
+  explicit StreamCall(const CallEnvironment& environment);
+  ~StreamCall();
+
+ private:
+  // A frame as it came, or why its message cannot be understood.
+  struct Received {
+    v1::DetectStreamRequest request;
+    grpc::Status error;
+    std::uint64_t sequence = 0;
+    std::chrono::steady_clock::time_point at;
+  };
+
+  void OnRequest();
+  void Open();  // mutex_ is held
+  void Read();
+  void OnRead();
+  void OnGone();
+  void OnWritten(bool ok);
+  void End();  // by the server
+  void Deliver();
+  void Compute();   // the newest frame into response_
+  void Proceed();   // whatever comes next; mutex_ is held
+  void TakeTurn();  // mutex_ is held
+  void Finish(const grpc::Status& status);
+
+  const CallEnvironment& environment_;
+  const LiveCalls::Token token_;
+  LiveCalls::Token begun_;
+  StreamPlaces::Place place_;
+  grpc::ServerContext context_;
+  Caller caller_{&context_};
+  grpc::ServerAsyncReaderWriter<grpc::ByteBuffer, grpc::ByteBuffer> stream_{&context_};
+  grpc::ByteBuffer bytes_;             // of the message that is being read
+  v1::DetectStreamResponse response_;  // of the frame that is worked on
+
+  std::mutex mutex_;
+  v1::DetectOptions options_;       // the last ones given
+  std::optional<Received> newest_;  // waits
+  std::uint64_t num_received_ = 0;
+  std::uint64_t num_dropped_ = 0;  // since the last frame that was taken
+  Scheduler::Ticket ticket_ = 0;
+  bool busy_ = false;     // waits for its turn, computes or writes
+  bool no_more_ = false;  // the caller sends no more frames
+  bool ending_ = false;   // the server is stopping
+  bool broken_ = false;   // an answer could not be sent
+  bool finished_ = false;
+};
+
+}  // namespace fovea::server

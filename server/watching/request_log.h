@@ -1,0 +1,27 @@
+#pragma once
+
+#include <grpcpp/support/status.h>
+
+#include <chrono>
+#include <string>
+
+#include "core/types/detections.h"
+
+namespace fovea::server {
+
+// What there is to say of a frame that has been answered.
+struct FrameRecord {
+  const std::string& request_id;
+  const std::string& robot;
+  const std::string& frame_id;
+  const grpc::Status& status;
+  const Detections& detections;  // empty where the status is not OK
+  std::chrono::steady_clock::duration took{};
+};
+
+// One line of key=value per frame: at info what was found, at warning what went wrong; a second one
+// with the time of each stage where it took longer than `slow` (0: never). What came from outside
+// is quoted, escaped and shortened.
+void LogFrame(const FrameRecord& record, std::chrono::milliseconds slow);
+
+}  // namespace fovea::server

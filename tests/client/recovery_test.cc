@@ -1,0 +1,138 @@
+// What a client does when its server is busy, gone or back.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <optional>
+
+#include "client/client.h"
+#include "tests/server/detectors.h"
+#include "tests/server/frames.h"
+#include "tests/server/loopback.h"
+#include "tests/server/metric_value.h"
+
+namespace fovea::client {
+namespace {
+
+using testing::FindOne;
+using testing::kPatience;
+using testing::LoopbackOptions;
+
+ClientOptions Persistent() {
+  ClientOptions options{.timeout = kPatience};
+  options.retry = {.max_attempts = 1000,
+                   .backoff = std::chrono::milliseconds(1),
+                   .max_backoff = std::chrono::milliseconds(20)};
+  return options;
+}
+
+server::ServerOptions At(const std::string& address) {
+  server::ServerOptions options = LoopbackOptions();
+  options.listen = address;
+  return options;
+}
+
+v1::DetectStreamRequest StreamFrame(const std::string& id) {
+  v1::DetectStreamRequest request;
+  *request.mutable_frame() = testing::TestFrame();
+  request.mutable_frame()->set_id(id);
+  return request;
+}
+
+TEST(Retry, ComesBackWhenABusyServerSaysWhen) {
+  testing::Gate gate;
+  server::ServerOptions options = LoopbackOptions();
+  options.compute_threads = 1;
+  options.max_waiting = 0;
+  const testing::Loopback loopback(std::ref(gate), options);
+  std::jthread first([&] { loopback.client.Detect(testing::TestRequest()); });
+  gate.WaitUntilBegun();
+  std::jthread second([&] {
+    EXPECT_NO_THROW(Client(loopback.server.Address(), Persistent()).Detect(testing::TestRequest()));
+  });
+  while (loopback.client.GetStatistics().frames_answered().count("RESOURCE_EXHAUSTED") == 0) {
+  }
+  gate.Let(2);
+}
+
+TEST(Retry, FindsAServerThatIsBack) {
+  std::optional<server::Server> server(std::in_place, LoopbackOptions(), FindOne);
+  const std::string address = server->Address();
+  const Client client(address, Persistent());
+  EXPECT_NO_THROW(client.Detect(testing::TestRequest()));
+  server.reset();
+  std::jthread late([&] { server.emplace(At(address), FindOne); });
+  EXPECT_NO_THROW(client.Detect(testing::TestRequest()));
+}
+
+TEST(Retry, DoesNotRepeatWhatIsWrong) {
+  const testing::Loopback loopback(FindOne);
+  const Client client(loopback.server.Address(), Persistent());
+  EXPECT_THROW(client.Detect({}), RpcError);
+  EXPECT_EQ(testing::MetricValue(*loopback.server.metrics(), "fovea_frames_received_total"), 1);
+}
+
+TEST(Balancing, SpreadsCallsOverAddresses) {
+  const testing::Loopback a(FindOne), b(FindOne);
+  const Client client("ipv4:" + a.server.Address() + "," + b.server.Address(), Persistent());
+  const auto frames = [](const testing::Loopback& loopback) {
+    return testing::MetricValue(*loopback.server.metrics(), "fovea_frames_received_total");
+  };
+  // The second connection may come up after the first calls.
+  while (frames(a) == 0 || frames(b) == 0) client.Detect(testing::TestRequest());
+}
+
+TEST(ResumingStream, OutlivesItsServerAndCountsWhatWasLost) {
+  std::optional<server::Server> server(std::in_place, LoopbackOptions(), FindOne);
+  const std::string address = server->Address();
+  const Client client(address, Persistent());
+  const auto stream = client.OpenResumingStream(kPatience);
+  v1::DetectStreamRequest first = StreamFrame("0");
+  first.mutable_options()->set_return_masks(true);
+  stream->Send(first);
+  EXPECT_EQ(stream->Receive()->response.sequence(), 0U);
+
+  server.reset();
+  for (const char* id : {"1", "2", "3"}) stream->Send(StreamFrame(id));
+  server.emplace(At(address), FindOne);
+  // Sends until one comes through; each frame is answered, dropped or lost.
+  std::atomic<bool> answered = false;
+  std::atomic<std::uint64_t> num_sent = 4;
+  std::jthread sender([&] {
+    while (!answered) {
+      stream->Send(StreamFrame(std::to_string(num_sent++)));
+      std::this_thread::yield();
+    }
+    stream->DoneSending();
+  });
+  std::uint64_t num_answered = 1, num_dropped = 0, num_lost = 0, last = 0;
+  while (const auto answer = stream->Receive()) {
+    answered = true;
+    EXPECT_EQ(answer->response.frame_id(), std::to_string(answer->response.sequence()));
+    EXPECT_TRUE(answer->response.detections().objects(0).has_mask());  // the options hold
+    ++num_answered;
+    num_dropped += answer->response.dropped();
+    num_lost += answer->lost;
+    last = answer->response.sequence();
+  }
+  sender.join();
+  EXPECT_GE(num_lost, 3U);
+  EXPECT_EQ(last, num_sent - 1);
+  EXPECT_EQ(num_answered + num_dropped + num_lost, num_sent);
+}
+
+TEST(ResumingStream, GivesUpInTheEnd) {
+  std::string address;
+  {
+    const testing::Loopback gone(FindOne);
+    address = gone.server.Address();
+  }
+  ClientOptions options = Persistent();
+  options.timeout = std::chrono::milliseconds(200);
+  const auto stream = Client(address, options).OpenResumingStream(kPatience);
+  EXPECT_EQ(testing::StatusOf([&] { stream->Receive(); }).error_code(),
+            grpc::StatusCode::UNAVAILABLE);
+}
+
+}  // namespace
+}  // namespace fovea::client

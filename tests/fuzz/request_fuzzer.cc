@@ -1,0 +1,14 @@
+#include "fovea/v1/detection_service.pb.h"
+#include "server/conversion/frame.h"
+#include "server/conversion/options.h"
+#include "tests/fuzz/fuzzing.h"
+
+using namespace fovea;  // NOLINT(google-build-using-namespace): one function
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  v1::DetectRequest request;
+  if (!request.ParseFromArray(data, static_cast<int>(size))) return 0;
+  fuzzing::Try([&] { server::FromProto(request.frame(), fuzzing::kMaxPixels); });
+  fuzzing::Try([&] { server::FromProto(request.options()); });
+  return 0;
+}

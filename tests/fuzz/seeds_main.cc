@@ -1,0 +1,49 @@
+// Writes the inputs that fuzzing starts from: one valid one per encoding.
+// usage: fovea-fuzz-seeds CORPUS_FOLDER
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string>
+
+#include "tests/server/frames.h"
+
+namespace {
+
+using namespace fovea::testing;  // NOLINT(google-build-using-namespace)
+namespace fs = std::filesystem;
+
+void Write(const fs::path& folder, const std::string& name, const std::string& bytes) {
+  fs::create_directories(folder);
+  std::ofstream(folder / name, std::ios::binary) << bytes;
+}
+
+void WriteRequests(const fs::path& folder) {
+  Write(folder, "raw", TestRequest().SerializeAsString());
+  fovea::v1::DetectRequest request = TestRequest();
+  *request.mutable_frame()->mutable_color() =
+      ColorMessage(fovea::v1::COLOR_ENCODING_JPEG, JpegOf(TestColor()));
+  *request.mutable_frame()->mutable_depth() = DepthMessage(
+      fovea::v1::DEPTH_ENCODING_16UC1_ZSTD, ZstdOf(BytesOf(TestDepth())), kWidth, kHeight);
+  request.mutable_frame()->mutable_gravity()->set_y(1);
+  request.mutable_frame()->mutable_camera_pose()->mutable_orientation()->set_w(1);
+  (*request.mutable_options()->mutable_parameters())["max_depth_m"] = 5;
+  Write(folder, "compressed", request.SerializeAsString());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::cerr << "usage: fovea-fuzz-seeds CORPUS_FOLDER\n";
+    return 1;
+  }
+  const fs::path corpus = argv[1];
+  Write(corpus / "jpeg", "color", JpegOf(TestColor()));
+  Write(corpus / "png", "color", PngOf(TestColor()));
+  Write(corpus / "png", "depth", PngOf(TestDepth()));
+  const std::string wanted{static_cast<char>(kDepthBytes & 0xFF),
+                           static_cast<char>(kDepthBytes >> 8)};
+  Write(corpus / "zstd", "depth", wanted + ZstdOf(BytesOf(TestDepth())));
+  WriteRequests(corpus / "request");
+  return 0;
+}

@@ -1,0 +1,100 @@
+// fovea-load: many simulated robots against a running server; what it prints is what
+// docs/operations.md reports.
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <future>
+#include <iostream>
+#include <thread>
+
+#include "client/cli/progress.h"
+#include "client/images.h"
+#include "tests/load/report.h"
+#include "tests/load/robot.h"
+#include "tests/support/labelled_frame.h"
+#include "tests/support/random_scene.h"
+
+namespace {
+
+struct Flags {
+  std::string server = "127.0.0.1:50051", kind = "tabletop";
+  int robots = 1, seconds = 20;
+  double rate_hz = 0, greedy = 1;
+  bool stream = false;
+};
+
+void AddFlags(CLI::App& app, Flags& flags) {
+  app.add_option("--server", flags.server, "Address of the server")->capture_default_str();
+  app.add_option("--robots", flags.robots, "How many")->check(CLI::Range(1, 1000));
+  app.add_option("--seconds", flags.seconds, "How long")->check(CLI::Range(1, 86'400));
+  app.add_option("--rate", flags.rate_hz,
+                 "Frames per second of each robot; 0: the next as soon as the last is answered")
+      ->check(CLI::Range(0.0, 1000.0));
+  app.add_option("--greedy", flags.greedy, "The first robot sends this many times as often")
+      ->check(CLI::Range(1.0, 1000.0));
+  app.add_flag("--stream", flags.stream, "Streams instead of single calls");
+  app.add_option("--kind", flags.kind, "Kind of the generated scene, as for fovea-scenes")
+      ->capture_default_str();
+}
+
+// Raw 640x480: 1.5 MB.
+fovea::v1::Frame MakeFrame(const std::string& kind) {
+  const auto scene = fovea::scenes::RandomScene(kind, /*seed=*/7);
+  const fovea::RgbdFrame rgbd =
+      fovea::scenes::MakeFrame(scene, fovea::scenes::SensorKind::kKinect, 7).frame;
+  const auto width = static_cast<std::uint32_t>(rgbd.depth_m.cols);
+  const auto height = static_cast<std::uint32_t>(rgbd.depth_m.rows);
+  cv::Mat millimeters;
+  rgbd.depth_m.convertTo(millimeters, CV_16UC1, 1000);  // NaN becomes 0
+  fovea::v1::Frame frame;
+  *frame.mutable_color() = fovea::client::MakeColorImage(rgbd.color_rgb.data, width, height,
+                                                         fovea::v1::COLOR_ENCODING_RGB8);
+  *frame.mutable_depth() =
+      fovea::client::MakeDepthImage(millimeters.ptr<std::uint16_t>(), width, height);
+  *frame.mutable_intrinsics() = fovea::client::MakeIntrinsics(
+      rgbd.intrinsics.fx_px, rgbd.intrinsics.fy_px, rgbd.intrinsics.cx_px, rgbd.intrinsics.cy_px);
+  return frame;
+}
+
+std::vector<fovea::load::Outcome> RunAll(const Flags& flags) {
+  const fovea::v1::Frame frame = MakeFrame(flags.kind);
+  std::stop_source stop;
+  std::vector<std::future<fovea::load::Outcome>> robots;
+  for (int i = 0; i < flags.robots; ++i) {
+    fovea::load::RobotPlan plan{.server = flags.server,
+                                .name = "robot-" + std::to_string(i),
+                                .rate_hz = flags.rate_hz * (i == 0 ? flags.greedy : 1),
+                                .stream = flags.stream,
+                                .frame = frame};
+    plan.frame.set_id(plan.name);
+    robots.push_back(std::async(std::launch::async, [plan = std::move(plan), &stop] {
+      return fovea::load::RunRobot(plan, stop.get_token());
+    }));
+  }
+  fovea::cli::Progress progress(static_cast<std::size_t>(flags.seconds));
+  for (int second = 0; second < flags.seconds; ++second) {
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    progress.Advance(std::to_string(flags.robots) + " robots");
+  }
+  progress.Finish();
+  stop.request_stop();
+  std::vector<fovea::load::Outcome> outcomes;
+  for (auto& robot : robots) outcomes.push_back(robot.get());
+  return outcomes;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Simulates robots that send frames to a fovea server.", "fovea-load");
+  Flags flags;
+  AddFlags(app, flags);
+  CLI11_PARSE(app, argc, argv);
+  try {
+    const auto outcomes = RunAll(flags);
+    std::cout << fovea::load::Report(outcomes, flags.seconds);
+  } catch (const std::exception& error) {
+    std::cerr << "fovea-load: " << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}

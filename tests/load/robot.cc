@@ -1,0 +1,143 @@
+#include "tests/load/robot.h"
+
+#include <deque>
+#include <mutex>
+#include <thread>
+
+#include "client/client.h"
+
+namespace fovea::load {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
+
+constexpr milliseconds kTimeout{30'000}, kWaitAfterError{50};
+
+double MillisecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+// What the server says it spent: waiting, decoding and computing.
+double ServerMilliseconds(const v1::Detections& detections) {
+  double sum = 0;
+  for (const v1::StageTime& time : detections.stage_times()) {
+    sum += static_cast<double>(time.duration().seconds()) * 1e3 + time.duration().nanos() / 1e6;
+  }
+  return sum;
+}
+
+void Note(const v1::Detections& detections, Clock::time_point sent, Outcome* outcome) {
+  const double latency_ms = MillisecondsSince(sent);
+  outcome->latency_ms.push_back(latency_ms);
+  outcome->overhead_ms.push_back(latency_ms - ServerMilliseconds(detections));
+}
+
+std::string CodeName(const client::RpcError& error) {
+  const std::string text = error.what();
+  return text.substr(0, text.find(':'));
+}
+
+// The robot's clock: when the next frame is due.
+class Pace {
+ public:
+  explicit Pace(double rate_hz) : rate_hz_(rate_hz) {}
+
+  void Wait() {
+    if (rate_hz_ <= 0) return;
+    next_ +=
+        std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / rate_hz_));
+    // A camera does not make up for frames that nobody took.
+    next_ = std::max(next_, Clock::now());
+    std::this_thread::sleep_until(next_);
+  }
+
+ private:
+  const double rate_hz_;
+  Clock::time_point next_ = Clock::now();
+};
+
+Outcome CallOneByOne(const client::Client& client, const RobotPlan& plan,
+                     const std::stop_token& stop) {
+  Outcome outcome;
+  v1::DetectRequest request;
+  *request.mutable_frame() = plan.frame;
+  for (Pace pace(plan.rate_hz); !stop.stop_requested(); pace.Wait()) {
+    ++outcome.sent;
+    const Clock::time_point sent = Clock::now();
+    try {
+      Note(client.Detect(request, kTimeout).detections(), sent, &outcome);
+    } catch (const client::RpcError& error) {
+      ++outcome.errors[CodeName(error)];
+      if (plan.rate_hz <= 0) std::this_thread::sleep_for(kWaitAfterError);
+    }
+  }
+  return outcome;
+}
+
+// When each frame was sent, by its place in the stream.
+class SendTimes {
+ public:
+  void Add() {
+    const std::lock_guard lock(mutex_);
+    times_.push_back(Clock::now());
+  }
+  Clock::time_point Take(std::uint64_t sequence) {
+    const std::lock_guard lock(mutex_);
+    for (; first_ < sequence; ++first_) times_.pop_front();
+    return times_.front();
+  }
+  std::uint64_t count() {
+    const std::lock_guard lock(mutex_);
+    return first_ + times_.size();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::deque<Clock::time_point> times_;
+  std::uint64_t first_ = 0;  // sequence of the first of times_
+};
+
+Outcome Stream(const client::Client& client, const RobotPlan& plan, const std::stop_token& stop) {
+  Outcome outcome;
+  SendTimes times;
+  const auto stream = client.OpenStream(std::chrono::hours(24));
+  std::jthread sender([&] {
+    v1::DetectStreamRequest request;
+    *request.mutable_frame() = plan.frame;
+    for (Pace pace(plan.rate_hz > 0 ? plan.rate_hz : 30); !stop.stop_requested(); pace.Wait()) {
+      times.Add();
+      if (!stream->Send(request)) break;
+    }
+    stream->DoneSending();
+  });
+  try {
+    while (const auto response = stream->Receive()) {
+      outcome.dropped += response->dropped();
+      const Clock::time_point sent = times.Take(response->sequence());
+      if (response->has_detections()) {
+        Note(response->detections(), sent, &outcome);
+      } else {
+        ++outcome.errors[std::to_string(response->error().code())];
+      }
+    }
+  } catch (const client::RpcError& error) {
+    ++outcome.errors[CodeName(error)];
+  }
+  sender.join();
+  outcome.sent = times.count();
+  return outcome;
+}
+
+}  // namespace
+
+Outcome RunRobot(const RobotPlan& plan, const std::stop_token& stop) {
+  client::ClientOptions options;
+  options.robot = plan.name;
+  options.retry.max_attempts = 1;  // refusals are to be seen
+  const client::Client client(plan.server, options);
+  client.WaitUntilReady(kTimeout);
+  return plan.stream ? Stream(client, plan, stop) : CallOneByOne(client, plan, stop);
+}
+
+}  // namespace fovea::load

@@ -1,0 +1,32 @@
+// A simulated robot: sends frames at its rate and notes what becomes of them.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "fovea/v1/frame.pb.h"
+
+namespace fovea::load {
+
+struct RobotPlan {
+  std::string server, name;
+  double rate_hz = 0;  // 0 = the next frame as soon as the last one is answered
+  bool stream = false;
+  v1::Frame frame;
+};
+
+struct Outcome {
+  std::uint64_t sent = 0, dropped = 0;
+  std::vector<double> latency_ms;               // of each detection
+  std::vector<double> overhead_ms;              // what of that is neither queue nor computing
+  std::map<std::string, std::uint64_t> errors;  // by the name of the status code
+};
+
+// Until it is told to stop.
+Outcome RunRobot(const RobotPlan& plan, const std::stop_token& stop);
+
+}  // namespace fovea::load

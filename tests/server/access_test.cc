@@ -1,0 +1,321 @@
+// TLS, mutual TLS, tokens and limits over real connections, with callers of bad intent.
+#include <arpa/inet.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <iterator>
+#include <string>
+
+#include "server/access/token_table.h"
+#include "tests/server/detectors.h"
+#include "tests/server/frames.h"
+#include "tests/server/loopback.h"
+#include "tests/server/metric_value.h"
+#include "tests/support/certificates.h"
+#include "tests/support/temporary_folder.h"
+
+namespace fovea::testing {
+namespace {
+
+using client::Client;
+using client::ClientOptions;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+using ::testing::ThrowsMessage;
+
+ClientOptions With(const std::string& token) {
+  ClientOptions options = PatientOptions();
+  options.token = token;
+  return options;
+}
+
+grpc::StatusCode CodeOf(const Client& client) {
+  try {
+    client.Detect(TestRequest());
+    return grpc::StatusCode::OK;
+  } catch (const client::RpcError& error) {
+    return error.code();
+  }
+}
+
+class Tls : public ::testing::Test {
+ protected:
+  Tls() { WriteServerFiles(authority_); }
+
+  void WriteServerFiles(const Authority& authority) {
+    const PemPair pair = authority.Issue("server");
+    options_.tls_key = folder_.Write("key.pem", pair.key);
+    options_.tls_cert = folder_.Write("cert.pem", pair.certificate);
+  }
+
+  void AskForClientCertificates() {
+    options_.tls_client_ca = folder_.Write("clients.pem", clients_.Certificate());
+  }
+
+  static ClientOptions Trusting(const Authority& authority, const PemPair& own = {}) {
+    ClientOptions options = PatientOptions();
+    options.tls = client::TlsOptions{.root_certificates = authority.Certificate(),
+                                     .certificate_chain = own.certificate,
+                                     .private_key = own.key};
+    return options;
+  }
+
+  const TemporaryFolder folder_;
+  const Authority authority_, clients_;
+  server::ServerOptions options_ = LoopbackOptions();
+};
+
+TEST_F(Tls, ServesThoseWhoTrustIt) {
+  const Loopback loopback(FindOne, options_);
+  EXPECT_EQ(CodeOf(Client(loopback.server.Address(), Trusting(authority_))), grpc::StatusCode::OK);
+  EXPECT_EQ(CodeOf(Client(loopback.server.Address(), Trusting(clients_))),
+            grpc::StatusCode::UNAVAILABLE);
+  EXPECT_EQ(CodeOf(loopback.client), grpc::StatusCode::UNAVAILABLE);  // in plain text
+}
+
+TEST_F(Tls, KnowsRobotsByTheirCertificates) {
+  AskForClientCertificates();
+  const Loopback loopback(FindOne, options_);
+  ClientOptions robot = Trusting(authority_, clients_.Issue("kitchen"));
+  robot.robot = "somebody-else";
+  EXPECT_EQ(CodeOf(Client(loopback.server.Address(), robot)), grpc::StatusCode::OK);
+  EXPECT_EQ(MetricValue(*loopback.server.metrics(), "fovea_frames_received_total", "kitchen"), 1);
+  for (const PemPair& wrong : {PemPair{}, authority_.Issue("kitchen")}) {
+    EXPECT_EQ(CodeOf(Client(loopback.server.Address(), Trusting(authority_, wrong))),
+              grpc::StatusCode::UNAVAILABLE);
+  }
+}
+
+TEST_F(Tls, TakesOverNewCertificates) {
+  options_.tls_reload_s = 1;
+  const Loopback loopback(FindOne, options_);
+  const Authority other;
+  WriteServerFiles(other);
+  // Each client makes a connection of its own; only the new certificate satisfies it.
+  while (CodeOf(Client(loopback.server.Address(), Trusting(other))) != grpc::StatusCode::OK) {
+  }
+}
+
+TEST_F(Tls, RefusesFilesThatCannotBeUsed) {
+  const auto error_of = [&](auto change) {
+    server::ServerOptions options = options_;
+    change(options);
+    try {
+      const server::Server server(options, FindOne);
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(error_of([](auto&) {}), "none");
+  EXPECT_THAT(error_of([](auto& o) { o.tls_key = ""; }), StartsWith("--tls-cert and --tls-key:"));
+  EXPECT_THAT(error_of([](auto& o) { o.tls_cert = "/nowhere"; }),
+              StartsWith("--tls-cert: /nowhere holds no certificate"));
+  const std::string other_key = folder_.Write("other.pem", authority_.Issue("other").key);
+  EXPECT_THAT(error_of([&](auto& o) { o.tls_key = other_key; }),
+              StartsWith("--tls-key: " + other_key + " does not hold the key"));
+  EXPECT_THAT(error_of([](auto& o) { o.tls_client_ca = "/nowhere"; }),
+              StartsWith("--tls-client-ca: /nowhere"));
+}
+
+TEST(Protection, IsNeededBeyondLoopback) {
+  const auto error_of = [](auto change) -> std::string {
+    server::ServerOptions options;
+    options.listen = "0.0.0.0:0";
+    change(options);
+    try {
+      Validate(options);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "valid";
+  };
+  const auto tls = [](auto& o) { o.tls_cert = o.tls_key = "file"; };
+  EXPECT_THAT(error_of([](auto&) {}), StartsWith("--listen: \"0.0.0.0:0\" is open to other"));
+  EXPECT_THAT(error_of([](auto& o) { o.tokens = "file"; }), StartsWith("--listen: "));
+  EXPECT_THAT(error_of(tls), StartsWith("--listen: "));
+  EXPECT_EQ(error_of([](auto& o) { o.insecure = true; }), "valid");
+  EXPECT_EQ(error_of([&](auto& o) { tls(o), o.tokens = "file"; }), "valid");
+  EXPECT_EQ(error_of([&](auto& o) { tls(o), o.tls_client_ca = "file"; }), "valid");
+  for (const char* local : {"127.0.0.1:1", "127.0.0.2:1", "localhost:1", "[::1]:1"}) {
+    EXPECT_EQ(error_of([&](auto& o) { o.listen = local; }), "valid") << local;
+  }
+}
+
+class Tokens : public ::testing::Test {
+ protected:
+  Tokens() { options_.tokens = folder_.Write("tokens", LineOf("kitchen", "let-me-in")); }
+
+  // As `printf %s TOKEN | sha256sum` prints it.
+  static std::string HashOf(const std::string& token) {
+    if (token == "let-me-in") {
+      return "a3ee786b5707c27d42570785081ec17f5c7db9262a01366af362a1aa61a420b9";
+    }
+    return "d9298a10d1b0735837dc4bd85dac641b0f3cef27a47e5d53a54f2f3f5b2fcffa";  // of "other"
+  }
+  static std::string LineOf(const std::string& robot, const std::string& token,
+                            const std::string& expires = "") {
+    return robot + " " + HashOf(token) + " " + expires + "\n";
+  }
+
+  const TemporaryFolder folder_;
+  server::ServerOptions options_ = LoopbackOptions();
+};
+
+TEST_F(Tokens, LetInWhoHasOne) {
+  const Loopback loopback(FindOne, options_);
+  ClientOptions robot = With("let-me-in");
+  robot.robot = "somebody-else";
+  const Client kitchen(loopback.server.Address(), robot);
+  EXPECT_EQ(CodeOf(kitchen), grpc::StatusCode::OK);
+  EXPECT_NO_THROW(kitchen.GetStatistics());
+  EXPECT_EQ(MetricValue(*loopback.server.metrics(), "fovea_frames_received_total", "kitchen"), 1);
+}
+
+TEST_F(Tokens, KeepOutWhoHasNone) {
+  const Loopback loopback(FindOne, options_);
+  for (const std::string token : {"", "let-me-out", "let-me-in ", "LET-ME-IN"}) {
+    const Client client(loopback.server.Address(), With(token));
+    EXPECT_EQ(CodeOf(client), grpc::StatusCode::UNAUTHENTICATED) << token;
+    const auto unauthenticated = [](auto call) {
+      return StatusOf(call).error_code() == grpc::StatusCode::UNAUTHENTICATED;
+    };
+    EXPECT_TRUE(unauthenticated([&] { client.GetServerInfo(); }));
+    EXPECT_TRUE(unauthenticated([&] { client.GetStatistics(); }));
+    EXPECT_TRUE(unauthenticated([&] { client.OpenStream(kPatience)->Receive(); }));
+    EXPECT_TRUE(client.IsServing());  // probes have no token
+  }
+  EXPECT_EQ(MetricValue(*loopback.server.metrics(), "fovea_frames_received_total"), 0);
+}
+
+TEST_F(Tokens, Expire) {
+  folder_.Write("tokens", LineOf("kitchen", "let-me-in", "2020-01-31T12:00:00Z") +
+                              LineOf("hall", "other", "2999-01-31T12:00:00Z"));
+  const Loopback loopback(FindOne, options_);
+  const grpc::Status status =
+      StatusOf([&] { Client(loopback.server.Address(), With("let-me-in")).Detect(TestRequest()); });
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::UNAUTHENTICATED);
+  EXPECT_EQ(status.error_message(), "the token has expired");
+  EXPECT_EQ(CodeOf(Client(loopback.server.Address(), With("other"))), grpc::StatusCode::OK);
+}
+
+TEST_F(Tokens, AreTakenOverWhenReloaded) {
+  Loopback loopback(FindOne, options_);
+  const Client kitchen(loopback.server.Address(), With("let-me-in"));
+  folder_.Write("tokens", "nonsense");
+  EXPECT_THROW(loopback.server.ReloadTokens(), std::invalid_argument);
+  EXPECT_EQ(CodeOf(kitchen), grpc::StatusCode::OK);
+  folder_.Write("tokens", LineOf("hall", "other"));
+  loopback.server.ReloadTokens();
+  EXPECT_EQ(CodeOf(kitchen), grpc::StatusCode::UNAUTHENTICATED);
+}
+
+TEST_F(Tokens, FileMistakesAreNamed) {
+  const std::string good = HashOf("let-me-in");
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"kitchen", ":1: \"\": is not a SHA-256"},
+      {"# fine\nkitchen abc", ":2: \"abc\": is not a SHA-256"},
+      {"kitchen " + good + " tomorrow", ":1: \"tomorrow\": is not a time"},
+      {"kitchen " + good + " 2999-01-31T12:00:00Z more", ":1: \"more\": is too much"},
+      {"kitchen " + good + "\nhall " + good, ":2: the token: is there twice"},
+      {std::string(65, 'x') + " " + good, ":1: the robot's name"}};
+  for (const auto& [text, error] : cases) {
+    const std::string path = folder_.Write("bad", text);
+    EXPECT_THAT([&] { server::TokenTable::FromFile(path); },
+                ThrowsMessage<std::invalid_argument>(StartsWith("--tokens: " + path + error)));
+  }
+}
+
+TEST(Limits, StreamsAreCountedByRobotAndInAll) {
+  server::ServerOptions options = LoopbackOptions();
+  options.max_streams = 3;
+  options.max_streams_per_robot = 2;
+  const Loopback loopback(FindOne, options);
+  std::vector<std::unique_ptr<client::DetectStream>> open;
+  const auto open_stream = [&](const std::string& robot) {
+    ClientOptions of_robot = PatientOptions();
+    of_robot.robot = robot;
+    auto stream = Client(loopback.server.Address(), of_robot).OpenStream(kPatience);
+    v1::DetectStreamRequest request;
+    *request.mutable_frame() = TestFrame();
+    stream->Send(request);
+    stream->Receive();
+    open.push_back(std::move(stream));
+  };
+  open_stream("a");
+  open_stream("a");
+  EXPECT_THAT(StatusOf([&] { open_stream("a"); }).error_message(), HasSubstr("this robot has 2"));
+  open_stream("b");
+  const grpc::Status full = StatusOf([&] { open_stream("c"); });
+  EXPECT_EQ(full.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_EQ(full.error_message(), "all 3 streams are open");
+  open.clear();
+  AwaitMetric(*loopback.server.metrics(), "fovea_streams", 0);
+  open_stream("c");
+}
+
+TEST(Limits, MessagesAreBounded) {
+  server::ServerOptions options = LoopbackOptions();
+  options.max_message_mib = 1;
+  const Loopback loopback(FindOne, options);
+  v1::DetectRequest request = TestRequest();
+  request.mutable_frame()->mutable_color()->set_data(std::string(2 << 20, 'x'));
+  EXPECT_EQ(StatusOf([&] { loopback.client.Detect(request); }).error_code(),
+            grpc::StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_NO_THROW(loopback.client.Detect(TestRequest()));
+}
+
+// A connection that speaks no gRPC.
+class BareConnection {
+ public:
+  explicit BareConnection(const std::string& address) : socket_(socket(AF_INET, SOCK_STREAM, 0)) {
+    sockaddr_in to{};
+    to.sin_family = AF_INET;
+    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    to.sin_port =
+        htons(static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1))));
+    EXPECT_EQ(connect(socket_, reinterpret_cast<const sockaddr*>(&to), sizeof to), 0);
+  }
+  ~BareConnection() { close(socket_); }
+  void Send(const std::string& bytes) const {
+    EXPECT_EQ(send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL),
+              static_cast<ssize_t>(bytes.size()));
+  }
+
+ private:
+  const int socket_;
+};
+
+std::ptrdiff_t NumOpenFiles() {
+  return std::distance(std::filesystem::directory_iterator("/proc/self/fd"), {});
+}
+
+TEST_F(Tls, HalfAHandshakeHoldsUpNobody) {
+  Loopback loopback(FindOne, options_);
+  std::vector<std::unique_ptr<BareConnection>> stuck;
+  for (int i = 0; i < 20; ++i) {
+    stuck.push_back(std::make_unique<BareConnection>(loopback.server.Address()));
+    stuck.back()->Send(std::string("\x16\x03\x01\x02\x00\x01", 6));  // a ClientHello's start
+  }
+  EXPECT_EQ(CodeOf(Client(loopback.server.Address(), Trusting(authority_))), grpc::StatusCode::OK);
+  loopback.server.Drain();
+}
+
+TEST(Connections, ComeAndGo) {
+  const Loopback loopback(FindOne);
+  loopback.client.Detect(TestRequest());
+  const std::ptrdiff_t before = NumOpenFiles();
+  for (int i = 0; i < 1000; ++i) {
+    const BareConnection connection(loopback.server.Address());
+    if (i % 2 == 0) connection.Send("PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n");
+    if (i % 3 == 0) connection.Send("garbage");
+  }
+  loopback.client.Detect(TestRequest());
+  while (NumOpenFiles() > before) std::this_thread::yield();
+}
+
+}  // namespace
+}  // namespace fovea::testing

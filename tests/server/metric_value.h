@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <thread>
+
+#include "server/watching/metrics.h"
+
+namespace fovea::testing {
+
+// Of the gauge or counter `name`, summed over its labels, or over those with this value.
+inline double MetricValue(const server::Metrics& metrics, const std::string& name,
+                          const std::string& label = "") {
+  double sum = 0;
+  for (const auto& family : metrics.Collect()) {
+    if (family.name != name) continue;
+    for (const auto& metric : family.metric) {
+      if (!label.empty() && metric.label.front().value != label) continue;
+      sum += metric.gauge.value + metric.counter.value;
+    }
+  }
+  return sum;
+}
+
+// Returns once it has that value; a hang means that it never does.
+inline void AwaitMetric(const server::Metrics& metrics, const std::string& name, double value) {
+  while (MetricValue(metrics, name) != value) std::this_thread::yield();
+}
+
+}  // namespace fovea::testing

@@ -1,0 +1,228 @@
+// Turns, limits and abandoned calls over real connections; a gate holds the one compute thread.
+#include <gmock/gmock.h>
+#include <grpcpp/create_channel.h>
+#include <gtest/gtest.h>
+
+#include <future>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/server/detectors.h"
+#include "tests/server/frames.h"
+#include "tests/server/loopback.h"
+#include "tests/server/metric_value.h"
+
+namespace fovea::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::UnorderedElementsAre;
+
+server::ServerOptions OneThread(int max_waiting, int max_per_robot) {
+  server::ServerOptions options = LoopbackOptions();
+  options.compute_threads = 1;
+  options.max_waiting = max_waiting;
+  options.max_per_robot = max_per_robot;
+  return options;
+}
+
+void AwaitWaiting(const Loopback& loopback, double count) {
+  AwaitMetric(*loopback.server.metrics(), "fovea_frames_waiting", count);
+}
+
+// A call by a robot of this name, with all that gRPC says of it.
+struct Call {
+  Call(const Loopback& loopback, const std::string& robot)
+      : stub(v1::DetectionService::NewStub(
+            grpc::CreateChannel(loopback.server.Address(), grpc::InsecureChannelCredentials()))) {
+    context.AddMetadata("fovea-robot", robot);
+    context.set_deadline(std::chrono::system_clock::now() + kPatience);
+  }
+
+  grpc::Status Run() { return stub->Detect(&context, TestRequest(), &response); }
+
+  std::string Trailer(const std::string& key) const {
+    const auto found = context.GetServerTrailingMetadata().find(key);
+    if (found == context.GetServerTrailingMetadata().end()) return "";
+    return {found->second.data(), found->second.size()};
+  }
+
+  std::unique_ptr<v1::DetectionService::Stub> stub;
+  grpc::ClientContext context;
+  v1::DetectResponse response;
+};
+
+// Calls of many robots that wait for one another in a known order.
+class Crowd {
+ public:
+  explicit Crowd(Loopback& loopback) : loopback_(loopback) {}
+
+  // Returns once the call waits in the server's queue.
+  void Join(const std::string& robot) {
+    calls_.push_back(std::make_unique<Call>(loopback_, robot));
+    threads_.emplace_back([this, robot, call = calls_.back().get()] {
+      const bool ok = call->Run().ok();
+      const std::lock_guard lock(mutex_);
+      answered_.push_back(ok ? robot : "no " + robot);
+    });
+    AwaitWaiting(loopback_, static_cast<double>(calls_.size()));
+  }
+
+  void LeaveLast() { calls_.back()->context.TryCancel(); }
+
+  std::vector<std::string> Answered() {
+    threads_.clear();  // joins
+    return answered_;
+  }
+
+ private:
+  Loopback& loopback_;
+  std::vector<std::unique_ptr<Call>> calls_;
+  std::mutex mutex_;
+  std::vector<std::string> answered_;
+  std::vector<std::jthread> threads_;
+};
+
+// Holds the compute thread with a first call until the test lets it go.
+struct Held {
+  explicit Held(const server::ServerOptions& options) : loopback(std::ref(gate), options) {
+    first = std::async(std::launch::async, [&] { return Call(loopback, "first").Run(); });
+    gate.WaitUntilBegun();
+  }
+  ~Held() { gate.Let(100); }
+
+  Gate gate;
+  Loopback loopback;
+  std::future<grpc::Status> first;
+};
+
+TEST(Scheduling, RobotsTakeTurns) {
+  std::mutex mutex;
+  std::vector<double> order;  // of fx, by which the frames are told apart
+  Gate gate;
+  Loopback loopback(
+      [&](const RgbdFrame& frame, auto&&... rest) {
+        {
+          const std::lock_guard lock(mutex);
+          order.push_back(frame.intrinsics.fx_px);
+        }
+        return gate(frame, rest...);
+      },
+      OneThread(10, 10));
+  std::vector<std::jthread> threads;
+  int num_waiting = 0;
+  const auto send = [&](const std::string& robot, double fx, bool waits) {
+    threads.emplace_back([&loopback, robot, fx] {
+      Call call(loopback, robot);
+      v1::DetectRequest request = TestRequest();
+      request.mutable_frame()->mutable_intrinsics()->set_fx(fx);
+      EXPECT_TRUE(call.stub->Detect(&call.context, request, &call.response).ok());
+    });
+    if (!waits) return gate.WaitUntilBegun();
+    ++num_waiting;
+    AwaitWaiting(loopback, num_waiting);
+  };
+  send("greedy", 1, false);
+  for (const double fx : {2, 3, 4}) send("greedy", fx, true);
+  send("modest", 11, true);
+  send("third", 21, true);
+  gate.Let(6);
+  threads.clear();
+  const std::lock_guard lock(mutex);
+  EXPECT_THAT(order, ElementsAre(1, 2, 11, 21, 3, 4));
+}
+
+TEST(Scheduling, RefusesAtOnceWhatDoesNotFit) {
+  Held held(OneThread(/*max_waiting=*/1, /*max_per_robot=*/10));
+  Crowd crowd(held.loopback);
+  crowd.Join("second");
+  Call call(held.loopback, "third");
+  const grpc::Status status = call.Run();  // returns although nothing is computed
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_THAT(status.error_message(), HasSubstr("the queue is full with 2 frames"));
+  EXPECT_GE(std::stoi(call.Trailer("retry-after-ms")), 10);
+  held.gate.Let(2);
+  EXPECT_THAT(crowd.Answered(), ElementsAre("second"));
+  EXPECT_TRUE(held.first.get().ok());
+}
+
+TEST(Scheduling, OneRobotCannotTakeAllPlaces) {
+  Held held(OneThread(/*max_waiting=*/4, /*max_per_robot=*/1));
+  Call again(held.loopback, "first");
+  const grpc::Status status = again.Run();
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_THAT(status.error_message(), HasSubstr("this robot has 1 frames"));
+  Crowd crowd(held.loopback);
+  crowd.Join("other");
+  held.gate.Let(2);
+  EXPECT_THAT(crowd.Answered(), ElementsAre("other"));
+}
+
+TEST(Scheduling, APlaceIsFreeAgainWhenTheAnswerIsThere) {
+  Gate gate;
+  Loopback loopback(std::ref(gate), OneThread(0, 1));
+  gate.Let(50);
+  for (int i = 0; i < 50; ++i) EXPECT_TRUE(Call(loopback, "only").Run().ok());
+}
+
+TEST(Scheduling, DropsFromTheQueueWhoseCallerLeft) {
+  Held held(OneThread(10, 10));
+  Crowd crowd(held.loopback);
+  crowd.Join("stays");
+  crowd.Join("leaves");
+  crowd.LeaveLast();
+  AwaitWaiting(held.loopback, 1);  // although the compute thread has not moved
+  held.gate.Let(2);
+  EXPECT_THAT(crowd.Answered(), UnorderedElementsAre("no leaves", "stays"));
+}
+
+TEST(Scheduling, DropsFromTheQueueWhatIsTooLate) {
+  Held held(OneThread(10, 10));
+  const grpc::Status status =
+      StatusOf([&] { held.loopback.client.Detect(TestRequest(), std::chrono::milliseconds(100)); });
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::DEADLINE_EXCEEDED);
+  AwaitWaiting(held.loopback, 0);
+}
+
+TEST(Scheduling, SurvivesAStormOfDeadlines) {
+  Held held(OneThread(1000, 1000));
+  std::vector<std::jthread> callers;
+  callers.reserve(20);
+  for (int caller = 0; caller < 20; ++caller) {
+    callers.emplace_back([&held] {
+      for (int call = 0; call < 10; ++call) {
+        const auto status = StatusOf(
+            [&] { held.loopback.client.Detect(TestRequest(), std::chrono::milliseconds(5)); });
+        EXPECT_EQ(status.error_code(), grpc::StatusCode::DEADLINE_EXCEEDED);
+      }
+    });
+  }
+  callers.clear();
+  AwaitWaiting(held.loopback, 0);
+  held.gate.Let(100);
+  EXPECT_TRUE(held.first.get().ok());
+  EXPECT_TRUE(Call(held.loopback, "late").Run().ok());
+}
+
+TEST(Scheduling, ReturnsTheIdOfTheRequest) {
+  const Loopback loopback(FindOne);
+  Call named(loopback, "robot"), nameless(loopback, "robot");
+  named.context.AddMetadata("fovea-request-id", "mine-1");
+  EXPECT_TRUE(named.Run().ok());
+  EXPECT_EQ(named.Trailer("fovea-request-id"), "mine-1");
+  EXPECT_TRUE(nameless.Run().ok());
+  EXPECT_GT(std::stoi(nameless.Trailer("fovea-request-id")), 0);
+}
+
+TEST(Scheduling, RefusesARobotsNameThatCannotBe) {
+  Loopback loopback(FindOne);
+  const grpc::Status status = Call(loopback, std::string(65, 'x')).Run();
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
+  EXPECT_THAT(status.error_message(), HasSubstr("metadata fovea-robot: "));
+}
+
+}  // namespace
+}  // namespace fovea::testing

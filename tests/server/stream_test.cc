@@ -1,0 +1,222 @@
+// DetectStream over real loopback; a gate decides when a frame is done.
+#include <gmock/gmock.h>
+#include <grpcpp/create_channel.h>
+#include <grpcpp/generic/generic_stub.h>
+#include <grpcpp/impl/codegen/proto_utils.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <future>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/server/detectors.h"
+#include "tests/server/frames.h"
+#include "tests/server/loopback.h"
+#include "tests/server/metric_value.h"
+
+namespace fovea::testing {
+namespace {
+
+using ::testing::StartsWith;
+
+v1::DetectStreamRequest FrameNamed(const std::string& id) {
+  v1::DetectStreamRequest request;
+  *request.mutable_frame() = TestFrame();
+  request.mutable_frame()->set_id(id);
+  return request;
+}
+
+// Sends bytes as they are, one message at a time.
+class RawStream {
+ public:
+  explicit RawStream(const std::string& address)
+      : stub_(grpc::CreateChannel(address, grpc::InsecureChannelCredentials())),
+        call_(stub_.PrepareCall(&context_, "/fovea.v1.DetectionService/DetectStream", &queue_)) {
+    call_->StartCall(nullptr);
+    Wait();
+  }
+  ~RawStream() {
+    context_.TryCancel();
+    grpc::Status status;
+    call_->Finish(&status, nullptr);
+    queue_.Shutdown();
+    void* tag = nullptr;
+    bool ok = false;
+    while (queue_.Next(&tag, &ok)) {
+    }
+  }
+
+  v1::DetectStreamResponse Exchange(const std::string& bytes) {
+    const grpc::Slice slice(bytes);
+    call_->Write(grpc::ByteBuffer(&slice, 1), nullptr);
+    Wait();
+    grpc::ByteBuffer answer;
+    call_->Read(&answer, nullptr);
+    Wait();
+    v1::DetectStreamResponse response;
+    grpc::SerializationTraits<v1::DetectStreamResponse>::Deserialize(&answer, &response);
+    return response;
+  }
+
+ private:
+  void Wait() {
+    void* tag = nullptr;
+    bool ok = false;
+    EXPECT_TRUE(queue_.Next(&tag, &ok) && ok);
+  }
+
+  grpc::GenericStub stub_;
+  grpc::ClientContext context_;
+  grpc::CompletionQueue queue_;
+  std::unique_ptr<grpc::GenericClientAsyncReaderWriter> call_;
+};
+
+TEST(DetectStream, OutlivesBadFrames) {
+  Loopback loopback(FindOne);
+  const auto stream = loopback.client.OpenStream(kPatience);
+  const std::vector<bool> good{true, false, true, false, false, true};
+  for (std::size_t i = 0; i < good.size(); ++i) {
+    SCOPED_TRACE(i);
+    v1::DetectStreamRequest request = FrameNamed("f" + std::to_string(i));
+    if (!good[i]) request.mutable_frame()->clear_depth();
+    ASSERT_TRUE(stream->Send(request));
+    const auto response = stream->Receive();
+    ASSERT_TRUE(response);
+    EXPECT_EQ(response->sequence(), i);
+    EXPECT_EQ(response->frame_id(), "f" + std::to_string(i));
+    EXPECT_EQ(response->dropped(), 0U);
+    EXPECT_EQ(response->has_detections(), good[i]);
+    if (good[i]) continue;
+    EXPECT_EQ(response->error().code(), grpc::StatusCode::INVALID_ARGUMENT);
+    EXPECT_THAT(response->error().message(), StartsWith("frame.depth: "));
+  }
+  stream->DoneSending();
+  EXPECT_FALSE(stream->Receive());
+}
+
+TEST(DetectStream, DropsAllButTheNewestFrame) {
+  Gate gate;
+  Loopback loopback(std::ref(gate));
+  const auto stream = loopback.client.OpenStream(kPatience);
+  ASSERT_TRUE(stream->Send(FrameNamed("0")));
+  gate.WaitUntilBegun();
+  for (int i = 1; i <= 9; ++i) ASSERT_TRUE(stream->Send(FrameNamed(std::to_string(i))));
+  stream->DoneSending();
+  AwaitMetric(*loopback.server.metrics(), "fovea_frames_dropped_total", 8);
+  gate.Let(2);
+
+  const auto first = stream->Receive();
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->frame_id(), "0");
+  EXPECT_EQ(first->dropped(), 0U);
+  const auto last = stream->Receive();
+  ASSERT_TRUE(last);
+  EXPECT_EQ(last->frame_id(), "9");
+  EXPECT_EQ(last->sequence(), 9U);
+  EXPECT_EQ(last->dropped(), 8U);
+  EXPECT_FALSE(stream->Receive());
+}
+
+TEST(DetectStream, KeepsTheLastOptions) {
+  Loopback loopback(FindOne);
+  const auto stream = loopback.client.OpenStream(kPatience);
+  const auto masks_after = [&](const std::function<void(v1::DetectStreamRequest&)>& change) {
+    v1::DetectStreamRequest request = FrameNamed("any");
+    change(request);
+    stream->Send(request);
+    return stream->Receive()->detections().objects(0).has_mask();
+  };
+  EXPECT_FALSE(masks_after([](auto&) {}));
+  EXPECT_TRUE(masks_after([](auto& r) { r.mutable_options()->set_return_masks(true); }));
+  EXPECT_TRUE(masks_after([](auto&) {}));
+  EXPECT_FALSE(masks_after([](auto& r) { r.mutable_options(); }));
+}
+
+TEST(DetectStream, OptionsOfADroppedFrameHold) {
+  Gate gate;
+  Loopback loopback(std::ref(gate));
+  const auto stream = loopback.client.OpenStream(kPatience);
+  ASSERT_TRUE(stream->Send(FrameNamed("0")));
+  gate.WaitUntilBegun();
+  v1::DetectStreamRequest dropped = FrameNamed("1");
+  dropped.mutable_options()->set_return_masks(true);
+  ASSERT_TRUE(stream->Send(dropped));
+  ASSERT_TRUE(stream->Send(FrameNamed("2")));
+  AwaitMetric(*loopback.server.metrics(), "fovea_frames_dropped_total", 1);
+  gate.Let(2);
+  EXPECT_FALSE(stream->Receive()->detections().objects(0).has_mask());
+  EXPECT_TRUE(stream->Receive()->detections().objects(0).has_mask());
+}
+
+// Garbage where a message should be, between good frames.
+TEST(DetectStream, OutlivesMessagesThatAreNone) {
+  Loopback loopback(FindOne);
+  RawStream stream(loopback.server.Address());
+  for (int i = 0; i < 3; ++i) {
+    SCOPED_TRACE(i);
+    EXPECT_TRUE(stream.Exchange(FrameNamed("good").SerializeAsString()).has_detections());
+    const v1::DetectStreamResponse bad = stream.Exchange("\xFF\xFF\xFF");
+    EXPECT_EQ(bad.error().code(), grpc::StatusCode::INVALID_ARGUMENT);
+    EXPECT_EQ(bad.error().message(), "the message is not a DetectStreamRequest");
+    EXPECT_EQ(bad.sequence(), 2U * i + 1);
+  }
+}
+
+TEST(DetectStream, EndsWithTheAnswerItIsAtWhenTheServerStops) {
+  Gate gate;
+  Loopback loopback(std::ref(gate));
+  const auto stream = loopback.client.OpenStream(kPatience);
+  ASSERT_TRUE(stream->Send(FrameNamed("0")));
+  gate.WaitUntilBegun();
+  auto drained = std::async(std::launch::async, [&] { loopback.server.Drain(); });
+  gate.Let();
+  EXPECT_EQ(stream->Receive()->frame_id(), "0");
+  const grpc::Status status = StatusOf([&] { stream->Receive(); });
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::UNAVAILABLE);
+  EXPECT_EQ(status.error_message(), "the server is stopping");
+}
+
+TEST(DetectStream, EndsWhenTheServerStopsAlthoughNothingIsSent) {
+  Loopback loopback(FindOne);
+  const auto stream = loopback.client.OpenStream(kPatience);
+  stream->Send(FrameNamed("0"));
+  stream->Receive();
+  loopback.server.Drain();  // needs no patience
+  EXPECT_EQ(StatusOf([&] { stream->Receive(); }).error_message(), "the server is stopping");
+}
+
+// Who does not read his answers neither holds a compute thread nor fills the memory.
+TEST(DetectStream, ASlowReaderHoldsUpNobody) {
+  server::ServerOptions options = LoopbackOptions();
+  options.compute_threads = 1;
+  Loopback loopback(FindOne, options);
+  const auto stream = loopback.client.OpenStream(kPatience);
+  v1::DetectStreamRequest request = FrameNamed("slow");
+  request.mutable_options()->set_return_saliency_maps(true);
+  std::jthread sender([&] {
+    while (stream->Send(request)) {
+    }
+  });
+  // Once frames are dropped the answers are stuck in the connection.
+  while (MetricValue(*loopback.server.metrics(), "fovea_frames_dropped_total") < 100) {
+    EXPECT_NO_THROW(loopback.client.Detect(TestRequest()));
+  }
+  stream->Cancel();
+  sender.join();
+  AwaitMetric(*loopback.server.metrics(), "fovea_streams", 0);
+}
+
+TEST(DetectStream, IsForgottenWhenTheCallerVanishes) {
+  Loopback loopback(FindOne);
+  for (int i = 0; i < 50; ++i) {
+    const auto stream = loopback.client.OpenStream(kPatience);
+    ASSERT_TRUE(stream->Send(FrameNamed("0")));
+  }
+  AwaitMetric(*loopback.server.metrics(), "fovea_streams", 0);
+}
+
+}  // namespace
+}  // namespace fovea::testing

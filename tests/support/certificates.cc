@@ -1,0 +1,75 @@
+#include "tests/support/certificates.h"
+
+#include <openssl/ec.h>
+#include <openssl/evp.h>
+#include <openssl/pem.h>
+#include <openssl/x509v3.h>
+
+#include <random>
+
+namespace fovea::testing {
+namespace {
+
+using Key = std::shared_ptr<EVP_PKEY>;
+using Certificate = std::shared_ptr<X509>;
+
+Key NewKey() { return {EVP_EC_gen("P-256"), EVP_PKEY_free}; }
+
+void AddExtension(X509* certificate, int id, const std::string& value) {
+  X509V3_CTX context;
+  X509V3_set_ctx_nodb(&context);
+  X509V3_set_ctx(&context, certificate, certificate, nullptr, nullptr, 0);
+  X509_EXTENSION* extension = X509V3_EXT_conf_nid(nullptr, &context, id, value.c_str());
+  X509_add_ext(certificate, extension, -1);
+  X509_EXTENSION_free(extension);
+}
+
+Certificate NewCertificate(const std::string& name, EVP_PKEY* key) {
+  Certificate certificate(X509_new(), X509_free);
+  X509_set_version(certificate.get(), X509_VERSION_3);
+  ASN1_INTEGER_set(X509_get_serialNumber(certificate.get()),
+                   static_cast<int>(std::random_device{}() >> 1));
+  X509_gmtime_adj(X509_getm_notBefore(certificate.get()), -60);
+  X509_gmtime_adj(X509_getm_notAfter(certificate.get()), 24 * 3600);
+  X509_set_pubkey(certificate.get(), key);
+  X509_NAME_add_entry_by_txt(X509_get_subject_name(certificate.get()), "CN", MBSTRING_ASC,
+                             reinterpret_cast<const unsigned char*>(name.c_str()), -1, -1, 0);
+  return certificate;
+}
+
+template <typename Write>
+std::string PemOf(Write write) {
+  const std::unique_ptr<BIO, decltype(&BIO_free)> memory(BIO_new(BIO_s_mem()), BIO_free);
+  write(memory.get());
+  char* text = nullptr;
+  const long size = BIO_get_mem_data(memory.get(), &text);
+  return {text, static_cast<std::size_t>(size)};
+}
+
+std::string PemOfCertificate(X509* certificate) {
+  return PemOf([=](BIO* out) { PEM_write_bio_X509(out, certificate); });
+}
+
+}  // namespace
+
+Authority::Authority() : key_(NewKey()), certificate_(NewCertificate("authority", key_.get())) {
+  X509_set_issuer_name(certificate_.get(), X509_get_subject_name(certificate_.get()));
+  AddExtension(certificate_.get(), NID_basic_constraints, "critical,CA:TRUE");
+  AddExtension(certificate_.get(), NID_subject_key_identifier, "hash");
+  X509_sign(certificate_.get(), key_.get(), EVP_sha256());
+}
+
+std::string Authority::Certificate() const { return PemOfCertificate(certificate_.get()); }
+
+PemPair Authority::Issue(const std::string& name) const {
+  const Key key = NewKey();
+  const auto certificate = NewCertificate(name, key.get());
+  X509_set_issuer_name(certificate.get(), X509_get_subject_name(certificate_.get()));
+  AddExtension(certificate.get(), NID_subject_alt_name, "DNS:" + name + ",IP:127.0.0.1");
+  X509_sign(certificate.get(), key_.get(), EVP_sha256());
+  return {PemOfCertificate(certificate.get()), PemOf([&](BIO* out) {
+            PEM_write_bio_PrivateKey(out, key.get(), nullptr, nullptr, 0, nullptr, nullptr);
+          })};
+}
+
+}  // namespace fovea::testing
