@@ -1,14 +1,12 @@
 #include "tests/evaluation/detection_command.h"
 
-#include <unistd.h>
-
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "tests/evaluation/output.h"
 #include "tests/evaluation/report.h"
 
 namespace fovea::evaluation {
@@ -39,15 +37,6 @@ std::pair<std::string, std::vector<double>> ParseSetting(const std::string& text
   return {text.substr(0, equals), values};
 }
 
-// Draws over its own line; silent when no one watches.
-void ShowProgress(const std::string& what, std::size_t done, std::size_t total) {
-  if (isatty(STDERR_FILENO) == 0) return;
-  const std::size_t width = 40, filled = total == 0 ? width : width * done / total;
-  std::cerr << '\r' << what << " [" << std::string(filled, '#') << std::string(width - filled, '.')
-            << "] " << done << '/' << total << "  " << (done == total ? "\r\33[2K" : "")
-            << std::flush;
-}
-
 std::vector<Scene> LoadScenes(const Flags& flags) {
   const std::vector<double>& k = flags.intrinsics;
   const std::vector<std::string> names = SceneNames(flags.data);
@@ -71,12 +60,6 @@ std::vector<SceneResult> Evaluate(const Flags& flags, const std::vector<Scene>& 
                       });
 }
 
-void Write(const std::string& path, const nlohmann::json& json) {
-  std::ofstream file(path);
-  file << json.dump(2) << '\n';
-  if (!file.flush()) throw std::runtime_error(path + ": cannot be written");
-}
-
 void RunOnce(const Flags& flags, const std::vector<Scene>& scenes, const DetectorOptions& options) {
   const std::vector<SceneResult> results = Evaluate(flags, scenes, options);
   const Summary summary = Summarize(results, flags.num_folds);
@@ -84,10 +67,9 @@ void RunOnce(const Flags& flags, const std::vector<Scene>& scenes, const Detecto
   PrintSummaryHeader(std::cout);
   PrintSummaryRow(std::cout, std::to_string(results.size()) + " scenes", summary);
   PrintStages(std::cout, summary);
-  if (flags.json.empty()) return;
-  Write(flags.json, {{"options", OptionValues(options)},
-                     {"summary", ToJson(summary)},
-                     {"scenes", ToJson(results)}});
+  WriteJson(flags.json, {{"options", OptionValues(options)},
+                         {"summary", ToJson(summary)},
+                         {"scenes", ToJson(results)}});
 }
 
 // One row per value; several sweeps run one after the other, each from the same start.
@@ -107,7 +89,7 @@ void RunSweeps(const Flags& flags, const std::vector<Scene>& scenes,
       rows.push_back({{"name", name}, {"value", value}, {"summary", ToJson(summary)}});
     }
   }
-  if (!flags.json.empty()) Write(flags.json, rows);
+  WriteJson(flags.json, rows);
 }
 
 void Run(const Flags& flags) {

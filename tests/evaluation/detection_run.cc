@@ -1,23 +1,15 @@
 #include "tests/evaluation/detection_run.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <cmath>
-#include <exception>
 #include <map>
 #include <mutex>
-#include <thread>
+
+#include "tests/evaluation/parallel.h"
+#include "tests/evaluation/statistics.h"
 
 namespace fovea::evaluation {
 namespace {
-
-double Median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 void Add(ObjectCounts& sum, const ObjectCounts& counts) {
   sum.truth += counts.truth;
@@ -63,10 +55,9 @@ void AddFolds(Summary& summary, const std::vector<SceneResult>& results, int num
     }
     f1.push_back(BoxScore(counts).f);
   }
-  for (double value : f1) summary.fold_mean += value / folds;
-  double squares = 0;
-  for (double value : f1) squares += (value - summary.fold_mean) * (value - summary.fold_mean);
-  summary.fold_deviation = std::sqrt(squares / (folds - 1));
+  const Spread spread = SpreadOf(f1);
+  summary.fold_mean = spread.mean;
+  summary.fold_deviation = spread.deviation;
 }
 
 }  // namespace
@@ -75,11 +66,8 @@ std::vector<SceneResult> RunDetection(const std::vector<Scene>& scenes,
                                       const DetectorOptions& options, int num_threads,
                                       const SceneDone& done) {
   std::vector<SceneResult> results(scenes.size());
-  std::atomic<std::size_t> next = 0;
-  std::mutex mutex;  // guards done and failure
-  std::exception_ptr failure;
-
-  const auto run = [&](std::size_t i) {
+  std::mutex mutex;  // guards done
+  ForEachIndex(scenes.size(), num_threads, [&](std::size_t i) {
     const auto start = std::chrono::steady_clock::now();
     const Detections detections = Detect(scenes[i].frame, options);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
@@ -87,22 +75,7 @@ std::vector<SceneResult> RunDetection(const std::vector<Scene>& scenes,
                   time.count(), detections.stage_times};
     const std::scoped_lock lock(mutex);
     if (done) done(scenes[i], detections);
-  };
-  const auto work = [&] {
-    try {
-      for (std::size_t i = next++; i < scenes.size(); i = next++) run(i);
-    } catch (...) {
-      next = scenes.size();
-      const std::scoped_lock lock(mutex);
-      failure = std::current_exception();
-    }
-  };
-  {
-    std::vector<std::jthread> threads;
-    for (int t = 1; t < num_threads; ++t) threads.emplace_back(work);
-    work();
-  }
-  if (failure) std::rethrow_exception(failure);
+  });
   return results;
 }
 
