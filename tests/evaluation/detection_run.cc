@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "tests/evaluation/parallel.h"
+#include "tests/evaluation/peers/peer.h"
 #include "tests/evaluation/statistics.h"
 
 namespace fovea::evaluation {
@@ -62,14 +63,26 @@ void AddFolds(Summary& summary, const std::vector<SceneResult>& results, int num
 
 }  // namespace
 
+DetectFunction DetectWith(const DetectorOptions& options) {
+  return [options](const RgbdFrame& frame) { return Detect(frame, options); };
+}
+
+DetectFunction DetectWithPeer(const std::string& name) {
+  return [name](const RgbdFrame& frame) {
+    Detections detections;
+    detections.labels = SegmentWithPeer(name, frame);
+    return detections;
+  };
+}
+
 std::vector<SceneResult> RunDetection(const std::vector<Scene>& scenes,
-                                      const DetectorOptions& options, int num_threads,
+                                      const DetectFunction& detect, int num_threads,
                                       const SceneDone& done) {
   std::vector<SceneResult> results(scenes.size());
   std::mutex mutex;  // guards done
   ForEachIndex(scenes.size(), num_threads, [&](std::size_t i) {
     const auto start = std::chrono::steady_clock::now();
-    const Detections detections = Detect(scenes[i].frame, options);
+    const Detections detections = detect(scenes[i].frame);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
     results[i] = {scenes[i].name, ScoreScene(scenes[i].truth, detections.labels, scenes[i].valid),
                   time.count(), detections.stage_times};

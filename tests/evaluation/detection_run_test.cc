@@ -57,7 +57,7 @@ std::vector<Scene> TwoScenes() {
 TEST(RunDetection, KeepsTheOrderAndCallsBackOncePerScene) {
   std::multiset<std::string> done;
   const auto results =
-      RunDetection(TwoScenes(), OptionsOfProfile(""), 2,
+      RunDetection(TwoScenes(), DetectWith(OptionsOfProfile("")), 2,
                    [&](const Scene& scene, const Detections&) { done.insert(scene.name); });
   ASSERT_EQ(results.size(), 2U);
   EXPECT_EQ(results[0].name, "scene1");
@@ -66,10 +66,16 @@ TEST(RunDetection, KeepsTheOrderAndCallsBackOncePerScene) {
   EXPECT_EQ(done, (std::multiset<std::string>{"scene1", "scene2"}));
 }
 
+TEST(RunDetection, ScoresPeersByTheirLabels) {
+  const auto results = RunDetection(TwoScenes(), DetectWithPeer("plane_clusters"), 1);
+  EXPECT_GT(results[0].scores.counts.truth, 0);
+  EXPECT_TRUE(results[0].stage_times.empty());
+}
+
 TEST(RunDetection, PassesFailuresOn) {
   std::vector<Scene> scenes = TwoScenes();
   scenes[1].frame.intrinsics.fx_px = -1;
-  EXPECT_THROW(RunDetection(scenes, OptionsOfProfile(""), 2), std::invalid_argument);
+  EXPECT_THROW(RunDetection(scenes, DetectWith(OptionsOfProfile("")), 2), std::invalid_argument);
 }
 
 }  // namespace
