@@ -37,11 +37,16 @@ void AddDetectionCommand(CLI::App& app) {
   command->add_option("--threads", flags->num_threads, "Scenes detected at a time")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
-  command->add_option("--folds", flags->num_folds, "Groups of scenes for the spread of box F1")
+  command
+      ->add_option(
+          "--folds", flags->num_folds,
+          "Groups of scenes: for the spread of box F1, and to calibrate confidence on others")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
   command->add_flag("--scenes", flags->print_scenes, "Print a line per scene");
   command->add_option("--json", flags->json, "Write all scores to this file");
+  command->add_option("--plot", flags->plot,
+                      "Write an SVG: the sweeps, the methods, or how far confidence is right");
   command->add_option("--overlays", flags->overlays, "Write a picture per scene to this folder");
   command->callback([flags] { RunDetectionMode(*flags); });
 }

@@ -10,7 +10,9 @@
 #include "tests/evaluation/detection_run.h"
 #include "tests/evaluation/output.h"
 #include "tests/evaluation/peers/peer.h"
+#include "tests/evaluation/reliability_report.h"
 #include "tests/evaluation/report.h"
+#include "tests/evaluation/score_charts.h"
 
 namespace fovea::evaluation {
 namespace {
@@ -57,8 +59,13 @@ void RunOnce(const DetectionFlags& flags, const std::vector<Scene>& scenes,
   PrintSummaryHeader(std::cout);
   PrintSummaryRow(std::cout, std::to_string(results.size()) + " scenes", summary);
   PrintStages(std::cout, summary);
+  const ReliabilityReport reliability =
+      ReportReliability(PredictionsOfFolds(results, flags.num_folds));
+  PrintReliability(std::cout, reliability);
+  WriteText(flags.plot, DrawSvg({ReliabilityChart(reliability)}));
   WriteJson(flags.json, {{"options", OptionValues(options)},
                          {"summary", ToJson(summary)},
+                         {"reliability", ToJson(reliability)},
                          {"scenes", ToJson(results)}});
 }
 
@@ -66,9 +73,11 @@ void RunOnce(const DetectionFlags& flags, const std::vector<Scene>& scenes,
 void RunSweeps(const DetectionFlags& flags, const std::vector<Scene>& scenes,
                const DetectorOptions& options) {
   nlohmann::json rows = nlohmann::json::array();
+  std::vector<Chart> charts;
   PrintSummaryHeader(std::cout);
   for (const std::string& sweep : flags.sweeps) {
     const auto [name, values] = ParseSetting(sweep);
+    std::vector<Summary> summaries;
     for (const double value : values) {
       DetectorOptions changed = options;
       SetOption(changed, name, value);
@@ -78,8 +87,11 @@ void RunSweeps(const DetectionFlags& flags, const std::vector<Scene>& scenes,
       title << name << '=' << value;
       PrintSummaryRow(std::cout, title.str(), summary);
       rows.push_back({{"name", name}, {"value", value}, {"summary", ToJson(summary)}});
+      summaries.push_back(summary);
     }
+    charts.push_back(SweepChart(name, values, summaries));
   }
+  WriteText(flags.plot, DrawSvg(charts));
   WriteJson(flags.json, rows);
 }
 
@@ -100,6 +112,7 @@ DetectorOptions Options(const DetectionFlags& flags, const std::string& profile)
 
 void CompareMethods(const DetectionFlags& flags, const std::vector<Scene>& scenes) {
   nlohmann::json rows = nlohmann::json::array();
+  std::vector<Summary> summaries;
   PrintSummaryHeader(std::cout);
   for (const std::string& method : flags.methods) {
     const DetectFunction detect =
@@ -108,7 +121,9 @@ void CompareMethods(const DetectionFlags& flags, const std::vector<Scene>& scene
     const Summary summary = Summarize(results, flags.num_folds);
     PrintSummaryRow(std::cout, method, summary);
     rows.push_back({{"method", method}, {"summary", ToJson(summary)}, {"scenes", ToJson(results)}});
+    summaries.push_back(summary);
   }
+  WriteText(flags.plot, DrawSvg({MethodsChart(flags.methods, summaries)}));
   WriteJson(flags.json, rows);
 }
 

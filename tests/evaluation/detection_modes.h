@@ -20,6 +20,7 @@ struct DetectionFlags {
   int num_folds = 5;
   bool print_scenes = false;
   std::string json;
+  std::string plot;
   std::string overlays;
 };
 

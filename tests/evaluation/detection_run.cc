@@ -4,6 +4,7 @@
 #include <chrono>
 #include <map>
 #include <mutex>
+#include <span>
 
 #include "tests/evaluation/parallel.h"
 #include "tests/evaluation/peers/peer.h"
@@ -44,16 +45,30 @@ std::vector<StageTime> MedianStages(const std::vector<SceneResult>& results) {
   return medians;
 }
 
+// Group k of `folds` groups of consecutive scenes.
+std::span<const SceneResult> Fold(const std::vector<SceneResult>& results, int k, int folds) {
+  const std::size_t begin = results.size() * k / folds, end = results.size() * (k + 1) / folds;
+  return std::span(results).subspan(begin, end - begin);
+}
+
+std::vector<Prediction> Judge(const Detections& detections, const SceneScores& scores) {
+  std::vector<Prediction> predictions;
+  for (const DetectedObject& object : detections.objects) {
+    const auto found = scores.box_matched.find(object.label);
+    if (found != scores.box_matched.end()) {
+      predictions.push_back({object.confidence, found->second});
+    }
+  }
+  return predictions;
+}
+
 void AddFolds(Summary& summary, const std::vector<SceneResult>& results, int num_folds) {
   const int folds = std::min<int>(num_folds, static_cast<int>(results.size()));
   if (folds < 2) return;
   std::vector<double> f1;
   for (int k = 0; k < folds; ++k) {
     ObjectCounts counts;
-    const std::size_t end = results.size() * (k + 1) / folds;
-    for (std::size_t i = results.size() * k / folds; i < end; ++i) {
-      Add(counts, results[i].scores.counts);
-    }
+    for (const SceneResult& result : Fold(results, k, folds)) Add(counts, result.scores.counts);
     f1.push_back(BoxScore(counts).f);
   }
   const Spread spread = SpreadOf(f1);
@@ -84,12 +99,25 @@ std::vector<SceneResult> RunDetection(const std::vector<Scene>& scenes,
     const auto start = std::chrono::steady_clock::now();
     const Detections detections = detect(scenes[i].frame);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-    results[i] = {scenes[i].name, ScoreScene(scenes[i].truth, detections.labels, scenes[i].valid),
-                  time.count(), detections.stage_times};
+    const SceneScores scores = ScoreScene(scenes[i].truth, detections.labels, scenes[i].valid);
+    results[i] = {scenes[i].name, scores, time.count(), detections.stage_times,
+                  Judge(detections, scores)};
     const std::scoped_lock lock(mutex);
     if (done) done(scenes[i], detections);
   });
   return results;
+}
+
+std::vector<std::vector<Prediction>> PredictionsOfFolds(const std::vector<SceneResult>& results,
+                                                        int num_folds) {
+  const int folds = std::clamp<int>(num_folds, 1, std::max<int>(1, results.size()));
+  std::vector<std::vector<Prediction>> groups(folds);
+  for (int k = 0; k < folds; ++k) {
+    for (const SceneResult& result : Fold(results, k, folds)) {
+      groups[k].insert(groups[k].end(), result.predictions.begin(), result.predictions.end());
+    }
+  }
+  return groups;
 }
 
 Summary Summarize(const std::vector<SceneResult>& results, int num_folds) {

@@ -7,6 +7,7 @@
 
 #include "core/detector.h"
 #include "tests/evaluation/dataset.h"
+#include "tests/evaluation/reliability.h"
 #include "tests/evaluation/scores.h"
 
 namespace fovea::evaluation {
@@ -16,6 +17,7 @@ struct SceneResult {
   SceneScores scores;
   double total_ms = 0;  // wall time of detecting
   std::vector<StageTime> stage_times;
+  std::vector<Prediction> predictions;  // those in sight of the ground truth; none of peers
 };
 
 // Called once per scene, one call at a time, from the thread that ran it.
@@ -47,6 +49,11 @@ struct Summary {
   double fold_mean = 0;
   double fold_deviation = 0;
 };
+
+// The predictions of each of `num_folds` groups of consecutive scenes, of which there is at least
+// one and not more than scenes.
+std::vector<std::vector<Prediction>> PredictionsOfFolds(const std::vector<SceneResult>& results,
+                                                        int num_folds);
 
 Summary Summarize(const std::vector<SceneResult>& results, int num_folds = 0);
 

@@ -40,14 +40,14 @@ std::vector<std::uint32_t> ConvexitySegments(const PeerCloud::Ptr& cloud, bool c
   const auto labelled = supervoxels.getLabeledCloud();
 
   std::map<std::uint32_t, std::uint32_t> segment_of;
-  const auto run = [&](auto segmentation) {
+  const auto run = [&](auto&& segmentation) {
     SetConvexity(segmentation);
     segmentation.setInputSupervoxels(clusters, adjacency);
     segmentation.segment();
     segmentation.getSupervoxelToSegmentMap(segment_of);
   };
   if (cut_by_planes) {
-    run(pcl::CPCSegmentation<Point>());
+    run(pcl::CPCSegmentation<Point>());  // its own cutting options: smaller cuts score worse
   } else {
     run(pcl::LCCPSegmentation<Point>());
   }

@@ -6,7 +6,7 @@
 namespace fovea::evaluation {
 
 std::vector<std::uint32_t> EuclideanClusters(const PeerCloud::Ptr& cloud) {
-  constexpr double kTolerance_m = 0.01;
+  constexpr double kTolerance_m = 0.005;
   std::vector<std::uint32_t> clusters(cloud->size(), 0);
   if (cloud->empty()) return clusters;
   pcl::EuclideanClusterExtraction<pcl::PointXYZRGBA> extraction;

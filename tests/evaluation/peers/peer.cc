@@ -1,5 +1,7 @@
 #include "tests/evaluation/peers/peer.h"
 
+#include <pcl/console/print.h>
+
 #include <stdexcept>
 
 #include "tests/evaluation/peers/convexity.h"
@@ -12,6 +14,7 @@ std::vector<std::string> PeerNames() { return {"lccp", "cpc", "plane_clusters"};
 
 cv::Mat SegmentWithPeer(const std::string& name, const RgbdFrame& frame) {
   constexpr int kMinPixels = 1500;
+  pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);  // CPC talks a lot
   const PixelCloud cloud = CloudAboveTable(frame, {});
   const cv::Size size = frame.depth_m.size();
   if (name == "lccp") {

@@ -21,6 +21,7 @@ struct Flags {
   std::vector<std::string> methods = SaliencyMethodNames();
   SaliencyRunOptions run;
   std::string maps;
+  std::string plot;
   std::string json;
 };
 
@@ -56,6 +57,7 @@ void Run(const Flags& flags) {
                   });
   std::cout << images.size() << " images, seed " << flags.run.seed << '\n';
   PrintSaliency(std::cout, results, flags.run.sigmas);
+  WriteText(flags.plot, DrawSvg(SaliencyCharts(results, flags.run.sigmas)));
   WriteJson(flags.json, ToJson(results, flags.run));
 }
 
@@ -105,6 +107,7 @@ void AddSaliencyCommand(CLI::App& app) {
       ->capture_default_str();
   AddScoring(*command, flags->run);
   command->add_option("--maps", flags->maps, "Write every map, scaled to 0 … 255, to this folder");
+  command->add_option("--plot", flags->plot, "Write the scores over the blurs to this SVG");
   command->add_option("--json", flags->json, "Write all scores to this file");
   command->callback([flags] { Run(*flags); });
 }

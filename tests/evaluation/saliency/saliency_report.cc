@@ -2,6 +2,7 @@
 
 #include <fmt/ostream.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -61,6 +62,28 @@ void PrintSaliency(std::ostream& out, const std::vector<SaliencyResult>& results
     }
     fmt::print(out, "  {:7.1f}\n", result.median_ms);
   }
+}
+
+std::vector<Chart> SaliencyCharts(const std::vector<SaliencyResult>& results,
+                                  const std::vector<double>& sigmas) {
+  std::vector<Chart> charts;
+  for (const ScoreKind& kind : kScores) {
+    Chart chart{.title = kind.name,
+                .x_label = "blur in image widths",
+                .y_label = kind.name,
+                .series = {},
+                .categories = {},
+                .y_max = 0};
+    for (const SaliencyResult& result : results) {
+      const std::vector<Spread> spreads = SpreadsOverImages(result, kind);
+      Series series{result.method, sigmas, {}};
+      for (const Spread& spread : spreads) series.y.push_back(spread.mean);
+      chart.y_max = std::max(chart.y_max, 1.1 * spreads[IndexOfBest(spreads)].mean);
+      chart.series.push_back(std::move(series));
+    }
+    charts.push_back(std::move(chart));
+  }
+  return charts;
 }
 
 nlohmann::json ToJson(const std::vector<SaliencyResult>& results,

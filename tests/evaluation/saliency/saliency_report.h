@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/evaluation/plot.h"
 #include "tests/evaluation/saliency/saliency_run.h"
 
 namespace fovea::evaluation {
@@ -14,6 +15,10 @@ namespace fovea::evaluation {
 // standard error and its sigma in image widths, and the median time of a map.
 void PrintSaliency(std::ostream& out, const std::vector<SaliencyResult>& results,
                    const std::vector<double>& sigmas);
+
+// One chart per score: its mean over the images against sigma.
+std::vector<Chart> SaliencyCharts(const std::vector<SaliencyResult>& results,
+                                  const std::vector<double>& sigmas);
 
 // Best and all means, with everything that is needed to repeat them.
 nlohmann::json ToJson(const std::vector<SaliencyResult>& results,
