@@ -1,134 +1,14 @@
 #include "tests/evaluation/detection_command.h"
 
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
-#include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
-#include <opencv2/imgcodecs.hpp>
 
-#include "tests/evaluation/report.h"
+#include "core/options.h"
+#include "tests/evaluation/detection_modes.h"
 
 namespace fovea::evaluation {
-namespace {
-
-struct Flags {
-  std::string data;
-  std::vector<double> intrinsics = {525, 525, 319.5, 239.5};
-  LabelEncoding encoding = LabelEncoding::kMosd;
-  std::string profile;
-  std::vector<std::string> settings;
-  std::vector<std::string> sweeps;
-  int num_threads = 1;
-  int num_folds = 5;
-  bool print_scenes = false;
-  std::string json;
-  std::string overlays;
-};
-
-// name=value,value… → the name and the values.
-std::pair<std::string, std::vector<double>> ParseSetting(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  if (equals == std::string::npos) throw std::invalid_argument(text + ": expected name=value");
-  std::vector<double> values;
-  for (const std::string& value : CLI::detail::split(text.substr(equals + 1), ',')) {
-    values.push_back(std::stod(value));
-  }
-  return {text.substr(0, equals), values};
-}
-
-// Draws over its own line; silent when no one watches.
-void ShowProgress(const std::string& what, std::size_t done, std::size_t total) {
-  if (isatty(STDERR_FILENO) == 0) return;
-  const std::size_t width = 40, filled = total == 0 ? width : width * done / total;
-  std::cerr << '\r' << what << " [" << std::string(filled, '#') << std::string(width - filled, '.')
-            << "] " << done << '/' << total << "  " << (done == total ? "\r\33[2K" : "")
-            << std::flush;
-}
-
-std::vector<Scene> LoadScenes(const Flags& flags) {
-  const std::vector<double>& k = flags.intrinsics;
-  const std::vector<std::string> names = SceneNames(flags.data);
-  std::vector<Scene> scenes;
-  for (const std::string& name : names) {
-    scenes.push_back(LoadScene(flags.data, name, flags.encoding, {k[0], k[1], k[2], k[3]}));
-    ShowProgress("reading  ", scenes.size(), names.size());
-  }
-  return scenes;
-}
-
-std::vector<SceneResult> Evaluate(const Flags& flags, const std::vector<Scene>& scenes,
-                                  const DetectorOptions& options) {
-  std::size_t done = 0;
-  return RunDetection(scenes, options, flags.num_threads,
-                      [&](const Scene& scene, const Detections& detections) {
-                        ShowProgress("detecting", ++done, scenes.size());
-                        if (flags.overlays.empty()) return;
-                        cv::imwrite(flags.overlays + "/" + scene.name + "_overlay.png",
-                                    DrawOverlay(scene, detections.labels));
-                      });
-}
-
-void Write(const std::string& path, const nlohmann::json& json) {
-  std::ofstream file(path);
-  file << json.dump(2) << '\n';
-  if (!file.flush()) throw std::runtime_error(path + ": cannot be written");
-}
-
-void RunOnce(const Flags& flags, const std::vector<Scene>& scenes, const DetectorOptions& options) {
-  const std::vector<SceneResult> results = Evaluate(flags, scenes, options);
-  const Summary summary = Summarize(results, flags.num_folds);
-  if (flags.print_scenes) PrintScenes(std::cout, results);
-  PrintSummaryHeader(std::cout);
-  PrintSummaryRow(std::cout, std::to_string(results.size()) + " scenes", summary);
-  PrintStages(std::cout, summary);
-  if (flags.json.empty()) return;
-  Write(flags.json, {{"options", OptionValues(options)},
-                     {"summary", ToJson(summary)},
-                     {"scenes", ToJson(results)}});
-}
-
-// One row per value; several sweeps run one after the other, each from the same start.
-void RunSweeps(const Flags& flags, const std::vector<Scene>& scenes,
-               const DetectorOptions& options) {
-  nlohmann::json rows = nlohmann::json::array();
-  PrintSummaryHeader(std::cout);
-  for (const std::string& sweep : flags.sweeps) {
-    const auto [name, values] = ParseSetting(sweep);
-    for (const double value : values) {
-      DetectorOptions changed = options;
-      SetOption(changed, name, value);
-      const Summary summary = Summarize(Evaluate(flags, scenes, changed), flags.num_folds);
-      std::ostringstream title;
-      title << name << '=' << value;
-      PrintSummaryRow(std::cout, title.str(), summary);
-      rows.push_back({{"name", name}, {"value", value}, {"summary", ToJson(summary)}});
-    }
-  }
-  if (!flags.json.empty()) Write(flags.json, rows);
-}
-
-void Run(const Flags& flags) {
-  DetectorOptions options = OptionsOfProfile(flags.profile);
-  for (const std::string& setting : flags.settings) {
-    const auto [name, values] = ParseSetting(setting);
-    SetOption(options, name, values.at(0));
-  }
-  if (!flags.overlays.empty()) std::filesystem::create_directories(flags.overlays);
-  const std::vector<Scene> scenes = LoadScenes(flags);
-  if (flags.sweeps.empty()) {
-    RunOnce(flags, scenes, options);
-  } else {
-    RunSweeps(flags, scenes, options);
-  }
-}
-
-}  // namespace
 
 void AddDetectionCommand(CLI::App& app) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<DetectionFlags>();
   CLI::App* command = app.add_subcommand("detection", "Score the detector on labelled scenes");
   command->add_option("--data", flags->data, "Folder of <name>_{color,depth,label}.png")
       ->required()
@@ -146,18 +26,29 @@ void AddDetectionCommand(CLI::App& app) {
   command->add_option("--profile", flags->profile, "Options to start from")
       ->check(CLI::IsMember(ProfileNames()));
   command->add_option("--set", flags->settings, "name=value of a detector option; repeatable");
-  command->add_option("--sweep", flags->sweeps,
-                      "name=v1,v2,… : a row of scores for each value; repeatable");
+  auto* methods =
+      command->add_option("--methods", flags->methods,
+                          "A row of scores for each of these profiles and peers, side by side");
+  methods->delimiter(',')->check(CLI::IsMember(DetectionMethodNames()));
+  command
+      ->add_option("--sweep", flags->sweeps,
+                   "name=v1,v2,… : a row of scores for each value; repeatable")
+      ->excludes(methods);
   command->add_option("--threads", flags->num_threads, "Scenes detected at a time")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
-  command->add_option("--folds", flags->num_folds, "Groups of scenes for the spread of box F1")
+  command
+      ->add_option(
+          "--folds", flags->num_folds,
+          "Groups of scenes: for the spread of box F1, and to calibrate confidence on others")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
   command->add_flag("--scenes", flags->print_scenes, "Print a line per scene");
   command->add_option("--json", flags->json, "Write all scores to this file");
+  command->add_option("--plot", flags->plot,
+                      "Write an SVG: the sweeps, the methods, or how far confidence is right");
   command->add_option("--overlays", flags->overlays, "Write a picture per scene to this folder");
-  command->callback([flags] { Run(*flags); });
+  command->callback([flags] { RunDetectionMode(*flags); });
 }
 
 }  // namespace fovea::evaluation

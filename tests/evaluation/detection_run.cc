@@ -1,23 +1,17 @@
 #include "tests/evaluation/detection_run.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <cmath>
-#include <exception>
 #include <map>
 #include <mutex>
-#include <thread>
+#include <span>
+
+#include "tests/evaluation/parallel.h"
+#include "tests/evaluation/peers/peer.h"
+#include "tests/evaluation/statistics.h"
 
 namespace fovea::evaluation {
 namespace {
-
-double Median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 void Add(ObjectCounts& sum, const ObjectCounts& counts) {
   sum.truth += counts.truth;
@@ -51,59 +45,79 @@ std::vector<StageTime> MedianStages(const std::vector<SceneResult>& results) {
   return medians;
 }
 
+// Group k of `folds` groups of consecutive scenes.
+std::span<const SceneResult> Fold(const std::vector<SceneResult>& results, int k, int folds) {
+  const std::size_t begin = results.size() * k / folds, end = results.size() * (k + 1) / folds;
+  return std::span(results).subspan(begin, end - begin);
+}
+
+std::vector<Prediction> Judge(const Detections& detections, const SceneScores& scores) {
+  std::vector<Prediction> predictions;
+  for (const DetectedObject& object : detections.objects) {
+    const auto found = scores.box_matched.find(object.label);
+    if (found != scores.box_matched.end()) {
+      predictions.push_back({object.confidence, found->second});
+    }
+  }
+  return predictions;
+}
+
 void AddFolds(Summary& summary, const std::vector<SceneResult>& results, int num_folds) {
   const int folds = std::min<int>(num_folds, static_cast<int>(results.size()));
   if (folds < 2) return;
   std::vector<double> f1;
   for (int k = 0; k < folds; ++k) {
     ObjectCounts counts;
-    const std::size_t end = results.size() * (k + 1) / folds;
-    for (std::size_t i = results.size() * k / folds; i < end; ++i) {
-      Add(counts, results[i].scores.counts);
-    }
+    for (const SceneResult& result : Fold(results, k, folds)) Add(counts, result.scores.counts);
     f1.push_back(BoxScore(counts).f);
   }
-  for (double value : f1) summary.fold_mean += value / folds;
-  double squares = 0;
-  for (double value : f1) squares += (value - summary.fold_mean) * (value - summary.fold_mean);
-  summary.fold_deviation = std::sqrt(squares / (folds - 1));
+  const Spread spread = SpreadOf(f1);
+  summary.fold_mean = spread.mean;
+  summary.fold_deviation = spread.deviation;
 }
 
 }  // namespace
 
+DetectFunction DetectWith(const DetectorOptions& options) {
+  return [options](const RgbdFrame& frame) { return Detect(frame, options); };
+}
+
+DetectFunction DetectWithPeer(const std::string& name) {
+  return [name](const RgbdFrame& frame) {
+    Detections detections;
+    detections.labels = SegmentWithPeer(name, frame);
+    return detections;
+  };
+}
+
 std::vector<SceneResult> RunDetection(const std::vector<Scene>& scenes,
-                                      const DetectorOptions& options, int num_threads,
+                                      const DetectFunction& detect, int num_threads,
                                       const SceneDone& done) {
   std::vector<SceneResult> results(scenes.size());
-  std::atomic<std::size_t> next = 0;
-  std::mutex mutex;  // guards done and failure
-  std::exception_ptr failure;
-
-  const auto run = [&](std::size_t i) {
+  std::mutex mutex;  // guards done
+  ForEachIndex(scenes.size(), num_threads, [&](std::size_t i) {
     const auto start = std::chrono::steady_clock::now();
-    const Detections detections = Detect(scenes[i].frame, options);
+    const Detections detections = detect(scenes[i].frame);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-    results[i] = {scenes[i].name, ScoreScene(scenes[i].truth, detections.labels, scenes[i].valid),
-                  time.count(), detections.stage_times};
+    const SceneScores scores = ScoreScene(scenes[i].truth, detections.labels, scenes[i].valid);
+    results[i] = {scenes[i].name, scores, time.count(), detections.stage_times,
+                  Judge(detections, scores)};
     const std::scoped_lock lock(mutex);
     if (done) done(scenes[i], detections);
-  };
-  const auto work = [&] {
-    try {
-      for (std::size_t i = next++; i < scenes.size(); i = next++) run(i);
-    } catch (...) {
-      next = scenes.size();
-      const std::scoped_lock lock(mutex);
-      failure = std::current_exception();
-    }
-  };
-  {
-    std::vector<std::jthread> threads;
-    for (int t = 1; t < num_threads; ++t) threads.emplace_back(work);
-    work();
-  }
-  if (failure) std::rethrow_exception(failure);
+  });
   return results;
+}
+
+std::vector<std::vector<Prediction>> PredictionsOfFolds(const std::vector<SceneResult>& results,
+                                                        int num_folds) {
+  const int folds = std::clamp<int>(num_folds, 1, std::max<int>(1, results.size()));
+  std::vector<std::vector<Prediction>> groups(folds);
+  for (int k = 0; k < folds; ++k) {
+    for (const SceneResult& result : Fold(results, k, folds)) {
+      groups[k].insert(groups[k].end(), result.predictions.begin(), result.predictions.end());
+    }
+  }
+  return groups;
 }
 
 Summary Summarize(const std::vector<SceneResult>& results, int num_folds) {

@@ -1,4 +1,4 @@
-// Runs the detector over scenes and adds up how it did.
+// Runs a detector over scenes and adds up how it did.
 #pragma once
 
 #include <functional>
@@ -7,6 +7,7 @@
 
 #include "core/detector.h"
 #include "tests/evaluation/dataset.h"
+#include "tests/evaluation/reliability.h"
 #include "tests/evaluation/scores.h"
 
 namespace fovea::evaluation {
@@ -14,17 +15,26 @@ namespace fovea::evaluation {
 struct SceneResult {
   std::string name;
   SceneScores scores;
-  double total_ms = 0;  // wall time of Detect
+  double total_ms = 0;  // wall time of detecting
   std::vector<StageTime> stage_times;
+  std::vector<Prediction> predictions;  // those in sight of the ground truth; none of peers
 };
 
 // Called once per scene, one call at a time, from the thread that ran it.
 using SceneDone = std::function<void(const Scene&, const Detections&)>;
 
+using DetectFunction = std::function<Detections(const RgbdFrame&)>;
+
+// Our detector.
+DetectFunction DetectWith(const DetectorOptions& options);
+
+// Another one, which fills Detections::labels only.
+DetectFunction DetectWithPeer(const std::string& name);
+
 // Detects in every scene, `num_threads` scenes at a time, and scores the answers. Results come in
-// the order of `scenes`. Throws what Detect throws.
+// the order of `scenes`. Throws what `detect` throws.
 std::vector<SceneResult> RunDetection(const std::vector<Scene>& scenes,
-                                      const DetectorOptions& options, int num_threads,
+                                      const DetectFunction& detect, int num_threads,
                                       const SceneDone& done = {});
 
 struct Summary {
@@ -39,6 +49,11 @@ struct Summary {
   double fold_mean = 0;
   double fold_deviation = 0;
 };
+
+// The predictions of each of `num_folds` groups of consecutive scenes, of which there is at least
+// one and not more than scenes.
+std::vector<std::vector<Prediction>> PredictionsOfFolds(const std::vector<SceneResult>& results,
+                                                        int num_folds);
 
 Summary Summarize(const std::vector<SceneResult>& results, int num_folds = 0);
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <stdexcept>
 
@@ -43,6 +44,18 @@ TEST(Summarize, FoldsAreGroupsOfConsecutiveScenes) {
   EXPECT_DOUBLE_EQ(Summarize(results, 1).fold_mean, 0) << "one group has no spread";
 }
 
+TEST(PredictionsOfFolds, KeepScenesTogether) {
+  std::vector<SceneResult> results(3);
+  for (std::size_t i = 0; i < 3; ++i) results[i].predictions = {{0.25 * double(i), true}};
+  const auto groups = PredictionsOfFolds(results, 2);
+  ASSERT_EQ(groups.size(), 2U);
+  ASSERT_EQ(groups[0].size(), 1U);
+  ASSERT_EQ(groups[1].size(), 2U);
+  EXPECT_EQ(groups[1][0].confidence, 0.25);
+  EXPECT_EQ(PredictionsOfFolds(results, 0).size(), 1U);
+  EXPECT_EQ(PredictionsOfFolds(results, 9).size(), 3U);
+}
+
 std::vector<Scene> TwoScenes() {
   std::vector<Scene> scenes;
   for (const std::uint64_t seed : {1, 2}) {
@@ -57,19 +70,29 @@ std::vector<Scene> TwoScenes() {
 TEST(RunDetection, KeepsTheOrderAndCallsBackOncePerScene) {
   std::multiset<std::string> done;
   const auto results =
-      RunDetection(TwoScenes(), OptionsOfProfile(""), 2,
+      RunDetection(TwoScenes(), DetectWith(OptionsOfProfile("")), 2,
                    [&](const Scene& scene, const Detections&) { done.insert(scene.name); });
   ASSERT_EQ(results.size(), 2U);
   EXPECT_EQ(results[0].name, "scene1");
   EXPECT_EQ(results[1].name, "scene2");
   EXPECT_GT(results[0].scores.counts.truth, 0);
+  EXPECT_EQ(std::ssize(results[0].predictions), results[0].scores.counts.predicted);
+  EXPECT_EQ(std::count_if(results[0].predictions.begin(), results[0].predictions.end(),
+                          [](const Prediction& prediction) { return prediction.correct; }),
+            results[0].scores.counts.matched_boxes);
   EXPECT_EQ(done, (std::multiset<std::string>{"scene1", "scene2"}));
+}
+
+TEST(RunDetection, ScoresPeersByTheirLabels) {
+  const auto results = RunDetection(TwoScenes(), DetectWithPeer("plane_clusters"), 1);
+  EXPECT_GT(results[0].scores.counts.truth, 0);
+  EXPECT_TRUE(results[0].stage_times.empty());
 }
 
 TEST(RunDetection, PassesFailuresOn) {
   std::vector<Scene> scenes = TwoScenes();
   scenes[1].frame.intrinsics.fx_px = -1;
-  EXPECT_THROW(RunDetection(scenes, OptionsOfProfile(""), 2), std::invalid_argument);
+  EXPECT_THROW(RunDetection(scenes, DetectWith(OptionsOfProfile("")), 2), std::invalid_argument);
 }
 
 }  // namespace

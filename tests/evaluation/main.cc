@@ -6,14 +6,16 @@
 #include <opencv2/core/utility.hpp>
 
 #include "tests/evaluation/detection_command.h"
+#include "tests/evaluation/saliency/saliency_command.h"
 
 namespace {
 
 int Run(int argc, char** argv) {
   cv::setNumThreads(1);  // times are those of one thread per frame
-  CLI::App app{"Scores the detector against ground truth."};
+  CLI::App app{"Scores the detector and its saliency against ground truth."};
   app.require_subcommand(1);
   fovea::evaluation::AddDetectionCommand(app);
+  fovea::evaluation::AddSaliencyCommand(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

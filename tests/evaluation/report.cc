@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgproc.hpp>
+#include <set>
 
 #include "tests/support/label_colors.h"
 
@@ -65,10 +66,15 @@ void PrintSummaryRow(std::ostream& out, const std::string& title, const Summary&
 }
 
 void PrintStages(std::ostream& out, const Summary& summary) {
+  const std::set<std::string> fixation_stages = {"color_saliency", "depth_saliency", "seeds"};
+  double fixation_ms = 0, segmentation_ms = 0;
   out << "\nmedian time per stage\n";
   for (const StageTime& time : summary.median_stage_ms) {
     out << Format("  %-28s %8.2f ms\n", time.stage.c_str(), time.duration_ms);
+    (fixation_stages.contains(time.stage) ? fixation_ms : segmentation_ms) += time.duration_ms;
   }
+  out << Format("  %-28s %8.2f ms\n", "detecting fixation points", fixation_ms);
+  out << Format("  %-28s %8.2f ms\n", "segmentation", segmentation_ms);
   out << Format("  %-28s %8.2f ms\n", "whole frame", summary.median_ms);
 }
 

@@ -18,7 +18,8 @@ void PrintScenes(std::ostream& out, const std::vector<SceneResult>& results);
 void PrintSummaryHeader(std::ostream& out);
 void PrintSummaryRow(std::ostream& out, const std::string& title, const Summary& summary);
 
-// Median milliseconds of each stage, in the order of the pipeline.
+// Median milliseconds of each stage, in the order of the pipeline, and of the two parts of the
+// paper's Table 5.
 void PrintStages(std::ostream& out, const Summary& summary);
 
 nlohmann::json ToJson(const Summary& summary);

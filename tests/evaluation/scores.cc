@@ -10,7 +10,8 @@
 namespace fovea::evaluation {
 namespace {
 
-int MatchedBoxes(const std::vector<Region>& truth, const std::vector<Region>& prediction) {
+std::map<int, bool> MatchBoxes(const std::vector<Region>& truth,
+                               const std::vector<Region>& prediction) {
   Eigen::MatrixXd overlaps(truth.size(), prediction.size());
   for (std::size_t i = 0; i < truth.size(); ++i) {
     for (std::size_t j = 0; j < prediction.size(); ++j) {
@@ -20,9 +21,12 @@ int MatchedBoxes(const std::vector<Region>& truth, const std::vector<Region>& pr
     }
   }
   const std::vector<int> assigned = MaximumAssignment(overlaps);
-  int matched = 0;
+  std::map<int, bool> matched;
+  for (const Region& region : prediction) matched[region.label] = false;
   for (std::size_t i = 0; i < assigned.size(); ++i) {
-    if (assigned[i] >= 0 && overlaps(i, assigned[i]) > 0) ++matched;
+    if (assigned[i] >= 0 && overlaps(i, assigned[i]) > 0) {
+      matched[prediction[assigned[i]].label] = true;
+    }
   }
   return matched;
 }
@@ -62,7 +66,8 @@ SceneScores ScoreScene(const cv::Mat& truth, const cv::Mat& prediction, const cv
   SceneScores scores;
   scores.counts.truth = static_cast<int>(true_regions.size());
   scores.counts.predicted = static_cast<int>(predicted_regions.size());
-  scores.counts.matched_boxes = MatchedBoxes(true_regions, predicted_regions);
+  scores.box_matched = MatchBoxes(true_regions, predicted_regions);
+  for (const auto& [label, matched] : scores.box_matched) scores.counts.matched_boxes += matched;
   double hits = 0;
   for (int i = 0; i < f.rows(); ++i) {
     if (assigned[i] < 0) continue;

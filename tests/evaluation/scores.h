@@ -1,6 +1,7 @@
 // How well the predicted objects of one scene agree with the true ones.
 #pragma once
 
+#include <map>
 #include <opencv2/core/mat.hpp>
 
 namespace fovea::evaluation {
@@ -27,6 +28,7 @@ struct SceneScores {
   ObjectCounts counts;
   Score overlap;   // pixels of assigned pairs among all object pixels (Xie et al. 2021)
   Score boundary;  // the same for the pixels of the object boundaries
+  std::map<int, bool> box_matched;  // of each predicted label: whether matched_boxes counts it
 };
 
 // Scores one scene. `truth` and `prediction`: CV_16UC1 of one size, 0 = no object, k = object k,

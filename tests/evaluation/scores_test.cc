@@ -55,6 +55,7 @@ TEST(Scores, GiveOnePredictionToOneObject) {
                                        Labels({{10, 10, 30, 20}, {40, 10, 10, 20}}), kAllValid);
   ExpectScore(split.overlap, 0.75, 0.75, 0.75);
   EXPECT_EQ(split.counts.matched_boxes, 1);
+  EXPECT_EQ(split.box_matched, (std::map<int, bool>{{1, true}, {2, false}}));
   EXPECT_EQ(split.counts.matched_75, 1) << "F of the larger part is 2·600/1400";
 }
 

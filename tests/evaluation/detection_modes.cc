@@ -1,0 +1,150 @@
+#include "tests/evaluation/detection_modes.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "tests/evaluation/detection_run.h"
+#include "tests/evaluation/output.h"
+#include "tests/evaluation/peers/peer.h"
+#include "tests/evaluation/reliability_report.h"
+#include "tests/evaluation/report.h"
+#include "tests/evaluation/score_charts.h"
+
+namespace fovea::evaluation {
+namespace {
+
+// name=value,value… → the name and the values.
+std::pair<std::string, std::vector<double>> ParseSetting(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) throw std::invalid_argument(text + ": expected name=value");
+  std::vector<double> values;
+  for (const std::string& value : CLI::detail::split(text.substr(equals + 1), ',')) {
+    values.push_back(std::stod(value));
+  }
+  return {text.substr(0, equals), values};
+}
+
+std::vector<Scene> LoadScenes(const DetectionFlags& flags) {
+  const std::vector<double>& k = flags.intrinsics;
+  const std::vector<std::string> names = SceneNames(flags.data);
+  std::vector<Scene> scenes;
+  for (const std::string& name : names) {
+    scenes.push_back(LoadScene(flags.data, name, flags.encoding, {k[0], k[1], k[2], k[3]}));
+    ShowProgress("reading  ", scenes.size(), names.size());
+  }
+  return scenes;
+}
+
+std::vector<SceneResult> Evaluate(const DetectionFlags& flags, const std::vector<Scene>& scenes,
+                                  const DetectFunction& detect) {
+  std::size_t done = 0;
+  return RunDetection(scenes, detect, flags.num_threads,
+                      [&](const Scene& scene, const Detections& detections) {
+                        ShowProgress("detecting", ++done, scenes.size());
+                        if (flags.overlays.empty()) return;
+                        cv::imwrite(flags.overlays + "/" + scene.name + "_overlay.png",
+                                    DrawOverlay(scene, detections.labels));
+                      });
+}
+
+void RunOnce(const DetectionFlags& flags, const std::vector<Scene>& scenes,
+             const DetectorOptions& options) {
+  const std::vector<SceneResult> results = Evaluate(flags, scenes, DetectWith(options));
+  const Summary summary = Summarize(results, flags.num_folds);
+  if (flags.print_scenes) PrintScenes(std::cout, results);
+  PrintSummaryHeader(std::cout);
+  PrintSummaryRow(std::cout, std::to_string(results.size()) + " scenes", summary);
+  PrintStages(std::cout, summary);
+  const ReliabilityReport reliability =
+      ReportReliability(PredictionsOfFolds(results, flags.num_folds));
+  PrintReliability(std::cout, reliability);
+  WriteText(flags.plot, DrawSvg({ReliabilityChart(reliability)}));
+  WriteJson(flags.json, {{"options", OptionValues(options)},
+                         {"summary", ToJson(summary)},
+                         {"reliability", ToJson(reliability)},
+                         {"scenes", ToJson(results)}});
+}
+
+// One row per value; several sweeps run one after the other, each from the same start.
+void RunSweeps(const DetectionFlags& flags, const std::vector<Scene>& scenes,
+               const DetectorOptions& options) {
+  nlohmann::json rows = nlohmann::json::array();
+  std::vector<Chart> charts;
+  PrintSummaryHeader(std::cout);
+  for (const std::string& sweep : flags.sweeps) {
+    const auto [name, values] = ParseSetting(sweep);
+    std::vector<Summary> summaries;
+    for (const double value : values) {
+      DetectorOptions changed = options;
+      SetOption(changed, name, value);
+      const Summary summary =
+          Summarize(Evaluate(flags, scenes, DetectWith(changed)), flags.num_folds);
+      std::ostringstream title;
+      title << name << '=' << value;
+      PrintSummaryRow(std::cout, title.str(), summary);
+      rows.push_back({{"name", name}, {"value", value}, {"summary", ToJson(summary)}});
+      summaries.push_back(summary);
+    }
+    charts.push_back(SweepChart(name, values, summaries));
+  }
+  WriteText(flags.plot, DrawSvg(charts));
+  WriteJson(flags.json, rows);
+}
+
+bool IsPeer(const std::string& method) {
+  const std::vector<std::string> peers = PeerNames();
+  return std::find(peers.begin(), peers.end(), method) != peers.end();
+}
+
+// `flags.settings` on top of a profile.
+DetectorOptions Options(const DetectionFlags& flags, const std::string& profile) {
+  DetectorOptions options = OptionsOfProfile(profile);
+  for (const std::string& setting : flags.settings) {
+    const auto [name, values] = ParseSetting(setting);
+    SetOption(options, name, values.at(0));
+  }
+  return options;
+}
+
+void CompareMethods(const DetectionFlags& flags, const std::vector<Scene>& scenes) {
+  nlohmann::json rows = nlohmann::json::array();
+  std::vector<Summary> summaries;
+  PrintSummaryHeader(std::cout);
+  for (const std::string& method : flags.methods) {
+    const DetectFunction detect =
+        IsPeer(method) ? DetectWithPeer(method) : DetectWith(Options(flags, method));
+    const std::vector<SceneResult> results = Evaluate(flags, scenes, detect);
+    const Summary summary = Summarize(results, flags.num_folds);
+    PrintSummaryRow(std::cout, method, summary);
+    rows.push_back({{"method", method}, {"summary", ToJson(summary)}, {"scenes", ToJson(results)}});
+    summaries.push_back(summary);
+  }
+  WriteText(flags.plot, DrawSvg({MethodsChart(flags.methods, summaries)}));
+  WriteJson(flags.json, rows);
+}
+
+}  // namespace
+
+std::vector<std::string> DetectionMethodNames() {
+  std::vector<std::string> names = ProfileNames();
+  for (const std::string& peer : PeerNames()) names.push_back(peer);
+  return names;
+}
+
+void RunDetectionMode(const DetectionFlags& flags) {
+  if (!flags.overlays.empty()) std::filesystem::create_directories(flags.overlays);
+  const std::vector<Scene> scenes = LoadScenes(flags);
+  if (!flags.methods.empty()) {
+    CompareMethods(flags, scenes);
+  } else if (!flags.sweeps.empty()) {
+    RunSweeps(flags, scenes, Options(flags, flags.profile));
+  } else {
+    RunOnce(flags, scenes, Options(flags, flags.profile));
+  }
+}
+
+}  // namespace fovea::evaluation

@@ -1,0 +1,34 @@
+// What `fovea-eval detection` can do with a folder of scenes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/evaluation/dataset.h"
+
+namespace fovea::evaluation {
+
+struct DetectionFlags {
+  std::string data;
+  std::vector<double> intrinsics = {525, 525, 319.5, 239.5};
+  LabelEncoding encoding = LabelEncoding::kMosd;
+  std::string profile;
+  std::vector<std::string> settings;  // name=value
+  std::vector<std::string> sweeps;    // name=value,value…
+  std::vector<std::string> methods;   // profiles and peers
+  int num_threads = 1;
+  int num_folds = 5;
+  bool print_scenes = false;
+  std::string json;
+  std::string plot;
+  std::string overlays;
+};
+
+// What can stand in DetectionFlags::methods.
+std::vector<std::string> DetectionMethodNames();
+
+// Loads the scenes and prints one row per method, or else one per value of the sweeps, or else the
+// scores of one run with its stage times; writes the files that are asked for.
+void RunDetectionMode(const DetectionFlags& flags);
+
+}  // namespace fovea::evaluation

@@ -1,0 +1,17 @@
+// What the sub-commands show while they run and leave behind.
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+namespace fovea::evaluation {
+
+// A bar on standard error that draws over its own line; silent when no one watches.
+void ShowProgress(const std::string& what, std::size_t done, std::size_t total);
+
+// Write a file; nothing where `path` is empty. Throw std::runtime_error if it cannot be written.
+void WriteText(const std::string& path, const std::string& text);
+void WriteJson(const std::string& path, const nlohmann::json& json);
+
+}  // namespace fovea::evaluation

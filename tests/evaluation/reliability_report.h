@@ -1,0 +1,27 @@
+// How far confidence can be trusted, as text, JSON and a plot.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <ostream>
+#include <vector>
+
+#include "tests/evaluation/plot.h"
+#include "tests/evaluation/reliability.h"
+
+namespace fovea::evaluation {
+
+struct ReliabilityReport {
+  Reliability reported;     // confidences as the detector gives them
+  Reliability held_out;     // calibrated on the other groups
+  Calibration calibration;  // on all groups: for use, not for judging
+  // Share right among those with confidence ≥ 0.8 in each group; 0 in a group without any.
+  std::vector<double> confident_share_of_groups;
+};
+
+ReliabilityReport ReportReliability(const std::vector<std::vector<Prediction>>& groups);
+
+void PrintReliability(std::ostream& out, const ReliabilityReport& report);
+nlohmann::json ToJson(const ReliabilityReport& report);
+Chart ReliabilityChart(const ReliabilityReport& report);
+
+}  // namespace fovea::evaluation

@@ -1,0 +1,18 @@
+// Small sums over lists of numbers.
+#pragma once
+
+#include <vector>
+
+namespace fovea::evaluation {
+
+// The upper one of the two in the middle of an even number; 0 of none.
+double Median(std::vector<double> values);
+
+struct Spread {
+  double mean = 0;
+  double deviation = 0;  // standard deviation of the sample (N − 1); 0 below two values
+};
+
+Spread SpreadOf(const std::vector<double>& values);
+
+}  // namespace fovea::evaluation
