@@ -34,10 +34,8 @@ cv::Mat CleanDepth(const cv::Mat& depth_m) {
   return clean;
 }
 
-Gravity FindGravity(const RgbdFrame& frame, const cv::Mat& points, const GravityOptions& options) {
+Gravity FindGravity(const RgbdFrame& frame, const cv::Mat& normals, const GravityOptions& options) {
   if (frame.gravity) return {frame.gravity->normalized(), Gravity::Source::kGiven};
-  const NormalOptions wide{.window_radius_px = options.window_radius_px};
-  const cv::Mat normals = EstimateNormals(points, frame.intrinsics, wide, options.step_px);
   return {EstimateGravity(normals, options), Gravity::Source::kEstimated};
 }
 
@@ -70,6 +68,10 @@ std::vector<char> VoxelsOfBackground(const VoxelGrid& grid, const Background& ba
   std::transform(grid.voxels.begin(), grid.voxels.end(), is_background.begin(),
                  [&](const Voxel& voxel) { return background.Contains(voxel.mean); });
   return is_background;
+}
+
+void AddWalls(const std::vector<char>& on_wall, std::vector<char>& is_background) {
+  for (std::size_t v = 0; v < on_wall.size(); ++v) is_background[v] |= on_wall[v];
 }
 
 // Labels only where the sensor measured depth: filled holes help to segment, but nobody has seen
@@ -119,9 +121,13 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   counts.seeds_without_depth = from_color.without_depth + from_depth.without_depth;
   clock.Finish("seeds");
 
-  result.gravity = FindGravity(frame, points, options.gravity);
+  const NormalOptions wide{.window_radius_px = options.gravity.window_radius_px};
+  const cv::Mat wide_normals =
+      EstimateNormals(points, frame.intrinsics, wide, options.gravity.step_px);
+  result.gravity = FindGravity(frame, wide_normals, options.gravity);
   const std::vector<Support> supports =
-      FindSupports(points, normals, result.gravity.direction, options.support);
+      FindSupports(points, options.support.wide_normals ? wide_normals : normals,
+                   result.gravity.direction, options.support);
   if (!supports.empty()) result.support = supports.front().surface;
   const Background background(supports, options.support);
   std::vector<Seed> seeds = from_color.seeds;
@@ -133,7 +139,10 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
 
   // Section 3: the scene as voxels, labelled by a Markov random field.
   const VoxelGrid grid = BuildVoxelGrid(points, normals, options.voxels);
-  const std::vector<char> is_background = VoxelsOfBackground(grid, background);
+  std::vector<char> is_background = VoxelsOfBackground(grid, background);
+  const std::vector<char> on_wall =
+      FindWalls(grid, -result.gravity.direction, options.support, options.walls);
+  AddWalls(on_wall, is_background);
   seeds = CoverWithSeeds(grid, is_background, seeds, options.cover);
   clock.Finish("voxels");
   const PottsEnergy energy = BuildEnergy(grid, points, is_background, seeds, options.mrf);
@@ -152,7 +161,8 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   counts.num_segments = CountLabels(segments);
   counts.num_merged = counts.num_segments - CountLabels(objects);
   const PlausibleSegments plausible =
-      RemoveImplausible(grid, objects, supports, options.support, options.plausibility);
+      RemoveImplausible(grid, objects, points, frame.intrinsics, on_wall, supports, options.support,
+                        options.plausibility);
   counts.segments_implausible = plausible.num_removed;
   clock.Finish("refinement");
 

@@ -14,6 +14,7 @@
 #include "core/saliency/strength_saliency.h"
 #include "core/scene/gravity.h"
 #include "core/scene/support_surface.h"
+#include "core/scene/walls.h"
 #include "core/seeds/covering_seeds.h"
 #include "core/seeds/saliency_seeds.h"
 #include "core/segmentation/color_merge.h"
@@ -35,6 +36,7 @@ struct DetectorOptions {
   GravityOptions gravity;
   SupportOptions support;
   VoxelOptions voxels;
+  WallOptions walls;
   CoverOptions cover;
   MrfOptions mrf;
   ColorMergeOptions color_merge;

@@ -70,6 +70,8 @@ const std::vector<OptionEntry>& OptionTable() {
       Entry("gravity.num_starts", 1, 9, "camera pitches it starts from; Gupta 2013: 1",
             [](O& o) { return &o.gravity.num_starts; }),
 
+      Entry("support.wide_normals", 0, 1, "1: normals of gravity's windows; paper: 0",
+            [](O& o) { return &o.support.wide_normals; }),
       Entry("support.max_angle_deg", 1, 90,
             "how far from vertical a support normal may be; degrees",
             [](O& o) { return &o.support.max_angle_deg; }),
@@ -105,6 +107,14 @@ const std::vector<OptionEntry>& OptionTable() {
 
       Entry("voxels.normal_smoothing", 0, 5, "passes of averaging a normal with its neighbours'",
             [](O& o) { return &o.voxels.normal_smoothing; }),
+
+      Entry("walls.min_extent_m", 0, 10,
+            "upright planes at least this long are wall; metres; 0: no search; paper: 0",
+            [](O& o) { return &o.walls.min_extent_m; }),
+      Entry("walls.min_area_m2", 0, 10, "and of at least this visible area; m2",
+            [](O& o) { return &o.walls.min_area_m2; }),
+      Entry("walls.max_planes", 1, 32, "upright planes that are looked for",
+            [](O& o) { return &o.walls.max_planes; }),
 
       Entry("cover.spacing_m", 0, 1,
             "farthest a voxel may be from a seed; metres; 0: any; paper: 0",
@@ -170,10 +180,18 @@ const std::vector<OptionEntry>& OptionTable() {
       Entry("plausibility.max_hang_m", 0, 10,
             "segments this close below a surface are its edge; metres",
             [](O& o) { return &o.plausibility.max_hang_m; }),
+      Entry("plausibility.max_height_m", 0.05, 100, "taller segments are no objects; metres",
+            [](O& o) { return &o.plausibility.max_height_m; }),
+      Entry("plausibility.max_attached_share", 0, 1,
+            "of an upper border that ends at background above it; 1: any; paper: 1",
+            [](O& o) { return &o.plausibility.max_attached_share; }),
       Entry("plausibility.max_rest_m", 0.005, 100,
             "segments higher above their surface must touch another; metres",
             [](O& o) { return &o.plausibility.max_rest_m; }),
 
+      Entry("objects.min_area_m2", 0, 1,
+            "smaller objects are dropped; area as seen from the camera; m2; paper: 0",
+            [](O& o) { return &o.objects.min_area_m2; }),
       Entry("objects.min_pixels", 0, 100000, "smaller objects are dropped; pixels at 640x480",
             [](O& o) { return &o.objects.min_pixels; }),
       Entry("objects.box.max_gap_m", 0, 1, "a box reaches down to a support this close; metres",

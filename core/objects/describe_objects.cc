@@ -77,14 +77,25 @@ DetectedObject Describe(const RgbdFrame& frame, const cv::Mat& points,
   return object;
 }
 
+double VisibleArea_m2(const cv::Mat& points, const std::vector<cv::Point>& pixels,
+                      const CameraIntrinsics& intrinsics) {
+  double squares = 0;
+  for (const cv::Point& pixel : pixels) {
+    const double z = points.at<cv::Vec3f>(pixel)[2];
+    squares += z * z;
+  }
+  return squares / (intrinsics.fx_px * intrinsics.fy_px);
+}
+
 // Old labels of the objects to keep, in their new order: larger first, which is also the order of
 // confidence.
-std::vector<int> LabelsToKeep(const PixelsOfLabel& pixels, std::size_t min_pixels,
+template <typename IsLargeEnough>
+std::vector<int> LabelsToKeep(const PixelsOfLabel& pixels, IsLargeEnough is_large_enough,
                               std::size_t& num_too_small) {
   std::vector<int> kept;
   for (int label = 1; label < static_cast<int>(pixels.size()); ++label) {
     if (pixels[label].empty()) continue;
-    if (pixels[label].size() >= min_pixels) {
+    if (is_large_enough(pixels[label])) {
       kept.push_back(label);
     } else {
       ++num_too_small;
@@ -103,9 +114,13 @@ void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points, const Object
   const double area_scale = static_cast<double>(frame.depth_m.total()) / (640.0 * 480.0);
   const auto min_pixels = static_cast<std::size_t>(
       std::max(kFewestPixels, std::round(options.min_pixels * area_scale)));
+  const auto is_large_enough = [&](const std::vector<cv::Point>& mask) {
+    return mask.size() >= min_pixels &&
+           VisibleArea_m2(points, mask, frame.intrinsics) >= options.min_area_m2;
+  };
   detections.labels = cv::Mat::zeros(frame.depth_m.size(), CV_16UC1);
   for (const int old_label :
-       LabelsToKeep(pixels, min_pixels, detections.diagnostics.segments_too_small)) {
+       LabelsToKeep(pixels, is_large_enough, detections.diagnostics.segments_too_small)) {
     DetectedObject object = Describe(frame, points, pixels[old_label], detections, options);
     object.label = static_cast<int>(detections.objects.size()) + 1;
     for (const cv::Point& pixel : pixels[old_label]) {

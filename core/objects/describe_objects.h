@@ -14,6 +14,9 @@ struct ObjectOptions {
   // Objects with fewer mask pixels are dropped; at an image of 640×480 (scaled with its area, but
   // never fewer than 20).
   double min_pixels = 300;
+  // So are objects with less visible area: pixels · z² / (fx · fy), the area of a facing surface;
+  // square metres. Unlike pixels, it asks the same of an object at any distance.
+  double min_area_m2 = 0;
   BoxOptions box;
   GraspOptions grasp;
 };

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/objects/oriented_box.h"
+#include "core/objects/upper_border.h"
 #include "core/segmentation/labels.h"
 
 namespace fovea {
@@ -51,13 +52,49 @@ std::vector<Segment> Collect(const VoxelGrid& grid, const std::vector<int>& labe
   return segments;
 }
 
-bool IsTooLarge(const Segment& segment, const Eigen::Vector3f& up, double max_size_m) {
-  return FitOrientedBox(segment.points, up, std::nullopt).size_m.maxCoeff() > max_size_m;
+bool IsTooLarge(const Segment& segment, const Eigen::Vector3f& up,
+                const PlausibilityOptions& options) {
+  const Eigen::Vector3f size_m = FitOrientedBox(segment.points, up, std::nullopt).size_m;
+  return size_m.maxCoeff() > options.max_size_m || size_m.z() > options.max_height_m;
 }
 
 // Most of it lies under a support, and it reaches up to it.
 bool Hangs(const Segment& segment, double max_hang_m) {
   return 2 * segment.num_covered > segment.points.size() && segment.least_depth_m < max_hang_m;
+}
+
+cv::Mat PixelsOnWall(const VoxelGrid& grid, const std::vector<char>& on_wall) {
+  cv::Mat image = cv::Mat::zeros(grid.voxel_of_pixel.size(), CV_8UC1);
+  for (int row = 0; row < image.rows; ++row) {
+    const int* voxel = grid.voxel_of_pixel.ptr<int>(row);
+    auto* pixel = image.ptr<std::uint8_t>(row);
+    for (int col = 0; col < image.cols; ++col) {
+      if (voxel[col] >= 0) pixel[col] = static_cast<std::uint8_t>(on_wall[voxel[col]]);
+    }
+  }
+  return image;
+}
+
+// Removes segments that are part of what goes on above them; once one is gone, it counts as
+// background for those below it.
+void RemoveAttached(const VoxelGrid& grid, const std::vector<int>& labels, const cv::Mat& points,
+                    const CameraIntrinsics& intrinsics, const std::vector<char>& on_wall,
+                    const Eigen::Vector3f& up, double max_share, std::vector<char>& stays) {
+  if (max_share >= 1) return;
+  const cv::Mat ignored = PixelsOnWall(grid, on_wall);
+  for (bool changed = true; changed;) {
+    changed = false;
+    std::vector<int> left = labels;
+    for (int& label : left) label = stays[label] ? label : 0;
+    const std::vector<UpperBorder> borders =
+        FindUpperBorders(LabelImage(grid, left), points, ignored, intrinsics, up);
+    for (std::size_t label = 1; label < borders.size(); ++label) {
+      const UpperBorder& border = borders[label];
+      if (!stays[label] || border.Total() - border.open <= max_share * border.Total()) continue;
+      stays[label] = 0;
+      changed = true;
+    }
+  }
 }
 
 // Segments that touch one that rests, directly or through others, rest too.
@@ -81,6 +118,8 @@ void SpreadRest(const VoxelGrid& grid, const std::vector<int>& labels,
 }  // namespace
 
 PlausibleSegments RemoveImplausible(const VoxelGrid& grid, const std::vector<int>& labels,
+                                    const cv::Mat& points, const CameraIntrinsics& intrinsics,
+                                    const std::vector<char>& on_wall,
                                     const std::vector<Support>& supports,
                                     const SupportOptions& support_options,
                                     const PlausibilityOptions& options) {
@@ -91,10 +130,11 @@ PlausibleSegments RemoveImplausible(const VoxelGrid& grid, const std::vector<int
   std::vector<char> stays(segments.size(), 0);
   std::vector<char> rests(segments.size(), 0);
   for (std::size_t label = 1; label < segments.size(); ++label) {
-    stays[label] = !IsTooLarge(segments[label], up, options.max_size_m) &&
+    stays[label] = !IsTooLarge(segments[label], up, options) &&
                    !Hangs(segments[label], options.max_hang_m);
     rests[label] = segments[label].lowest_m <= options.max_rest_m;
   }
+  RemoveAttached(grid, labels, points, intrinsics, on_wall, up, options.max_attached_share, stays);
   SpreadRest(grid, labels, stays, rests);
   for (std::size_t label = 1; label < segments.size(); ++label) {
     if (!stays[label] || !rests[label]) ++result.num_removed;
