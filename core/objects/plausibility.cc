@@ -81,13 +81,13 @@ void RemoveAttached(const VoxelGrid& grid, const std::vector<int>& labels, const
                     const CameraIntrinsics& intrinsics, const std::vector<char>& on_wall,
                     const Eigen::Vector3f& up, double max_share, std::vector<char>& stays) {
   if (max_share >= 1) return;
-  const cv::Mat ignored = PixelsOnWall(grid, on_wall);
+  const cv::Mat wall_pixels = PixelsOnWall(grid, on_wall);
   for (bool changed = true; changed;) {
     changed = false;
     std::vector<int> left = labels;
     for (int& label : left) label = stays[label] ? label : 0;
     const std::vector<UpperBorder> borders =
-        FindUpperBorders(LabelImage(grid, left), points, ignored, intrinsics, up);
+        FindUpperBorders(LabelImage(grid, left), points, wall_pixels, intrinsics, up);
     for (std::size_t label = 1; label < borders.size(); ++label) {
       const UpperBorder& border = borders[label];
       if (!stays[label] || border.Total() - border.open <= max_share * border.Total()) continue;

@@ -9,7 +9,8 @@ namespace fovea {
 namespace {
 
 constexpr float kMinSlope = 0.3F;  // of up against the viewing ray, as a sine
-constexpr int kReachPx = 6;        // beyond the pixels that sensors mix at an edge
+constexpr int kEdgePx = 6;         // pixels that sensors mix at an edge
+constexpr int kReachPx = 20;       // how far to look for depth beyond it
 
 // Depths closer than this are one surface; grows like the noise of such cameras.
 float DepthGap_m(float z_m) { return 0.015F + 0.012F * z_m * z_m; }
@@ -33,9 +34,9 @@ std::optional<cv::Point2f> UpInImage(const Eigen::Vector3f& point, const CameraI
 
 class Search {
  public:
-  Search(const cv::Mat& labels, const cv::Mat& points, const cv::Mat& ignored,
+  Search(const cv::Mat& labels, const cv::Mat& points, const cv::Mat& on_wall,
          const Eigen::Vector3f& up)
-      : labels_(labels), points_(points), ignored_(ignored), up_(up) {}
+      : labels_(labels), points_(points), on_wall_(on_wall), up_(up) {}
 
   // Counts what lies beyond a pixel of a segment if its border is there.
   void Count(const cv::Point& pixel, const cv::Point2f& direction, UpperBorder& border) const {
@@ -50,42 +51,47 @@ class Search {
       }
       const std::uint16_t other = labels_.at<std::uint16_t>(beyond);
       if (other == label) return;
-      if (other != 0 || ignored_.at<std::uint8_t>(beyond) != 0) {
+      if (other != 0) {
         ++border.open;
         return;
       }
-      if (step == kReachPx) Compare(PointAt(points_, pixel), PointAt(points_, beyond), border);
+      if (step < kEdgePx || std::isnan(points_.at<cv::Vec3f>(beyond)[2])) continue;
+      Compare(pixel, beyond, border);
+      return;
     }
+    ++border.open;  // nothing measured
   }
 
  private:
-  void Compare(const Eigen::Vector3f& own, const Eigen::Vector3f& beyond,
-               UpperBorder& border) const {
+  void Compare(const cv::Point& pixel, const cv::Point& beyond_px, UpperBorder& border) const {
+    const Eigen::Vector3f own = PointAt(points_, pixel);
+    const Eigen::Vector3f beyond = PointAt(points_, beyond_px);
+    const bool on_wall = on_wall_.at<std::uint8_t>(beyond_px) != 0;
     const float step_m = beyond.z() - own.z();
     const float gap_m = DepthGap_m(own.z());
     if (step_m < -gap_m) {
       ++border.hidden;
-    } else if (step_m <= gap_m && up_.dot(beyond - own) > 0.004F * own.z()) {
+    } else if (!on_wall && step_m <= gap_m && up_.dot(beyond - own) > 0.004F * own.z()) {
       ++border.attached;
     } else {
-      ++border.open;  // also where there is no depth
+      ++border.open;
     }
   }
 
   const cv::Mat& labels_;
   const cv::Mat& points_;
-  const cv::Mat& ignored_;
+  const cv::Mat& on_wall_;
   const Eigen::Vector3f& up_;
 };
 
 }  // namespace
 
 std::vector<UpperBorder> FindUpperBorders(const cv::Mat& labels, const cv::Mat& points,
-                                          const cv::Mat& ignored,
+                                          const cv::Mat& on_wall,
                                           const CameraIntrinsics& intrinsics,
                                           const Eigen::Vector3f& up) {
   std::vector<UpperBorder> borders(1);
-  const Search search(labels, points, ignored, up);
+  const Search search(labels, points, on_wall, up);
   for (int row = 0; row < labels.rows; ++row) {
     const auto* label = labels.ptr<std::uint16_t>(row);
     for (int col = 0; col < labels.cols; ++col) {

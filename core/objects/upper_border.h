@@ -20,12 +20,12 @@ struct UpperBorder {
   int Total() const { return open + attached + hidden + cut; }
 };
 
-// `labels`: CV_16UC1, 0 = background; `points`: CV_32FC3, NaN = none; `ignored`: CV_8UC1, not 0
-// where background counts as open (walls, which objects stand against); `up`: unit vector. One
+// `labels`: CV_16UC1, 0 = background; `points`: CV_32FC3, NaN = none; `on_wall`: CV_8UC1, not 0
+// on walls, which objects may stand against; `up`: unit vector. One
 // entry a label, the first for 0. Pixels count only where up shows in the image: a camera that
 // looks straight down sees no upper borders.
 std::vector<UpperBorder> FindUpperBorders(const cv::Mat& labels, const cv::Mat& points,
-                                          const cv::Mat& ignored,
+                                          const cv::Mat& on_wall,
                                           const CameraIntrinsics& intrinsics,
                                           const Eigen::Vector3f& up);
 
