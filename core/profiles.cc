@@ -54,8 +54,8 @@ DetectorOptions Default() {
   options.shape_merge.color_weight_deg = 0.4;
   options.shape_merge.reach_cells = 1;
   options.occlusion_merge.min_shared_surface = 0.3;
-  options.occlusion_merge.max_color_distance = 35;
-  options.occlusion_merge.min_hollow_curvature_per_m = 1.5;
+  options.occlusion_merge.max_color_distance = 60;
+  options.occlusion_merge.min_hollow_curvature_per_m = 3;
   options.objects.min_pixels = 120;
   options.objects.min_area_m2 = 0.0018;
   return options;

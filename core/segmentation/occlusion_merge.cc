@@ -24,12 +24,29 @@ constexpr std::size_t kMaxSamples = 150;  // voxels of a segment that are compar
 
 struct Segment {
   std::vector<int> voxels;
-  double curvature_sum = 0;  // over pairs of neighbouring voxels; negative = bends inwards
-  int num_pairs = 0;
+  double curvature_per_m = 0;                        // about the vertical; negative = hollow
   float top_m = -std::numeric_limits<float>::max();  // along `up`
-
-  double MeanCurvature() const { return num_pairs == 0 ? 0 : curvature_sum / num_pairs; }
 };
+
+// The slope of the regression of the normals on the positions, both in the horizontal plane: 1/R
+// for an upright cylinder of radius R seen from outside, −1/R from inside, 0 for a plane.
+double Curvature(const VoxelGrid& grid, const std::vector<int>& voxels, const Eigen::Vector3f& up) {
+  const auto horizontal = [&](const Eigen::Vector3f& v) -> Eigen::Vector3d {
+    return (v - up.dot(v) * up).cast<double>();
+  };
+  Eigen::Vector3d mean_position = Eigen::Vector3d::Zero();
+  for (const int v : voxels) {
+    mean_position += horizontal(grid.voxels[v].mean) / static_cast<double>(voxels.size());
+  }
+  double covariance = 0;
+  double variance = 0;
+  for (const int v : voxels) {
+    const Eigen::Vector3d offset = horizontal(grid.voxels[v].mean) - mean_position;
+    covariance += offset.dot(horizontal(grid.voxels[v].normal));
+    variance += offset.squaredNorm();
+  }
+  return variance == 0 ? 0 : covariance / variance;
+}
 
 std::vector<Segment> Collect(const VoxelGrid& grid, const std::vector<int>& labels,
                              const Eigen::Vector3f& up) {
@@ -39,14 +56,8 @@ std::vector<Segment> Collect(const VoxelGrid& grid, const std::vector<int>& labe
     segment.voxels.push_back(v);
     segment.top_m = std::max(segment.top_m, up.dot(grid.voxels[v].mean));
   }
-  for (const VoxelEdge& edge : grid.edges) {
-    if (labels[edge.a] != labels[edge.b]) continue;
-    const Voxel& a = grid.voxels[edge.a];
-    const Voxel& b = grid.voxels[edge.b];
-    const Eigen::Vector3f step = a.mean - b.mean;
-    segments[labels[edge.a]].curvature_sum +=
-        (a.normal - b.normal).dot(step) / std::max(1e-8F, step.squaredNorm());
-    ++segments[labels[edge.a]].num_pairs;
+  for (Segment& segment : segments) {
+    segment.curvature_per_m = Curvature(grid, segment.voxels, up);
   }
   return segments;
 }
@@ -135,7 +146,7 @@ class Evidence {
 
   bool IsInsideOf(int inside, int outside) const {
     if (options_.min_hollow_curvature_per_m <= 0) return false;
-    return -segments_[inside].MeanCurvature() >= options_.min_hollow_curvature_per_m &&
+    return -segments_[inside].curvature_per_m >= options_.min_hollow_curvature_per_m &&
            Hides(outside, inside) &&
            std::abs(segments_[inside].top_m - segments_[outside].top_m) <= options_.max_rim_step_m;
   }
