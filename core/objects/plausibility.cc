@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/objects/oriented_box.h"
-#include "core/objects/upper_border.h"
+#include "core/objects/outline.h"
 #include "core/segmentation/labels.h"
 
 namespace fovea {
@@ -75,22 +75,27 @@ cv::Mat PixelsOnWall(const VoxelGrid& grid, const std::vector<char>& on_wall) {
   return image;
 }
 
-// Removes segments that are part of what goes on above them; once one is gone, it counts as
-// background for those below it.
-void RemoveAttached(const VoxelGrid& grid, const std::vector<int>& labels, const cv::Mat& points,
-                    const CameraIntrinsics& intrinsics, const std::vector<char>& on_wall,
-                    const Eigen::Vector3f& up, double max_share, std::vector<char>& stays) {
+// Whether a segment is, for all one can see, a part of something that goes on: above it, or beyond
+// the end of the image.
+bool GoesOn(const Outline& outline, double max_share) {
+  const Outline::Upper& upper = outline.upper;
+  return upper.Total() - upper.open > max_share * upper.Total() ||
+         outline.num_sides_at_end > max_share * outline.num_sides;
+}
+
+// Takes out what goes on; it then counts as background for the segments below it.
+void RemoveWhatGoesOn(const VoxelGrid& grid, const std::vector<int>& labels, const cv::Mat& points,
+                      const CameraIntrinsics& intrinsics, const cv::Mat& wall_pixels,
+                      const Eigen::Vector3f& up, double max_share, std::vector<char>& stays) {
   if (max_share >= 1) return;
-  const cv::Mat wall_pixels = PixelsOnWall(grid, on_wall);
   for (bool changed = true; changed;) {
     changed = false;
     std::vector<int> left = labels;
     for (int& label : left) label = stays[label] ? label : 0;
-    const std::vector<UpperBorder> borders =
-        FindUpperBorders(LabelImage(grid, left), points, wall_pixels, intrinsics, up);
-    for (std::size_t label = 1; label < borders.size(); ++label) {
-      const UpperBorder& border = borders[label];
-      if (!stays[label] || border.Total() - border.open <= max_share * border.Total()) continue;
+    const std::vector<Outline> outlines =
+        FindOutlines(LabelImage(grid, left), points, wall_pixels, intrinsics, up);
+    for (std::size_t label = 1; label < outlines.size(); ++label) {
+      if (!stays[label] || !GoesOn(outlines[label], max_share)) continue;
       stays[label] = 0;
       changed = true;
     }
@@ -134,7 +139,8 @@ PlausibleSegments RemoveImplausible(const VoxelGrid& grid, const std::vector<int
                    !Hangs(segments[label], options.max_hang_m);
     rests[label] = segments[label].lowest_m <= options.max_rest_m;
   }
-  RemoveAttached(grid, labels, points, intrinsics, on_wall, up, options.max_attached_share, stays);
+  RemoveWhatGoesOn(grid, labels, points, intrinsics, PixelsOnWall(grid, on_wall), up,
+                   options.max_attached_share, stays);
   SpreadRest(grid, labels, stays, rests);
   for (std::size_t label = 1; label < segments.size(); ++label) {
     if (!stays[label] || !rests[label]) ++result.num_removed;

@@ -19,8 +19,9 @@ struct PlausibilityOptions {
   double max_hang_m = 0;
   // Segments taller than this along the vertical do not stand by themselves; metres.
   double max_height_m = 100;
-  // Segments of whose upper border more than this share is attached to background that goes on
-  // upwards, or hidden by it, or cut by the image, are legs or other parts of it; 1: never.
+  // Segments of whose upper border more than this share ends at background that goes on upwards or
+  // hides it, or at the end of the image, are legs or other parts of something larger; so are those
+  // of whose whole outline more than this share is cut off. 1 switches the tests off.
   double max_attached_share = 1;
   // Segments whose lowest point is higher than this above their support must touch another one;
   // metres.
