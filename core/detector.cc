@@ -167,7 +167,7 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   clock.Finish("refinement");
 
   result.labels = LabelsOfMeasured(grid, plausible.labels, measured);
-  DescribeObjects(frame, points, options.objects, result);
+  DescribeObjects(frame, points, supports, options.objects, result);
   counts.messages = ExplainLosses(result);
   clock.Finish("objects");
   if (trace != nullptr) *trace = {color_saliency, depth_saliency, seeds};

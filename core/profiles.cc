@@ -33,7 +33,7 @@ DetectorOptions Default() {
   options.support.max_height_m = 0.5;
   options.plausibility.max_size_m = 0.6;
   options.plausibility.max_height_m = 0.4;
-  options.plausibility.max_attached_share = 0.5;
+  options.plausibility.max_attached_share = 0.4;
   options.plausibility.max_hang_m = 0.3;
   options.walls.min_extent_m = 0.4;
   options.walls.min_area_m2 = 0.08;
@@ -51,7 +51,7 @@ DetectorOptions Default() {
   // Shape joins the parts of an object; textures would part them, so colour only adds to it.
   options.color_merge.min_correlation = 1;
   options.shape_merge.max_concavity_deg = 15;
-  options.shape_merge.color_weight_deg = 0.4;
+  options.shape_merge.color_weight_deg = 0.5;
   options.shape_merge.reach_cells = 1;
   options.occlusion_merge.min_shared_surface = 0.3;
   options.occlusion_merge.max_color_distance = 60;

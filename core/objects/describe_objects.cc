@@ -58,9 +58,28 @@ float LowestHeight(const std::vector<Eigen::Vector3f>& positions, const SupportS
   return lowest;
 }
 
+// The surface that most of the points are above: the highest one if there are several.
+std::optional<SupportSurface> OwnSupport(const std::vector<Support>& supports,
+                                         const std::vector<Eigen::Vector3f>& positions) {
+  const auto is_below = [&](const Support& support) {
+    const auto above = std::count_if(positions.begin(), positions.end(), [&](const auto& p) {
+      return support.surface.HeightOf(p) > 0 && support.footprint.Covers(p);
+    });
+    return 2 * static_cast<std::size_t>(above) > positions.size();
+  };
+  std::optional<SupportSurface> highest;
+  for (const Support& support : supports) {
+    if (!is_below(support)) continue;
+    const float height = support.surface.HeightOf(positions.front());
+    if (!highest || height < highest->HeightOf(positions.front())) highest = support.surface;
+  }
+  if (!highest && !supports.empty()) return supports.front().surface;
+  return highest;
+}
+
 DetectedObject Describe(const RgbdFrame& frame, const cv::Mat& points,
-                        const std::vector<cv::Point>& pixels, const Detections& scene,
-                        const ObjectOptions& options) {
+                        const std::vector<cv::Point>& pixels, const std::vector<Support>& supports,
+                        const Eigen::Vector3f& gravity, const ObjectOptions& options) {
   DetectedObject object;
   object.bounds_px = cv::boundingRect(pixels);
   object.num_pixels = pixels.size();
@@ -69,9 +88,10 @@ DetectedObject Describe(const RgbdFrame& frame, const cv::Mat& points,
 
   std::vector<Eigen::Vector3f> positions;
   for (const pcl::PointXYZRGB& p : object.cloud) positions.emplace_back(p.x, p.y, p.z);
-  const Eigen::Vector3f up = scene.support ? scene.support->normal : -scene.gravity.direction;
-  object.box = FitOrientedBox(positions, up, scene.support, options.box);
-  if (scene.support) object.height_above_support_m = LowestHeight(positions, *scene.support);
+  const std::optional<SupportSurface> support = OwnSupport(supports, positions);
+  object.box =
+      FitOrientedBox(positions, support ? support->normal : -gravity, support, options.box);
+  if (support) object.height_above_support_m = LowestHeight(positions, *support);
   object.confidence = Confidence(object, frame.depth_m.size());
   object.grasps.push_back(GraspFromAbove(object.box, options.grasp));
   return object;
@@ -108,7 +128,8 @@ std::vector<int> LabelsToKeep(const PixelsOfLabel& pixels, IsLargeEnough is_larg
 
 }  // namespace
 
-void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points, const ObjectOptions& options,
+void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points,
+                     const std::vector<Support>& supports, const ObjectOptions& options,
                      Detections& detections) {
   const PixelsOfLabel pixels = CollectPixels(detections.labels);
   const double area_scale = static_cast<double>(frame.depth_m.total()) / (640.0 * 480.0);
@@ -121,7 +142,8 @@ void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points, const Object
   detections.labels = cv::Mat::zeros(frame.depth_m.size(), CV_16UC1);
   for (const int old_label :
        LabelsToKeep(pixels, is_large_enough, detections.diagnostics.segments_too_small)) {
-    DetectedObject object = Describe(frame, points, pixels[old_label], detections, options);
+    DetectedObject object = Describe(frame, points, pixels[old_label], supports,
+                                     detections.gravity.direction, options);
     object.label = static_cast<int>(detections.objects.size()) + 1;
     for (const cv::Point& pixel : pixels[old_label]) {
       detections.labels.at<std::uint16_t>(pixel) = static_cast<std::uint16_t>(object.label);

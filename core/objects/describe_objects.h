@@ -2,9 +2,11 @@
 #pragma once
 
 #include <opencv2/core/mat.hpp>
+#include <vector>
 
 #include "core/objects/oriented_box.h"
 #include "core/objects/top_grasp.h"
+#include "core/scene/support_surface.h"
 #include "core/types/detections.h"
 #include "core/types/rgbd_frame.h"
 
@@ -23,11 +25,12 @@ struct ObjectOptions {
 
 // Drops the labels with too few pixels, orders the others by falling confidence (number of pixels,
 // then old label), renumbers `detections.labels` in that order and fills `detections.objects` and
-// `diagnostics.segments_too_small`. Takes gravity and support from `detections`.
+// `diagnostics.segments_too_small`. Takes gravity from `detections`; each object stands on the
+// highest of the supports that it is above, or on the first.
 //
 // `detections.labels`: CV_16UC1, 0 = background; `points`: CV_32FC3 with a point wherever there is
 // a label.
-void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points, const ObjectOptions& options,
-                     Detections& detections);
+void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points, const std::vector<Support>& supports,
+                     const ObjectOptions& options, Detections& detections);
 
 }  // namespace fovea

@@ -99,7 +99,7 @@ struct Detections {
                    // measured
   std::vector<DetectedObject> objects;  // by falling confidence; object k has label k
   Gravity gravity;
-  std::optional<SupportSurface> support;
+  std::optional<SupportSurface> support;  // the dominating one
   Diagnostics diagnostics;
   std::vector<StageTime> stage_times;  // in the order of the pipeline
 };
