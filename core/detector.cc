@@ -9,6 +9,7 @@
 #include "core/depth/back_projection.h"
 #include "core/explanation.h"
 #include "core/segmentation/alpha_expansion.h"
+#include "core/segmentation/contraction.h"
 #include "core/segmentation/labels.h"
 #include "core/stage_clock.h"
 
@@ -72,6 +73,13 @@ std::vector<char> VoxelsOfBackground(const VoxelGrid& grid, const Background& ba
 
 void AddWalls(const std::vector<char>& on_wall, std::vector<char>& is_background) {
   for (std::size_t v = 0; v < on_wall.size(); ++v) is_background[v] |= on_wall[v];
+}
+
+std::vector<int> LabelVoxels(const PottsEnergy& energy, const MrfOptions& options) {
+  if (options.cluster_voxels <= 1) return MinimizeByAlphaExpansion(energy, options.max_sweeps);
+  const auto min_weight = static_cast<float>(options.cluster_min_share * options.lambda);
+  const Contraction contraction = Contract(energy, options.cluster_voxels, min_weight);
+  return Expand(contraction, MinimizeByAlphaExpansion(contraction.energy, options.max_sweeps));
 }
 
 // Labels only where the sensor measured depth: filled holes help to segment, but nobody has seen
@@ -149,7 +157,7 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   counts.num_seeds = seeds.size();
   counts.num_voxels = grid.voxels.size();
   clock.Finish("energy");
-  const std::vector<int> labels = MinimizeByAlphaExpansion(energy, options.mrf.max_sweeps);
+  const std::vector<int> labels = LabelVoxels(energy, options.mrf);
   clock.Finish("graph_cut");
 
   // Section 3.3: touching segments that look alike are one object.

@@ -144,6 +144,11 @@ const std::vector<OptionEntry>& OptionTable() {
             [](O& o) { return &o.mrf.reach_m; }),
       Entry("mrf.max_sweeps", 1, 100, "of alpha-expansion", [](O& o) { return &o.mrf.max_sweeps; }),
 
+      Entry("mrf.cluster_voxels", 1, 64, "that are labelled together; 1: each alone; paper: 1",
+            [](O& o) { return &o.mrf.cluster_voxels; }),
+      Entry("mrf.cluster_min_share", 0, 1, "of lambda that ties voxels to each other",
+            [](O& o) { return &o.mrf.cluster_min_share; }),
+
       Entry("color_merge.min_correlation", -1, 1, "that joins neighbours; 1: never; paper: 0.5",
             [](O& o) { return &o.color_merge.min_correlation; }),
       Entry("color_merge.bins", 2, 32, "of each RGB channel; paper: 20",

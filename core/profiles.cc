@@ -47,6 +47,8 @@ DetectorOptions Default() {
   options.mrf.lambda = 8;
   options.mrf.reach_m = 0.15;
   options.mrf.max_sweeps = 1;
+  options.mrf.cluster_voxels = 4;
+  options.mrf.cluster_min_share = 0.97;
   options.mrf.concave_angle_deg = 12;
   // Shape joins the parts of an object; textures would part them, so colour only adds to it.
   options.color_merge.min_correlation = 1;
