@@ -4,6 +4,8 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "core/types/lab.h"
+
 namespace fovea {
 namespace {
 
@@ -54,8 +56,7 @@ void NormalizeL2(cv::Mat& map) {
 }  // namespace
 
 cv::Mat StrengthSaliency(const cv::Mat& color_rgb, const StrengthSaliencyOptions& options) {
-  cv::Mat lab;
-  cv::cvtColor(Reduce(color_rgb, options.downscale), lab, cv::COLOR_RGB2Lab);
+  const cv::Mat lab = LabOf(Reduce(color_rgb, options.downscale));
   std::vector<cv::Mat> channels;
   cv::split(lab, channels);
 

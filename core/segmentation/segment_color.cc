@@ -1,15 +1,13 @@
 #include "core/segmentation/segment_color.h"
 
-#include <opencv2/imgproc.hpp>
-
 #include "core/segmentation/labels.h"
+#include "core/types/lab.h"
 
 namespace fovea {
 
 std::vector<SegmentColor> ColorsOfSegments(const VoxelGrid& grid, const std::vector<int>& labels,
                                            const cv::Mat& color_rgb) {
-  cv::Mat lab;
-  cv::cvtColor(color_rgb, lab, cv::COLOR_RGB2Lab);
+  const cv::Mat lab = LabOf(color_rgb);
   std::vector<SegmentColor> colors(CountLabels(labels) + 1);
   for (int row = 0; row < lab.rows; ++row) {
     const int* voxel = grid.voxel_of_pixel.ptr<int>(row);
