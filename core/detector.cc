@@ -64,10 +64,14 @@ std::vector<Seed> SeedsOffBackground(const std::vector<Seed>& seeds, const Backg
   return kept;
 }
 
-std::vector<char> VoxelsOfBackground(const VoxelGrid& grid, const Background& background) {
+std::vector<char> VoxelsOfBackground(const VoxelGrid& grid, const Background& background,
+                                     const CameraIntrinsics& intrinsics,
+                                     const RegionOptions& region) {
   std::vector<char> is_background(grid.voxels.size());
-  std::transform(grid.voxels.begin(), grid.voxels.end(), is_background.begin(),
-                 [&](const Voxel& voxel) { return background.Contains(voxel.mean); });
+  std::transform(
+      grid.voxels.begin(), grid.voxels.end(), is_background.begin(), [&](const Voxel& voxel) {
+        return background.Contains(voxel.mean) || !IsInRegion(voxel.mean, intrinsics, region);
+      });
   return is_background;
 }
 
@@ -80,6 +84,16 @@ std::vector<int> LabelVoxels(const PottsEnergy& energy, const MrfOptions& option
   const auto min_weight = static_cast<float>(options.cluster_min_share * options.lambda);
   const Contraction contraction = Contract(energy, options.cluster_voxels, min_weight);
   return Expand(contraction, MinimizeByAlphaExpansion(contraction.energy, options.max_sweeps));
+}
+
+// Both maps, each scaled to a maximum of 1, count the same.
+cv::Mat MeanSaliency(const cv::Mat& color_saliency, const cv::Mat& depth_saliency) {
+  const auto scale = [](const cv::Mat& map) {
+    double max = 0;
+    cv::minMaxLoc(map, nullptr, &max);
+    return max > 0 ? 0.5 / max : 0.0;
+  };
+  return color_saliency * scale(color_saliency) + depth_saliency * scale(depth_saliency);
 }
 
 // Labels only where the sensor measured depth: filled holes help to segment, but nobody has seen
@@ -147,7 +161,8 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
 
   // Section 3: the scene as voxels, labelled by a Markov random field.
   const VoxelGrid grid = BuildVoxelGrid(points, normals, options.voxels);
-  std::vector<char> is_background = VoxelsOfBackground(grid, background);
+  std::vector<char> is_background =
+      VoxelsOfBackground(grid, background, frame.intrinsics, options.region);
   const std::vector<char> on_wall =
       FindWalls(grid, -result.gravity.direction, options.support, options.walls);
   AddWalls(on_wall, is_background);
@@ -168,14 +183,19 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
                           options.occlusion_merge);
   counts.num_segments = CountLabels(segments);
   counts.num_merged = counts.num_segments - CountLabels(objects);
-  const PlausibleSegments plausible =
-      RemoveImplausible(grid, objects, points, frame.intrinsics, on_wall, supports, options.support,
-                        options.plausibility);
+  PlausibleSegments plausible =
+      RemoveImplausible(grid, objects, supports, options.support, options.plausibility);
   counts.segments_implausible = plausible.num_removed;
+  if (!supports.empty()) {
+    plausible = RemoveContinued(grid, plausible.labels, points, frame.intrinsics, on_wall,
+                                -result.gravity.direction, options.continuation);
+    counts.segments_implausible += plausible.num_removed;
+  }
   clock.Finish("refinement");
 
   result.labels = LabelsOfMeasured(grid, plausible.labels, measured);
-  DescribeObjects(frame, points, supports, options.objects, result);
+  DescribeObjects(frame, points, MeanSaliency(color_saliency, depth_saliency), supports,
+                  options.objects, result);
   counts.messages = ExplainLosses(result);
   clock.Finish("objects");
   if (trace != nullptr) *trace = {color_saliency, depth_saliency, seeds};

@@ -8,11 +8,13 @@
 
 #include "core/depth/fill_depth_holes.h"
 #include "core/depth/normals.h"
+#include "core/objects/continuation.h"
 #include "core/objects/describe_objects.h"
 #include "core/objects/plausibility.h"
 #include "core/saliency/depth_saliency.h"
 #include "core/saliency/strength_saliency.h"
 #include "core/scene/gravity.h"
+#include "core/scene/region.h"
 #include "core/scene/support_surface.h"
 #include "core/scene/walls.h"
 #include "core/seeds/covering_seeds.h"
@@ -28,6 +30,7 @@ namespace fovea {
 // In the order of the pipeline. Units, meanings and sources stand with each stage's options.
 struct DetectorOptions {
   double max_depth_m = 10;  // points farther away are left out
+  RegionOptions region;
   DepthFillOptions depth_fill;
   NormalOptions normals;
   StrengthSaliencyOptions color_saliency;
@@ -43,6 +46,7 @@ struct DetectorOptions {
   ShapeMergeOptions shape_merge;
   OcclusionMergeOptions occlusion_merge;
   PlausibilityOptions plausibility;
+  ContinuationOptions continuation;
   ObjectOptions objects;
 };
 

@@ -33,9 +33,9 @@ DetectorOptions Default() {
   options.support.max_height_m = 0.5;
   options.plausibility.max_size_m = 0.6;
   options.plausibility.max_height_m = 0.4;
-  options.plausibility.max_attached_share = 0.4;
+  options.continuation.max_share = 0.4;
   options.plausibility.max_hang_m = 0.3;
-  options.walls.min_extent_m = 0.4;
+  options.walls.min_extent_m = 0.6;
   options.walls.min_area_m2 = 0.08;
   // Voxels that grow with the distance, as pixels and noise do.
   options.voxels.perspective = true;

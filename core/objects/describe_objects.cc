@@ -107,6 +107,29 @@ double VisibleArea_m2(const cv::Mat& points, const std::vector<cv::Point>& pixel
   return squares / (intrinsics.fx_px * intrinsics.fy_px);
 }
 
+float MeanOf(const cv::Mat& map, const std::vector<cv::Point>& pixels) {
+  double sum = 0;
+  for (const cv::Point& pixel : pixels) sum += map.at<float>(pixel);
+  return static_cast<float>(sum / static_cast<double>(pixels.size()));
+}
+
+// Leaves the `max_objects` most salient of the labels, in their order. Returns how many it drops.
+std::size_t KeepMostSalient(const PixelsOfLabel& pixels, const cv::Mat& saliency, int max_objects,
+                            std::vector<int>& labels) {
+  const auto limit = static_cast<std::size_t>(max_objects);
+  if (limit == 0 || labels.size() <= limit) return 0;
+  std::vector<int> by_saliency = labels;
+  std::stable_sort(by_saliency.begin(), by_saliency.end(), [&](int a, int b) {
+    return MeanOf(saliency, pixels[a]) > MeanOf(saliency, pixels[b]);
+  });
+  const std::size_t dropped = labels.size() - limit;
+  by_saliency.resize(limit);
+  std::erase_if(labels, [&](int label) {
+    return std::find(by_saliency.begin(), by_saliency.end(), label) == by_saliency.end();
+  });
+  return dropped;
+}
+
 // Old labels of the objects to keep, in their new order: larger first, which is also the order of
 // confidence.
 template <typename IsLargeEnough>
@@ -128,7 +151,7 @@ std::vector<int> LabelsToKeep(const PixelsOfLabel& pixels, IsLargeEnough is_larg
 
 }  // namespace
 
-void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points,
+void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points, const cv::Mat& saliency,
                      const std::vector<Support>& supports, const ObjectOptions& options,
                      Detections& detections) {
   const PixelsOfLabel pixels = CollectPixels(detections.labels);
@@ -139,11 +162,15 @@ void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points,
     return mask.size() >= min_pixels &&
            VisibleArea_m2(points, mask, frame.intrinsics) >= options.min_area_m2;
   };
+  Diagnostics& counts = detections.diagnostics;
+  std::vector<int> kept = LabelsToKeep(pixels, is_large_enough, counts.segments_too_small);
+  counts.objects_less_salient = KeepMostSalient(pixels, saliency, options.max_objects, kept);
+
   detections.labels = cv::Mat::zeros(frame.depth_m.size(), CV_16UC1);
-  for (const int old_label :
-       LabelsToKeep(pixels, is_large_enough, detections.diagnostics.segments_too_small)) {
-    DetectedObject object = Describe(frame, points, pixels[old_label], supports,
-                                     detections.gravity.direction, options);
+  for (const int old_label : kept) {
+    DetectedObject object =
+        Describe(frame, points, pixels[old_label], supports, detections.gravity.direction, options);
+    object.saliency = MeanOf(saliency, pixels[old_label]);
     object.label = static_cast<int>(detections.objects.size()) + 1;
     for (const cv::Point& pixel : pixels[old_label]) {
       detections.labels.at<std::uint16_t>(pixel) = static_cast<std::uint16_t>(object.label);

@@ -64,13 +64,17 @@ class Search {
  public:
   Search(const cv::Mat& labels, const cv::Mat& points, const cv::Mat& on_wall,
          const Eigen::Vector3f& up)
-      : labels_(labels), points_(points), on_wall_(on_wall), up_(up), measured_(MeasuredArea(points)) {}
+      : labels_(labels),
+        points_(points),
+        on_wall_(on_wall),
+        up_(up),
+        measured_(MeasuredArea(points)) {}
 
   void CountSides(const cv::Point& pixel, Outline& outline) const {
     const std::uint16_t label = labels_.at<std::uint16_t>(pixel);
     const cv::Rect image({}, labels_.size());
-    for (const cv::Point& side : {cv::Point(1, 0), cv::Point(-1, 0), cv::Point(0, 1),
-                                  cv::Point(0, -1)}) {
+    for (const cv::Point& side :
+         {cv::Point(1, 0), cv::Point(-1, 0), cv::Point(0, 1), cv::Point(0, -1)}) {
       const cv::Point next = pixel + side;
       if (image.contains(next) && labels_.at<std::uint16_t>(next) == label) continue;
       ++outline.num_sides;

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/objects/oriented_box.h"
-#include "core/objects/outline.h"
 #include "core/segmentation/labels.h"
 
 namespace fovea {
@@ -63,45 +62,6 @@ bool Hangs(const Segment& segment, double max_hang_m) {
   return 2 * segment.num_covered > segment.points.size() && segment.least_depth_m < max_hang_m;
 }
 
-cv::Mat PixelsOnWall(const VoxelGrid& grid, const std::vector<char>& on_wall) {
-  cv::Mat image = cv::Mat::zeros(grid.voxel_of_pixel.size(), CV_8UC1);
-  for (int row = 0; row < image.rows; ++row) {
-    const int* voxel = grid.voxel_of_pixel.ptr<int>(row);
-    auto* pixel = image.ptr<std::uint8_t>(row);
-    for (int col = 0; col < image.cols; ++col) {
-      if (voxel[col] >= 0) pixel[col] = static_cast<std::uint8_t>(on_wall[voxel[col]]);
-    }
-  }
-  return image;
-}
-
-// Whether a segment is, for all one can see, a part of something that goes on: above it, or beyond
-// the end of the image.
-bool GoesOn(const Outline& outline, double max_share) {
-  const Outline::Upper& upper = outline.upper;
-  return upper.Total() - upper.open > max_share * upper.Total() ||
-         outline.num_sides_at_end > max_share * outline.num_sides;
-}
-
-// Takes out what goes on; it then counts as background for the segments below it.
-void RemoveWhatGoesOn(const VoxelGrid& grid, const std::vector<int>& labels, const cv::Mat& points,
-                      const CameraIntrinsics& intrinsics, const cv::Mat& wall_pixels,
-                      const Eigen::Vector3f& up, double max_share, std::vector<char>& stays) {
-  if (max_share >= 1) return;
-  for (bool changed = true; changed;) {
-    changed = false;
-    std::vector<int> left = labels;
-    for (int& label : left) label = stays[label] ? label : 0;
-    const std::vector<Outline> outlines =
-        FindOutlines(LabelImage(grid, left), points, wall_pixels, intrinsics, up);
-    for (std::size_t label = 1; label < outlines.size(); ++label) {
-      if (!stays[label] || !GoesOn(outlines[label], max_share)) continue;
-      stays[label] = 0;
-      changed = true;
-    }
-  }
-}
-
 // Segments that touch one that rests, directly or through others, rest too.
 void SpreadRest(const VoxelGrid& grid, const std::vector<int>& labels,
                 const std::vector<char>& stays, std::vector<char>& rests) {
@@ -123,8 +83,6 @@ void SpreadRest(const VoxelGrid& grid, const std::vector<int>& labels,
 }  // namespace
 
 PlausibleSegments RemoveImplausible(const VoxelGrid& grid, const std::vector<int>& labels,
-                                    const cv::Mat& points, const CameraIntrinsics& intrinsics,
-                                    const std::vector<char>& on_wall,
                                     const std::vector<Support>& supports,
                                     const SupportOptions& support_options,
                                     const PlausibilityOptions& options) {
@@ -135,12 +93,10 @@ PlausibleSegments RemoveImplausible(const VoxelGrid& grid, const std::vector<int
   std::vector<char> stays(segments.size(), 0);
   std::vector<char> rests(segments.size(), 0);
   for (std::size_t label = 1; label < segments.size(); ++label) {
-    stays[label] = !IsTooLarge(segments[label], up, options) &&
-                   !Hangs(segments[label], options.max_hang_m);
+    stays[label] =
+        !IsTooLarge(segments[label], up, options) && !Hangs(segments[label], options.max_hang_m);
     rests[label] = segments[label].lowest_m <= options.max_rest_m;
   }
-  RemoveWhatGoesOn(grid, labels, points, intrinsics, PixelsOnWall(grid, on_wall), up,
-                   options.max_attached_share, stays);
   SpreadRest(grid, labels, stays, rests);
   for (std::size_t label = 1; label < segments.size(); ++label) {
     if (!stays[label] || !rests[label]) ++result.num_removed;

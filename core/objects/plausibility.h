@@ -7,7 +7,6 @@
 
 #include "core/scene/support_surface.h"
 #include "core/segmentation/voxel_grid.h"
-#include "core/types/rgbd_frame.h"
 
 namespace fovea {
 
@@ -19,10 +18,6 @@ struct PlausibilityOptions {
   double max_hang_m = 0;
   // Segments taller than this along the vertical do not stand by themselves; metres.
   double max_height_m = 100;
-  // Segments of whose upper border more than this share ends at background that goes on upwards or
-  // hides it, or at the end of the image, are legs or other parts of something larger; so are those
-  // of whose whole outline more than this share is cut off. 1 switches the tests off.
-  double max_attached_share = 1;
   // Segments whose lowest point is higher than this above their support must touch another one;
   // metres.
   double max_rest_m = 100;
@@ -33,13 +28,10 @@ struct PlausibleSegments {
   std::size_t num_removed = 0;
 };
 
-// `labels`: one entry a voxel, 0 = background; `on_wall`: one entry a voxel. Removed are segments
-// that are too large, that hang from a support or are part of what does not end above them, or that
-// neither rest on a support nor touch, directly or through others, one that does. Nothing is
-// removed where there is no support.
+// `labels`: one entry a voxel, 0 = background, 1 … n without gaps. Removed are segments that are
+// too large, that hang from a support, or that neither rest on a support nor touch, directly or
+// through others, one that does. Nothing is removed where there is no support.
 PlausibleSegments RemoveImplausible(const VoxelGrid& grid, const std::vector<int>& labels,
-                                    const cv::Mat& points, const CameraIntrinsics& intrinsics,
-                                    const std::vector<char>& on_wall,
                                     const std::vector<Support>& supports,
                                     const SupportOptions& support_options,
                                     const PlausibilityOptions& options = {});

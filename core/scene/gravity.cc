@@ -10,7 +10,7 @@ namespace fovea {
 namespace {
 
 constexpr double kMinLevelShare = 0.1;  // of all normals
-constexpr double kMinScoreShare = 0.55;
+constexpr double kMinScoreShare = 0.72;
 
 std::vector<Eigen::Vector3d> ValidNormals(const cv::Mat& normals) {
   std::vector<Eigen::Vector3d> valid;

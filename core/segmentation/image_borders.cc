@@ -7,7 +7,7 @@
 namespace fovea {
 namespace {
 
-constexpr int kMaxShadowPx = 60;
+constexpr int kMaxShadowPx = 60;  // unmeasured beside something in front
 
 }  // namespace
 
@@ -30,7 +30,9 @@ ImageBorders FindImageBorders(const cv::Mat& labels, const cv::Mat& points, int 
     const cv::Rect image({}, labels.size());
     cv::Point q = p + reach_px * step_px;
     for (int i = 0; i < kMaxShadowPx && image.contains(q); ++i, q += step_px) {
-      if (std::isnan(points.at<cv::Vec3f>(q)[2])) continue;
+      const bool is_shadow =
+          labels.at<std::uint16_t>(q) == 0 && std::isnan(points.at<cv::Vec3f>(q)[2]);
+      if (is_shadow) continue;
       visit(p, q);
       return;
     }
