@@ -9,6 +9,7 @@
 #include "core/depth/back_projection.h"
 #include "core/explanation.h"
 #include "core/segmentation/alpha_expansion.h"
+#include "core/segmentation/contraction.h"
 #include "core/segmentation/labels.h"
 #include "core/stage_clock.h"
 
@@ -34,10 +35,8 @@ cv::Mat CleanDepth(const cv::Mat& depth_m) {
   return clean;
 }
 
-Gravity FindGravity(const RgbdFrame& frame, const cv::Mat& points, const GravityOptions& options) {
+Gravity FindGravity(const RgbdFrame& frame, const cv::Mat& normals, const GravityOptions& options) {
   if (frame.gravity) return {frame.gravity->normalized(), Gravity::Source::kGiven};
-  const NormalOptions wide{.window_radius_px = options.window_radius_px};
-  const cv::Mat normals = EstimateNormals(points, frame.intrinsics, wide, options.step_px);
   return {EstimateGravity(normals, options), Gravity::Source::kEstimated};
 }
 
@@ -65,11 +64,36 @@ std::vector<Seed> SeedsOffBackground(const std::vector<Seed>& seeds, const Backg
   return kept;
 }
 
-std::vector<char> VoxelsOfBackground(const VoxelGrid& grid, const Background& background) {
+std::vector<char> VoxelsOfBackground(const VoxelGrid& grid, const Background& background,
+                                     const CameraIntrinsics& intrinsics,
+                                     const RegionOptions& region) {
   std::vector<char> is_background(grid.voxels.size());
-  std::transform(grid.voxels.begin(), grid.voxels.end(), is_background.begin(),
-                 [&](const Voxel& voxel) { return background.Contains(voxel.mean); });
+  std::transform(
+      grid.voxels.begin(), grid.voxels.end(), is_background.begin(), [&](const Voxel& voxel) {
+        return background.Contains(voxel.mean) || !IsInRegion(voxel.mean, intrinsics, region);
+      });
   return is_background;
+}
+
+void AddWalls(const std::vector<char>& on_wall, std::vector<char>& is_background) {
+  for (std::size_t v = 0; v < on_wall.size(); ++v) is_background[v] |= on_wall[v];
+}
+
+std::vector<int> LabelVoxels(const PottsEnergy& energy, const MrfOptions& options) {
+  if (options.cluster_voxels <= 1) return MinimizeByAlphaExpansion(energy, options.max_sweeps);
+  const auto min_weight = static_cast<float>(options.cluster_min_share * options.lambda);
+  const Contraction contraction = Contract(energy, options.cluster_voxels, min_weight);
+  return Expand(contraction, MinimizeByAlphaExpansion(contraction.energy, options.max_sweeps));
+}
+
+// Both maps, each scaled to a maximum of 1, count the same.
+cv::Mat MeanSaliency(const cv::Mat& color_saliency, const cv::Mat& depth_saliency) {
+  const auto scale = [](const cv::Mat& map) {
+    double max = 0;
+    cv::minMaxLoc(map, nullptr, &max);
+    return max > 0 ? 0.5 / max : 0.0;
+  };
+  return color_saliency * scale(color_saliency) + depth_saliency * scale(depth_saliency);
 }
 
 // Labels only where the sensor measured depth: filled holes help to segment, but nobody has seen
@@ -119,9 +143,13 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   counts.seeds_without_depth = from_color.without_depth + from_depth.without_depth;
   clock.Finish("seeds");
 
-  result.gravity = FindGravity(frame, points, options.gravity);
+  const NormalOptions wide{.window_radius_px = options.gravity.window_radius_px};
+  const cv::Mat wide_normals =
+      EstimateNormals(points, frame.intrinsics, wide, options.gravity.step_px);
+  result.gravity = FindGravity(frame, wide_normals, options.gravity);
   const std::vector<Support> supports =
-      FindSupports(points, normals, result.gravity.direction, options.support);
+      FindSupports(points, options.support.wide_normals ? wide_normals : normals,
+                   result.gravity.direction, options.support);
   if (!supports.empty()) result.support = supports.front().surface;
   const Background background(supports, options.support);
   std::vector<Seed> seeds = from_color.seeds;
@@ -133,14 +161,18 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
 
   // Section 3: the scene as voxels, labelled by a Markov random field.
   const VoxelGrid grid = BuildVoxelGrid(points, normals, options.voxels);
-  const std::vector<char> is_background = VoxelsOfBackground(grid, background);
+  std::vector<char> is_background =
+      VoxelsOfBackground(grid, background, frame.intrinsics, options.region);
+  const std::vector<char> on_wall =
+      FindWalls(grid, -result.gravity.direction, options.support, options.walls);
+  AddWalls(on_wall, is_background);
   seeds = CoverWithSeeds(grid, is_background, seeds, options.cover);
   clock.Finish("voxels");
   const PottsEnergy energy = BuildEnergy(grid, points, is_background, seeds, options.mrf);
   counts.num_seeds = seeds.size();
   counts.num_voxels = grid.voxels.size();
   clock.Finish("energy");
-  const std::vector<int> labels = MinimizeByAlphaExpansion(energy, options.mrf.max_sweeps);
+  const std::vector<int> labels = LabelVoxels(energy, options.mrf);
   clock.Finish("graph_cut");
 
   // Section 3.3: touching segments that look alike are one object.
@@ -151,13 +183,19 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
                           options.occlusion_merge);
   counts.num_segments = CountLabels(segments);
   counts.num_merged = counts.num_segments - CountLabels(objects);
-  const PlausibleSegments plausible =
+  PlausibleSegments plausible =
       RemoveImplausible(grid, objects, supports, options.support, options.plausibility);
   counts.segments_implausible = plausible.num_removed;
+  if (!supports.empty()) {
+    plausible = RemoveContinued(grid, plausible.labels, points, frame.intrinsics, on_wall,
+                                -result.gravity.direction, options.continuation);
+    counts.segments_implausible += plausible.num_removed;
+  }
   clock.Finish("refinement");
 
   result.labels = LabelsOfMeasured(grid, plausible.labels, measured);
-  DescribeObjects(frame, points, options.objects, result);
+  DescribeObjects(frame, points, MeanSaliency(color_saliency, depth_saliency), supports,
+                  options.objects, result);
   counts.messages = ExplainLosses(result);
   clock.Finish("objects");
   if (trace != nullptr) *trace = {color_saliency, depth_saliency, seeds};

@@ -56,6 +56,10 @@ std::vector<std::string> ExplainLosses(const Detections& detections) {
     say("no support surface was found: no level surface is large enough, or gravity is wrong");
   }
   say(SeedLoss(d, d.num_seeds));
+  if (d.objects_less_salient > 0) {
+    say(fmt::format("{} less salient objects were left out, as objects.max_objects asks for",
+                    d.objects_less_salient));
+  }
   if (d.num_seeds > 0 && detections.objects.empty()) say(SegmentLoss(d));
   return messages;
 }

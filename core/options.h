@@ -8,12 +8,15 @@
 
 #include "core/depth/fill_depth_holes.h"
 #include "core/depth/normals.h"
+#include "core/objects/continuation.h"
 #include "core/objects/describe_objects.h"
 #include "core/objects/plausibility.h"
 #include "core/saliency/depth_saliency.h"
 #include "core/saliency/strength_saliency.h"
 #include "core/scene/gravity.h"
+#include "core/scene/region.h"
 #include "core/scene/support_surface.h"
+#include "core/scene/walls.h"
 #include "core/seeds/covering_seeds.h"
 #include "core/seeds/saliency_seeds.h"
 #include "core/segmentation/color_merge.h"
@@ -27,6 +30,7 @@ namespace fovea {
 // In the order of the pipeline. Units, meanings and sources stand with each stage's options.
 struct DetectorOptions {
   double max_depth_m = 10;  // points farther away are left out
+  RegionOptions region;
   DepthFillOptions depth_fill;
   NormalOptions normals;
   StrengthSaliencyOptions color_saliency;
@@ -35,12 +39,14 @@ struct DetectorOptions {
   GravityOptions gravity;
   SupportOptions support;
   VoxelOptions voxels;
+  WallOptions walls;
   CoverOptions cover;
   MrfOptions mrf;
   ColorMergeOptions color_merge;
   ShapeMergeOptions shape_merge;
   OcclusionMergeOptions occlusion_merge;
   PlausibilityOptions plausibility;
+  ContinuationOptions continuation;
   ObjectOptions objects;
 };
 

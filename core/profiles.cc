@@ -17,6 +17,8 @@ DetectorOptions Default() {
   options.seeds.disk_radius_px = 5;
   options.cover.spacing_m = 0.05;
   options.cover.max_extent_m = 1.5;
+  options.gravity.step_px = 4;
+  options.support.wide_normals = true;
   // The surface in the width of the sensor's noise, which grows with the square of the distance.
   options.support.tolerance_m = 0.004;
   options.support.tolerance_per_m = 0.006;
@@ -30,7 +32,11 @@ DetectorOptions Default() {
   options.support.footprint_margin_m = 0.1;
   options.support.max_height_m = 0.5;
   options.plausibility.max_size_m = 0.6;
+  options.plausibility.max_height_m = 0.4;
+  options.continuation.max_share = 0.4;
   options.plausibility.max_hang_m = 0.3;
+  options.walls.min_extent_m = 0.6;
+  options.walls.min_area_m2 = 0.08;
   // Voxels that grow with the distance, as pixels and noise do.
   options.voxels.perspective = true;
   // With dense seeds, hypotheses may reach across an object; grooves part the objects.
@@ -41,16 +47,19 @@ DetectorOptions Default() {
   options.mrf.lambda = 8;
   options.mrf.reach_m = 0.15;
   options.mrf.max_sweeps = 1;
+  options.mrf.cluster_voxels = 4;
+  options.mrf.cluster_min_share = 0.97;
   options.mrf.concave_angle_deg = 12;
   // Shape joins the parts of an object; textures would part them, so colour only adds to it.
   options.color_merge.min_correlation = 1;
   options.shape_merge.max_concavity_deg = 15;
-  options.shape_merge.color_weight_deg = 0.4;
+  options.shape_merge.color_weight_deg = 0.5;
   options.shape_merge.reach_cells = 1;
   options.occlusion_merge.min_shared_surface = 0.3;
-  options.occlusion_merge.max_color_distance = 35;
-  options.occlusion_merge.min_hollow_curvature_per_m = 1.5;
-  options.objects.min_pixels = 500;
+  options.occlusion_merge.max_color_distance = 60;
+  options.occlusion_merge.min_hollow_curvature_per_m = 3;
+  options.objects.min_pixels = 120;
+  options.objects.min_area_m2 = 0.0018;
   return options;
 }
 

@@ -58,9 +58,28 @@ float LowestHeight(const std::vector<Eigen::Vector3f>& positions, const SupportS
   return lowest;
 }
 
+// The surface that most of the points are above: the highest one if there are several.
+std::optional<SupportSurface> OwnSupport(const std::vector<Support>& supports,
+                                         const std::vector<Eigen::Vector3f>& positions) {
+  const auto is_below = [&](const Support& support) {
+    const auto above = std::count_if(positions.begin(), positions.end(), [&](const auto& p) {
+      return support.surface.HeightOf(p) > 0 && support.footprint.Covers(p);
+    });
+    return 2 * static_cast<std::size_t>(above) > positions.size();
+  };
+  std::optional<SupportSurface> highest;
+  for (const Support& support : supports) {
+    if (!is_below(support)) continue;
+    const float height = support.surface.HeightOf(positions.front());
+    if (!highest || height < highest->HeightOf(positions.front())) highest = support.surface;
+  }
+  if (!highest && !supports.empty()) return supports.front().surface;
+  return highest;
+}
+
 DetectedObject Describe(const RgbdFrame& frame, const cv::Mat& points,
-                        const std::vector<cv::Point>& pixels, const Detections& scene,
-                        const ObjectOptions& options) {
+                        const std::vector<cv::Point>& pixels, const std::vector<Support>& supports,
+                        const Eigen::Vector3f& gravity, const ObjectOptions& options) {
   DetectedObject object;
   object.bounds_px = cv::boundingRect(pixels);
   object.num_pixels = pixels.size();
@@ -69,22 +88,57 @@ DetectedObject Describe(const RgbdFrame& frame, const cv::Mat& points,
 
   std::vector<Eigen::Vector3f> positions;
   for (const pcl::PointXYZRGB& p : object.cloud) positions.emplace_back(p.x, p.y, p.z);
-  const Eigen::Vector3f up = scene.support ? scene.support->normal : -scene.gravity.direction;
-  object.box = FitOrientedBox(positions, up, scene.support, options.box);
-  if (scene.support) object.height_above_support_m = LowestHeight(positions, *scene.support);
+  const std::optional<SupportSurface> support = OwnSupport(supports, positions);
+  object.box =
+      FitOrientedBox(positions, support ? support->normal : -gravity, support, options.box);
+  if (support) object.height_above_support_m = LowestHeight(positions, *support);
   object.confidence = Confidence(object, frame.depth_m.size());
   object.grasps.push_back(GraspFromAbove(object.box, options.grasp));
   return object;
 }
 
+double VisibleArea_m2(const cv::Mat& points, const std::vector<cv::Point>& pixels,
+                      const CameraIntrinsics& intrinsics) {
+  double squares = 0;
+  for (const cv::Point& pixel : pixels) {
+    const double z = points.at<cv::Vec3f>(pixel)[2];
+    squares += z * z;
+  }
+  return squares / (intrinsics.fx_px * intrinsics.fy_px);
+}
+
+float MeanOf(const cv::Mat& map, const std::vector<cv::Point>& pixels) {
+  double sum = 0;
+  for (const cv::Point& pixel : pixels) sum += map.at<float>(pixel);
+  return static_cast<float>(sum / static_cast<double>(pixels.size()));
+}
+
+// Leaves the `max_objects` most salient of the labels, in their order. Returns how many it drops.
+std::size_t KeepMostSalient(const PixelsOfLabel& pixels, const cv::Mat& saliency, int max_objects,
+                            std::vector<int>& labels) {
+  const auto limit = static_cast<std::size_t>(max_objects);
+  if (limit == 0 || labels.size() <= limit) return 0;
+  std::vector<int> by_saliency = labels;
+  std::stable_sort(by_saliency.begin(), by_saliency.end(), [&](int a, int b) {
+    return MeanOf(saliency, pixels[a]) > MeanOf(saliency, pixels[b]);
+  });
+  const std::size_t dropped = labels.size() - limit;
+  by_saliency.resize(limit);
+  std::erase_if(labels, [&](int label) {
+    return std::find(by_saliency.begin(), by_saliency.end(), label) == by_saliency.end();
+  });
+  return dropped;
+}
+
 // Old labels of the objects to keep, in their new order: larger first, which is also the order of
 // confidence.
-std::vector<int> LabelsToKeep(const PixelsOfLabel& pixels, std::size_t min_pixels,
+template <typename IsLargeEnough>
+std::vector<int> LabelsToKeep(const PixelsOfLabel& pixels, IsLargeEnough is_large_enough,
                               std::size_t& num_too_small) {
   std::vector<int> kept;
   for (int label = 1; label < static_cast<int>(pixels.size()); ++label) {
     if (pixels[label].empty()) continue;
-    if (pixels[label].size() >= min_pixels) {
+    if (is_large_enough(pixels[label])) {
       kept.push_back(label);
     } else {
       ++num_too_small;
@@ -97,16 +151,26 @@ std::vector<int> LabelsToKeep(const PixelsOfLabel& pixels, std::size_t min_pixel
 
 }  // namespace
 
-void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points, const ObjectOptions& options,
+void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points, const cv::Mat& saliency,
+                     const std::vector<Support>& supports, const ObjectOptions& options,
                      Detections& detections) {
   const PixelsOfLabel pixels = CollectPixels(detections.labels);
   const double area_scale = static_cast<double>(frame.depth_m.total()) / (640.0 * 480.0);
   const auto min_pixels = static_cast<std::size_t>(
       std::max(kFewestPixels, std::round(options.min_pixels * area_scale)));
+  const auto is_large_enough = [&](const std::vector<cv::Point>& mask) {
+    return mask.size() >= min_pixels &&
+           VisibleArea_m2(points, mask, frame.intrinsics) >= options.min_area_m2;
+  };
+  Diagnostics& counts = detections.diagnostics;
+  std::vector<int> kept = LabelsToKeep(pixels, is_large_enough, counts.segments_too_small);
+  counts.objects_less_salient = KeepMostSalient(pixels, saliency, options.max_objects, kept);
+
   detections.labels = cv::Mat::zeros(frame.depth_m.size(), CV_16UC1);
-  for (const int old_label :
-       LabelsToKeep(pixels, min_pixels, detections.diagnostics.segments_too_small)) {
-    DetectedObject object = Describe(frame, points, pixels[old_label], detections, options);
+  for (const int old_label : kept) {
+    DetectedObject object =
+        Describe(frame, points, pixels[old_label], supports, detections.gravity.direction, options);
+    object.saliency = MeanOf(saliency, pixels[old_label]);
     object.label = static_cast<int>(detections.objects.size()) + 1;
     for (const cv::Point& pixel : pixels[old_label]) {
       detections.labels.at<std::uint16_t>(pixel) = static_cast<std::uint16_t>(object.label);

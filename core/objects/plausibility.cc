@@ -51,8 +51,10 @@ std::vector<Segment> Collect(const VoxelGrid& grid, const std::vector<int>& labe
   return segments;
 }
 
-bool IsTooLarge(const Segment& segment, const Eigen::Vector3f& up, double max_size_m) {
-  return FitOrientedBox(segment.points, up, std::nullopt).size_m.maxCoeff() > max_size_m;
+bool IsTooLarge(const Segment& segment, const Eigen::Vector3f& up,
+                const PlausibilityOptions& options) {
+  const Eigen::Vector3f size_m = FitOrientedBox(segment.points, up, std::nullopt).size_m;
+  return size_m.maxCoeff() > options.max_size_m || size_m.z() > options.max_height_m;
 }
 
 // Most of it lies under a support, and it reaches up to it.
@@ -91,8 +93,8 @@ PlausibleSegments RemoveImplausible(const VoxelGrid& grid, const std::vector<int
   std::vector<char> stays(segments.size(), 0);
   std::vector<char> rests(segments.size(), 0);
   for (std::size_t label = 1; label < segments.size(); ++label) {
-    stays[label] = !IsTooLarge(segments[label], up, options.max_size_m) &&
-                   !Hangs(segments[label], options.max_hang_m);
+    stays[label] =
+        !IsTooLarge(segments[label], up, options) && !Hangs(segments[label], options.max_hang_m);
     rests[label] = segments[label].lowest_m <= options.max_rest_m;
   }
   SpreadRest(grid, labels, stays, rests);

@@ -16,6 +16,8 @@ struct PlausibilityOptions {
   // Segments that lie under a support for the most part and reach up to less than this below it are
   // its edge or its legs; metres, 0 switches the test off.
   double max_hang_m = 0;
+  // Segments taller than this along the vertical do not stand by themselves; metres.
+  double max_height_m = 100;
   // Segments whose lowest point is higher than this above their support must touch another one;
   // metres.
   double max_rest_m = 100;
@@ -26,9 +28,9 @@ struct PlausibleSegments {
   std::size_t num_removed = 0;
 };
 
-// `labels`: one entry a voxel, 0 = background. Removed are segments that are too large, that hang
-// from a support, or that neither rest on a support nor touch, directly or through others, one that
-// does. Nothing is removed where there is no support.
+// `labels`: one entry a voxel, 0 = background, 1 … n without gaps. Removed are segments that are
+// too large, that hang from a support, or that neither rest on a support nor touch, directly or
+// through others, one that does. Nothing is removed where there is no support.
 PlausibleSegments RemoveImplausible(const VoxelGrid& grid, const std::vector<int>& labels,
                                     const std::vector<Support>& supports,
                                     const SupportOptions& support_options,

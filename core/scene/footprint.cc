@@ -7,7 +7,7 @@
 namespace fovea {
 namespace {
 
-constexpr float kCellM = 0.02F;
+constexpr float kCellM = 0.03F;
 
 // Cells with points, closed over gaps of one cell (far surfaces are sampled thinly).
 cv::Mat Occupancy(const std::vector<cv::Point>& cells, const cv::Size& size) {

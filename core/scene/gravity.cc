@@ -9,6 +9,9 @@
 namespace fovea {
 namespace {
 
+constexpr double kMinLevelShare = 0.1;  // of all normals
+constexpr double kMinScoreShare = 0.72;
+
 std::vector<Eigen::Vector3d> ValidNormals(const cv::Mat& normals) {
   std::vector<Eigen::Vector3d> valid;
   for (int row = 0; row < normals.rows; ++row) {
@@ -47,35 +50,48 @@ Eigen::Vector3d RefineFrom(Eigen::Vector3d down, const std::vector<Eigen::Vector
   return down;
 }
 
-// How many normals a direction explains: level surfaces that face up count full, walls half, as
-// any direction in a wall explains it.
-double Support(const std::vector<Eigen::Vector3d>& normals, const Eigen::Vector3d& down) {
+// How many normals a direction explains.
+struct Explained {
+  double level = 0;    // of surfaces that face up
+  double upright = 0;  // of walls; any direction in a wall explains it
+  double Score() const { return level + 0.5 * upright; }
+};
+
+Explained Explain(const std::vector<Eigen::Vector3d>& normals, const Eigen::Vector3d& down) {
   const double gate = 10 * std::numbers::pi / 180;
-  double support = 0;
+  Explained explained;
   for (const Eigen::Vector3d& n : normals) {
     const double c = n.dot(down);
-    if (c < -std::cos(gate)) support += 1;
-    if (std::abs(c) < std::sin(gate)) support += 0.5;
+    if (c < -std::cos(gate)) ++explained.level;
+    if (std::abs(c) < std::sin(gate)) ++explained.upright;
   }
-  return support;
+  return explained;
 }
 
 }  // namespace
 
 Eigen::Vector3f EstimateGravity(const cv::Mat& normals, const GravityOptions& options) {
   const std::vector<Eigen::Vector3d> valid = ValidNormals(normals);
-  Eigen::Vector3d best = Eigen::Vector3d::UnitY();
-  double best_support = -1;
+  std::vector<Eigen::Vector3d> directions;  // by rising pitch of the start
+  std::vector<Explained> explained;
+  double best_score = 0;
   for (int start = 0; start < options.num_starts; ++start) {
     const double pitch = start * std::numbers::pi / 2 / std::max(1, options.num_starts - 1);
-    const Eigen::Vector3d down = RefineFrom({0, std::cos(pitch), std::sin(pitch)}, valid, options);
-    const double support = Support(valid, down);
-    if (support > best_support) {
-      best_support = support;
-      best = down;
-    }
+    directions.push_back(RefineFrom({0, std::cos(pitch), std::sin(pitch)}, valid, options));
+    explained.push_back(Explain(valid, directions.back()));
+    best_score = std::max(best_score, explained.back().Score());
   }
-  return best.cast<float>();
+  // A wall seen from the front looks like a floor seen from above. What tells them apart is that a
+  // level surface is seen as well, so the least pitch that explains one and not much less than the
+  // best is right.
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    if (explained[i].level < kMinLevelShare * static_cast<double>(valid.size())) continue;
+    if (explained[i].Score() >= kMinScoreShare * best_score) return directions[i].cast<float>();
+  }
+  const auto best = std::max_element(
+      explained.begin(), explained.end(),
+      [](const Explained& a, const Explained& b) { return a.Score() < b.Score(); });
+  return directions[static_cast<std::size_t>(best - explained.begin())].cast<float>();
 }
 
 }  // namespace fovea

@@ -1,12 +1,13 @@
 #include "core/scene/support_surface.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <opencv2/core.hpp>
 #include <vector>
+
+#include "core/scene/plane_fit.h"
 
 namespace fovea {
 namespace {
@@ -62,30 +63,10 @@ std::vector<Eigen::Vector3f> Inliers(const std::vector<Eigen::Vector3f>& points,
   return inliers;
 }
 
-// Least-squares plane; each point weighs 1/z⁴, the inverse variance of structured-light depth.
-SupportSurface FitPlane(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& up) {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-  double total = 0;
-  for (const Eigen::Vector3f& point : points) {
-    const Eigen::Vector3d p = point.cast<double>();
-    const double weight = 1 / std::max(1e-4, p.z() * p.z() * p.z() * p.z());
-    total += weight;
-    mean += weight * p;
-    moments += weight * p * p.transpose();
-  }
-  mean /= total;
-  const Eigen::Matrix3d covariance = moments / total - mean * mean.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
-  Eigen::Vector3d normal = solver.eigenvectors().col(0);
-  if (normal.dot(up.cast<double>()) < 0) normal = -normal;
-  return {normal.cast<float>(), static_cast<float>(-normal.dot(mean)), points.size()};
-}
-
-std::size_t CountPoints(const cv::Mat& points) {
-  cv::Mat z;
-  cv::extractChannel(points, z, 2);
-  return static_cast<std::size_t>(cv::countNonZero(z > 0));
+std::size_t CountNormals(const cv::Mat& normals) {
+  cv::Mat x;
+  cv::extractChannel(normals, x, 0);
+  return static_cast<std::size_t>(cv::countNonZero(x == x));  // false for NaN
 }
 
 SupportSurface FitDominating(const std::vector<Eigen::Vector3f>& level, const Eigen::Vector3f& up,
@@ -109,6 +90,27 @@ Footprint FootprintOf(const std::vector<Eigen::Vector3f>& inliers, const Support
   return {inliers, surface, options.min_area_m2, options.footprint_margin_m};
 }
 
+// Most of the points lie closely above one of the supports.
+bool IsCloselyAbove(const std::vector<Support>& supports,
+                    const std::vector<Eigen::Vector3f>& points, double max_step_m) {
+  return std::any_of(supports.begin(), supports.end(), [&](const Support& support) {
+    const auto above = std::count_if(points.begin(), points.end(), [&](const Eigen::Vector3f& p) {
+      const float height = support.surface.HeightOf(p);
+      return height > 0 && height < max_step_m && support.footprint.Covers(p);
+    });
+    return 2 * static_cast<std::size_t>(above) > points.size();
+  });
+}
+
+// Surfaces in the height of objects above another one are mostly the tops of objects.
+double MinArea_m2(const std::vector<Support>& supports, const std::vector<Eigen::Vector3f>& points,
+                  const SupportOptions& options) {
+  constexpr double kObjectHeight_m = 0.4;
+  constexpr double kObjectTops = 2.5;  // as large as several side by side
+  return IsCloselyAbove(supports, points, kObjectHeight_m) ? kObjectTops * options.min_area_m2
+                                                           : options.min_area_m2;
+}
+
 // Takes the points of a surface out, with what noise left around it. False if there were none.
 bool RemoveInliers(std::vector<Eigen::Vector3f>& level, const SupportSurface& surface,
                    const SupportOptions& options) {
@@ -129,10 +131,10 @@ float SupportTolerance(float z_m, const SupportOptions& options) {
 
 std::vector<Support> FindSupports(const cv::Mat& points, const cv::Mat& normals,
                                   const Eigen::Vector3f& gravity, const SupportOptions& options) {
-  const Eigen::Vector3f up = -gravity;
+  Eigen::Vector3f up = -gravity;
   std::vector<Eigen::Vector3f> level = LevelPoints(points, normals, up, options.max_angle_deg);
   const auto min_points = static_cast<std::size_t>(
-      std::max(3.0, std::ceil(options.min_share * static_cast<double>(CountPoints(points)))));
+      std::max(3.0, std::ceil(options.min_share * static_cast<double>(CountNormals(normals)))));
 
   std::vector<Support> supports;
   for (int attempt = 0; attempt < 3 * options.max_surfaces; ++attempt) {
@@ -141,7 +143,8 @@ std::vector<Support> FindSupports(const cv::Mat& points, const cv::Mat& normals,
     const std::vector<Eigen::Vector3f> inliers = Inliers(level, surface, options, 1.0F);
     if (supports.empty() && inliers.size() < min_points) break;
     const Footprint footprint = FootprintOf(inliers, surface, options);
-    if (footprint.AreaM2() >= options.min_area_m2) {
+    if (footprint.AreaM2() >= MinArea_m2(supports, inliers, options)) {
+      if (options.max_surfaces > 1 && supports.empty()) up = surface.normal;  // the better vertical
       supports.push_back({surface, options.footprint_margin_m > 0 ? footprint : Footprint()});
     }
     if (!RemoveInliers(level, surface, options)) break;

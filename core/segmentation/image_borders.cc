@@ -1,9 +1,15 @@
 #include "core/segmentation/image_borders.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace fovea {
+namespace {
+
+constexpr int kMaxShadowPx = 60;  // unmeasured beside something in front
+
+}  // namespace
 
 ImageBorders FindImageBorders(const cv::Mat& labels, const cv::Mat& points, int reach_px,
                               float step) {
@@ -20,11 +26,22 @@ ImageBorders FindImageBorders(const cv::Mat& labels, const cv::Mat& points, int 
     if (depth_a < depth_b - limit) ++(a < b ? border.first_in_front : border.second_in_front);
     if (depth_b < depth_a - limit) ++(b < a ? border.first_in_front : border.second_in_front);
   };
+  const auto visit_next = [&](const cv::Point& p, const cv::Point& step_px) {
+    const cv::Rect image({}, labels.size());
+    cv::Point q = p + reach_px * step_px;
+    for (int i = 0; i < kMaxShadowPx && image.contains(q); ++i, q += step_px) {
+      const bool is_shadow =
+          labels.at<std::uint16_t>(q) == 0 && std::isnan(points.at<cv::Vec3f>(q)[2]);
+      if (is_shadow) continue;
+      visit(p, q);
+      return;
+    }
+  };
   for (int row = 0; row < labels.rows; ++row) {
     for (int col = 0; col < labels.cols; ++col) {
-      const cv::Point p(col, row);
-      if (col + reach_px < labels.cols) visit(p, {col + reach_px, row});
-      if (row + reach_px < labels.rows) visit(p, {col, row + reach_px});
+      if (labels.at<std::uint16_t>(row, col) == 0) continue;
+      visit_next({col, row}, {1, 0});
+      visit_next({col, row}, {0, 1});
     }
   }
   return borders;

@@ -27,6 +27,10 @@ struct MrfOptions {
   // Nor for voxels whose mean is farther than this from the seed; metres.
   double reach_m = 100;
   int max_sweeps = 5;  // of alpha-expansion
+  // Neighbouring voxels are labelled together, up to this many at a time, where cutting between
+  // them would cost at least cluster_min_share of λ; 1: every voxel by itself.
+  int cluster_voxels = 1;
+  double cluster_min_share = 0.8;
 };
 
 // The energy over the voxels of `grid`: label 0 is the background, label k the hypothesis of

@@ -22,14 +22,43 @@ constexpr int kBorderReachPx = 4;
 constexpr float kBorderStep = 0.01F;
 constexpr std::size_t kMaxSamples = 150;  // voxels of a segment that are compared
 
+// An upright cylinder, from the regression of normals on positions in the horizontal plane.
+struct Roundness {
+  double curvature_per_m = 0;  // 1/R seen from outside, −1/R from inside, 0 for a plane
+  Eigen::Vector3f axis = Eigen::Vector3f::Zero();  // a point on it; only for a curvature not 0
+};
+
 struct Segment {
   std::vector<int> voxels;
-  double curvature_sum = 0;  // over pairs of neighbouring voxels; negative = bends inwards
-  int num_pairs = 0;
+  Roundness roundness;
   float top_m = -std::numeric_limits<float>::max();  // along `up`
-
-  double MeanCurvature() const { return num_pairs == 0 ? 0 : curvature_sum / num_pairs; }
 };
+
+Eigen::Vector3f Horizontal(const Eigen::Vector3f& v, const Eigen::Vector3f& up) {
+  return v - up.dot(v) * up;
+}
+
+Roundness FitRoundness(const VoxelGrid& grid, const std::vector<int>& voxels,
+                       const Eigen::Vector3f& up) {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  for (const int v : voxels) {
+    position += Horizontal(grid.voxels[v].mean, up).cast<double>();
+    normal += Horizontal(grid.voxels[v].normal, up).cast<double>();
+  }
+  position /= static_cast<double>(voxels.size());
+  normal /= static_cast<double>(voxels.size());
+  double covariance = 0;
+  double variance = 0;
+  for (const int v : voxels) {
+    const Eigen::Vector3d offset = Horizontal(grid.voxels[v].mean, up).cast<double>() - position;
+    covariance += offset.dot(Horizontal(grid.voxels[v].normal, up).cast<double>());
+    variance += offset.squaredNorm();
+  }
+  if (variance == 0 || covariance == 0) return {};
+  const double curvature = covariance / variance;  // normal = curvature · (position − axis)
+  return {curvature, (position - normal / curvature).cast<float>()};
+}
 
 std::vector<Segment> Collect(const VoxelGrid& grid, const std::vector<int>& labels,
                              const Eigen::Vector3f& up) {
@@ -39,14 +68,8 @@ std::vector<Segment> Collect(const VoxelGrid& grid, const std::vector<int>& labe
     segment.voxels.push_back(v);
     segment.top_m = std::max(segment.top_m, up.dot(grid.voxels[v].mean));
   }
-  for (const VoxelEdge& edge : grid.edges) {
-    if (labels[edge.a] != labels[edge.b]) continue;
-    const Voxel& a = grid.voxels[edge.a];
-    const Voxel& b = grid.voxels[edge.b];
-    const Eigen::Vector3f step = a.mean - b.mean;
-    segments[labels[edge.a]].curvature_sum +=
-        (a.normal - b.normal).dot(step) / std::max(1e-8F, step.squaredNorm());
-    ++segments[labels[edge.a]].num_pairs;
+  for (Segment& segment : segments) {
+    segment.roundness = FitRoundness(grid, segment.voxels, up);
   }
   return segments;
 }
@@ -88,6 +111,7 @@ class Evidence {
       : grid_(grid),
         options_(options),
         points_(points),
+        up_(up),
         segments_(Collect(grid, labels, up)),
         colors_(ColorsOfSegments(grid, labels, color_rgb)),
         image_(LabelImage(grid, labels)),
@@ -135,14 +159,27 @@ class Evidence {
 
   bool IsInsideOf(int inside, int outside) const {
     if (options_.min_hollow_curvature_per_m <= 0) return false;
-    return -segments_[inside].MeanCurvature() >= options_.min_hollow_curvature_per_m &&
-           Hides(outside, inside) &&
-           std::abs(segments_[inside].top_m - segments_[outside].top_m) <= options_.max_rim_step_m;
+    const double curvature = segments_[inside].roundness.curvature_per_m;
+    return -curvature >= options_.min_hollow_curvature_per_m && Hides(outside, inside) &&
+           std::abs(segments_[inside].top_m - segments_[outside].top_m) <=
+               options_.max_rim_step_m &&
+           LiesAround(outside, segments_[inside].roundness.axis, -1 / curvature);
   }
 
  private:
   static constexpr int kMinBorderPx = 10;
   static constexpr std::size_t kMinVoxels = 10;
+
+  // True if the segment is about as far from an axis as the wall around it is: a bowl's outside is
+  // narrower below its rim, something beside the bowl is farther away.
+  bool LiesAround(int segment, const Eigen::Vector3f& axis, double radius_m) const {
+    double sum = 0;
+    for (const int v : segments_[segment].voxels) {
+      sum += (Horizontal(grid_.voxels[v].mean, up_) - axis).norm();
+    }
+    const double share = sum / static_cast<double>(segments_[segment].voxels.size()) / radius_m;
+    return share >= 0.25 && share <= 1.1;
+  }
 
   cv::Point2d CenterPx(int segment) const {
     const cv::Moments moments = cv::moments(image_ == segment, true);
@@ -156,6 +193,7 @@ class Evidence {
   const VoxelGrid& grid_;
   const OcclusionMergeOptions& options_;
   const cv::Mat& points_;
+  const Eigen::Vector3f up_;
   std::vector<Segment> segments_;
   std::vector<SegmentColor> colors_;
   cv::Mat image_;

@@ -52,6 +52,7 @@ struct Grasp {
 struct DetectedObject {
   int label = 0;               // 1, 2, … : its value in Detections::labels
   float confidence = 0;        // 0 … 1, see core/objects/confidence.h
+  float saliency = 0;          // 0 … 1, mean of the mask's saliency in colour and in depth
   cv::Rect bounds_px;          // smallest upright rectangle around the mask
   std::size_t num_pixels = 0;  // of the mask
   OrientedBox box;             // stands on the support where one was found
@@ -86,7 +87,8 @@ struct Diagnostics {
   std::size_t num_merged = 0;            // segments that refinement joined to another
   std::size_t segments_implausible = 0;  // too large, hanging from a surface, or in the air
   std::size_t segments_too_small = 0;
-  std::vector<std::string> messages;  // for people: what limited the result, most telling first
+  std::size_t objects_less_salient = 0;  // beyond objects.max_objects
+  std::vector<std::string> messages;     // for people: what limited the result, most telling first
 };
 
 struct StageTime {
@@ -99,7 +101,7 @@ struct Detections {
                    // measured
   std::vector<DetectedObject> objects;  // by falling confidence; object k has label k
   Gravity gravity;
-  std::optional<SupportSurface> support;
+  std::optional<SupportSurface> support;  // the dominating one
   Diagnostics diagnostics;
   std::vector<StageTime> stage_times;  // in the order of the pipeline
 };

@@ -15,13 +15,17 @@ struct Scene {
                   cv::Mat(480, 640, CV_32FC1, cv::Scalar(1.0F)),
                   {500, 500, 320, 240},
                   std::nullopt};
+  cv::Mat saliency{480, 640, CV_32FC1, cv::Scalar(0.5F)};
   Detections detections;
 
   Scene() { detections.labels = cv::Mat::zeros(480, 640, CV_16UC1); }
   void Label(const cv::Rect& rectangle, int label) { detections.labels(rectangle).setTo(label); }
   void Describe(const ObjectOptions& options = {}) {
     const cv::Mat points = BackProject(frame.depth_m, frame.intrinsics, 10);
-    DescribeObjects(frame, points, options, detections);
+    const std::vector<Support> supports =
+        detections.support ? std::vector<Support>{{*detections.support, Footprint()}}
+                           : std::vector<Support>{};
+    DescribeObjects(frame, points, saliency, supports, options, detections);
   }
 };
 
@@ -77,6 +81,46 @@ TEST(DescribeObjects, FlagsObjectsAtTheImageBorder) {
   EXPECT_TRUE(scene.detections.objects[0].truncated);
   EXPECT_TRUE(scene.detections.objects[1].truncated);
   EXPECT_FALSE(scene.detections.objects[2].truncated);
+}
+
+TEST(DescribeObjects, SaliencyIsTheMeanOverTheMaskAndTheMostSalientAreKept) {
+  Scene scene;
+  scene.Label({100, 100, 40, 40}, 1);
+  scene.Label({200, 200, 30, 30}, 2);
+  scene.Label({300, 300, 20, 20}, 3);
+  scene.saliency(cv::Rect(200, 200, 30, 30)).setTo(0.9F);
+  scene.saliency(cv::Rect(300, 300, 20, 10)).setTo(0.7F);
+  ObjectOptions options;
+  options.max_objects = 2;
+  scene.Describe(options);
+  ASSERT_EQ(scene.detections.objects.size(), 2U);
+  EXPECT_NEAR(scene.detections.objects[0].saliency, 0.9F, 1e-6F);
+  EXPECT_NEAR(scene.detections.objects[1].saliency, 0.6F, 1e-6F);
+  EXPECT_EQ(scene.detections.diagnostics.objects_less_salient, 1U);
+  EXPECT_EQ(scene.detections.labels.at<std::uint16_t>(110, 110), 0);
+}
+
+TEST(DescribeObjects, AsksForTheSameVisibleAreaAtAnyDistance) {
+  Scene scene;
+  scene.frame.depth_m.colRange(320, 640).setTo(2.0F);
+  scene.Label({100, 100, 20, 20}, 1);  // 4 cm wide at 1 m
+  scene.Label({400, 100, 20, 20}, 2);  // 8 cm wide at 2 m
+  ObjectOptions options;
+  options.min_area_m2 = 0.003;
+  scene.Describe(options);
+  ASSERT_EQ(scene.detections.objects.size(), 1U);
+  EXPECT_EQ(scene.detections.objects[0].bounds_px.x, 400);
+}
+
+TEST(DescribeObjects, StandsOnTheHighestSupportBelow) {
+  Scene scene;
+  scene.Label({300, 200, 40, 40}, 1);  // its lowest row is 2 mm above the optical axis
+  const Eigen::Vector3f up = -Eigen::Vector3f::UnitY();
+  const std::vector<Support> supports{{{up, 0.8F, 1}, Footprint()}, {{up, 0.1F, 1}, Footprint()}};
+  const cv::Mat points = BackProject(scene.frame.depth_m, scene.frame.intrinsics, 10);
+  DescribeObjects(scene.frame, points, scene.saliency, supports, {}, scene.detections);
+  ASSERT_EQ(scene.detections.objects.size(), 1U);
+  EXPECT_NEAR(*scene.detections.objects[0].height_above_support_m, 0.102, 1e-3);
 }
 
 }  // namespace

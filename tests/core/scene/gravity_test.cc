@@ -46,6 +46,19 @@ TEST(EstimateGravity, FindsTheFloorOfAPitchedAndRolledCamera) {
   }
 }
 
+// Most normals are those of a wall straight ahead, which would do for the floor below a camera that
+// looks down; the table tells.
+TEST(EstimateGravity, TellsAWallAheadFromAFloorBelow) {
+  const Eigen::Vector3f down = Eigen::Vector3f(0.02F, 0.95F, 0.3F).normalized();
+  const Eigen::Vector3f ahead = down.unitOrthogonal().cross(down).normalized();
+  const Eigen::Vector3f wall = ahead.z() > 0 ? ahead : Eigen::Vector3f(-ahead);
+  cv::Mat room = RoomNormals(down, 300, 0, 30, 5);
+  cv::Mat normals = room.reshape(3, static_cast<int>(room.total()));
+  for (int i = 0; i < 450; ++i) normals.push_back(cv::Vec3f(-wall.x(), -wall.y(), -wall.z()));
+  const Eigen::Vector3f found = EstimateGravity(normals, {.num_starts = 4});
+  EXPECT_LT(AngleDeg(found, down), 3.0F) << found.transpose();
+}
+
 TEST(EstimateGravity, WallsAloneAreEnough) {
   const Eigen::Vector3f down = Eigen::Vector3f(0.1F, 1.0F, 0.2F).normalized();
   EXPECT_LT(AngleDeg(EstimateGravity(RoomNormals(down, 0, 400, 0, 5)), down), 2.0F);

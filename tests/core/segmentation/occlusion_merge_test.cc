@@ -186,8 +186,9 @@ TEST(MergeOccluded, InsideAndOutsideShareARim) {
 }
 
 TEST(MergeOccluded, TheInsideBendsAtLeastAsMuchAsAsked) {
-  // 25/m around the axis, none along it: the mean lies in between.
-  EXPECT_FALSE(AreJoined(Cup(), kInside, kOutside, {.min_hollow_curvature_per_m = 25}));
+  // The radius of 4 cm is a curvature of 25/m.
+  EXPECT_TRUE(AreJoined(Cup(), kInside, kOutside, {.min_hollow_curvature_per_m = 24}));
+  EXPECT_FALSE(AreJoined(Cup(), kInside, kOutside, {.min_hollow_curvature_per_m = 26}));
 }
 
 TEST(MergeOccluded, HollowIsOffAtZero) {

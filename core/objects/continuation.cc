@@ -1,0 +1,56 @@
+#include "core/objects/continuation.h"
+
+#include <cstdint>
+
+#include "core/objects/outline.h"
+#include "core/segmentation/labels.h"
+
+namespace fovea {
+namespace {
+
+cv::Mat PixelsOnWall(const VoxelGrid& grid, const std::vector<char>& on_wall) {
+  cv::Mat image = cv::Mat::zeros(grid.voxel_of_pixel.size(), CV_8UC1);
+  for (int row = 0; row < image.rows; ++row) {
+    const int* voxel = grid.voxel_of_pixel.ptr<int>(row);
+    auto* pixel = image.ptr<std::uint8_t>(row);
+    for (int col = 0; col < image.cols; ++col) {
+      if (voxel[col] >= 0) pixel[col] = static_cast<std::uint8_t>(on_wall[voxel[col]]);
+    }
+  }
+  return image;
+}
+
+// Whether a segment is, for all one can see, a part of something that goes on: above it, or beyond
+// the end of the image.
+bool GoesOn(const Outline& outline, double max_share) {
+  const Outline::Upper& upper = outline.upper;
+  return upper.Total() - upper.open > max_share * upper.Total() ||
+         outline.num_sides_at_end > max_share * outline.num_sides;
+}
+
+}  // namespace
+
+PlausibleSegments RemoveContinued(const VoxelGrid& grid, const std::vector<int>& labels,
+                                  const cv::Mat& points, const CameraIntrinsics& intrinsics,
+                                  const std::vector<char>& on_wall, const Eigen::Vector3f& up,
+                                  const ContinuationOptions& options) {
+  PlausibleSegments result{labels, 0};
+  if (options.max_share >= 1) return result;
+  const cv::Mat wall_pixels = PixelsOnWall(grid, on_wall);
+  for (bool changed = true; changed;) {
+    const std::vector<Outline> outlines =
+        FindOutlines(LabelImage(grid, result.labels), points, wall_pixels, intrinsics, up);
+    std::vector<char> goes_on(CountLabels(result.labels) + 1, 0);
+    changed = false;
+    for (std::size_t label = 1; label < outlines.size(); ++label) {
+      if (!GoesOn(outlines[label], options.max_share)) continue;
+      goes_on[label] = 1;
+      ++result.num_removed;
+      changed = true;
+    }
+    for (int& label : result.labels) label = goes_on[label] ? 0 : label;
+  }
+  return result;
+}
+
+}  // namespace fovea

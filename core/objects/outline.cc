@@ -1,0 +1,154 @@
+#include "core/objects/outline.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+namespace fovea {
+namespace {
+
+constexpr float kMinSlope = 0.3F;  // of up against the viewing ray, as a sine
+constexpr int kEdgePx = 6;         // pixels that sensors mix at an edge
+constexpr int kReachPx = 20;       // how far to look for depth beyond it
+
+// Depths closer than this are one surface; grows like the noise of such cameras.
+float DepthGap_m(float z_m) { return 0.015F + 0.012F * z_m * z_m; }
+
+Eigen::Vector3f PointAt(const cv::Mat& points, const cv::Point& pixel) {
+  const cv::Vec3f& p = points.at<cv::Vec3f>(pixel);
+  return {p[0], p[1], p[2]};
+}
+
+// The direction in the image in which a point moves when it rises; length 1 pixel.
+std::optional<cv::Point2f> UpInImage(const Eigen::Vector3f& point, const CameraIntrinsics& k,
+                                     const Eigen::Vector3f& up) {
+  const Eigen::Vector3f ray = point.normalized();
+  if ((up - up.dot(ray) * ray).norm() < kMinSlope) return std::nullopt;
+  const float slope_x = up.x() - up.z() * point.x() / point.z();
+  const float slope_y = up.y() - up.z() * point.y() / point.z();
+  const cv::Point2f direction(slope_x * static_cast<float>(k.fx_px),
+                              slope_y * static_cast<float>(k.fy_px));
+  return direction / static_cast<float>(cv::norm(direction));
+}
+
+// How many of the lines at one end of the image are for the most part not measured: a margin if
+// not more than an eighth of all, else things too far away or cut out.
+int Margin(const std::vector<int>& measured, int across, bool from_end) {
+  const int count = static_cast<int>(measured.size());
+  for (int i = 0; i < count / 8; ++i) {
+    if (2 * measured[from_end ? count - 1 - i : i] >= across) return i;
+  }
+  return 0;
+}
+
+// The image without the margins that registration leaves free.
+cv::Rect MeasuredArea(const cv::Mat& points) {
+  std::vector<int> in_row(points.rows, 0), in_col(points.cols, 0);
+  for (int row = 0; row < points.rows; ++row) {
+    const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
+    for (int col = 0; col < points.cols; ++col) {
+      if (std::isnan(point[col][2])) continue;
+      ++in_row[row];
+      ++in_col[col];
+    }
+  }
+  const cv::Point first(Margin(in_col, points.rows, false), Margin(in_row, points.cols, false));
+  const cv::Point end(points.cols - Margin(in_col, points.rows, true),
+                      points.rows - Margin(in_row, points.cols, true));
+  return {first, end};
+}
+
+class Search {
+ public:
+  Search(const cv::Mat& labels, const cv::Mat& points, const cv::Mat& on_wall,
+         const Eigen::Vector3f& up)
+      : labels_(labels),
+        points_(points),
+        on_wall_(on_wall),
+        up_(up),
+        measured_(MeasuredArea(points)) {}
+
+  void CountSides(const cv::Point& pixel, Outline& outline) const {
+    const std::uint16_t label = labels_.at<std::uint16_t>(pixel);
+    const cv::Rect image({}, labels_.size());
+    for (const cv::Point& side :
+         {cv::Point(1, 0), cv::Point(-1, 0), cv::Point(0, 1), cv::Point(0, -1)}) {
+      const cv::Point next = pixel + side;
+      if (image.contains(next) && labels_.at<std::uint16_t>(next) == label) continue;
+      ++outline.num_sides;
+      if (!measured_.contains(pixel + kEdgePx * side)) ++outline.num_sides_at_end;
+    }
+  }
+
+  // Counts what lies above a pixel if the upper border is there.
+  void CountUpper(const cv::Point& pixel, const cv::Point2f& direction,
+                  Outline::Upper& upper) const {
+    const std::uint16_t label = labels_.at<std::uint16_t>(pixel);
+    const cv::Rect image({}, labels_.size());
+    for (int step = 1; step <= kReachPx; ++step) {
+      const cv::Point beyond(cvRound(static_cast<float>(pixel.x) + step * direction.x),
+                             cvRound(static_cast<float>(pixel.y) + step * direction.y));
+      if (!image.contains(beyond)) {
+        ++upper.at_end;
+        return;
+      }
+      const std::uint16_t other = labels_.at<std::uint16_t>(beyond);
+      if (other == label) return;
+      if (other != 0) {
+        ++upper.open;
+        return;
+      }
+      if (step < kEdgePx || std::isnan(points_.at<cv::Vec3f>(beyond)[2])) continue;
+      Compare(pixel, beyond, upper);
+      return;
+    }
+    ++upper.open;  // nothing measured
+  }
+
+ private:
+  void Compare(const cv::Point& pixel, const cv::Point& beyond_px, Outline::Upper& upper) const {
+    const Eigen::Vector3f own = PointAt(points_, pixel);
+    const Eigen::Vector3f beyond = PointAt(points_, beyond_px);
+    const bool on_wall = on_wall_.at<std::uint8_t>(beyond_px) != 0;
+    const float step_m = beyond.z() - own.z();
+    const float gap_m = DepthGap_m(own.z());
+    if (step_m < -gap_m) {
+      ++upper.hidden;
+    } else if (!on_wall && step_m <= gap_m && up_.dot(beyond - own) > 0.004F * own.z()) {
+      ++upper.attached;
+    } else {
+      ++upper.open;
+    }
+  }
+
+  const cv::Mat& labels_;
+  const cv::Mat& points_;
+  const cv::Mat& on_wall_;
+  const Eigen::Vector3f& up_;
+  const cv::Rect measured_;
+};
+
+}  // namespace
+
+std::vector<Outline> FindOutlines(const cv::Mat& labels, const cv::Mat& points,
+                                  const cv::Mat& on_wall, const CameraIntrinsics& intrinsics,
+                                  const Eigen::Vector3f& up) {
+  std::vector<Outline> outlines(1);
+  const Search search(labels, points, on_wall, up);
+  for (int row = 0; row < labels.rows; ++row) {
+    const auto* label = labels.ptr<std::uint16_t>(row);
+    for (int col = 0; col < labels.cols; ++col) {
+      if (label[col] == 0) continue;
+      if (label[col] >= outlines.size()) outlines.resize(label[col] + std::size_t{1});
+      const cv::Point pixel(col, row);
+      search.CountSides(pixel, outlines[label[col]]);
+      const auto direction = UpInImage(PointAt(points, pixel), intrinsics, up);
+      if (direction) search.CountUpper(pixel, *direction, outlines[label[col]].upper);
+    }
+  }
+  return outlines;
+}
+
+}  // namespace fovea

@@ -1,0 +1,177 @@
+#include "core/scene/walls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <opencv2/imgproc.hpp>
+
+#include "core/scene/plane_fit.h"
+
+namespace fovea {
+namespace {
+
+constexpr int kDirections = 36;  // of the horizon, every 10°
+constexpr float kOffsetBinM = 0.05F;
+constexpr float kCellM = 0.04F;  // of the grid on a plane
+
+// A candidate's share in the votes: its size as seen, at the distance where it is seen.
+float VisibleArea(const Voxel& voxel) {
+  return static_cast<float>(voxel.num_points) * voxel.mean.z() * voxel.mean.z();
+}
+
+// Voxels whose normal lies within 45° of the horizon: noise tilts normals far away.
+std::vector<int> UprightVoxels(const VoxelGrid& grid, const Eigen::Vector3f& up) {
+  const float max_sine = std::numbers::sqrt2_v<float> / 2;
+  std::vector<int> upright;
+  for (int v = 0; v < static_cast<int>(grid.voxels.size()); ++v) {
+    const Eigen::Vector3f& normal = grid.voxels[v].normal;
+    if (!normal.isZero() && std::abs(normal.dot(up)) < max_sine) upright.push_back(v);
+  }
+  return upright;
+}
+
+std::vector<Eigen::Vector3f> Directions(const Eigen::Vector3f& up) {
+  const Eigen::Vector3f x = up.unitOrthogonal();
+  const Eigen::Vector3f y = up.cross(x);
+  std::vector<Eigen::Vector3f> directions;
+  for (int i = 0; i < kDirections; ++i) {
+    const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / kDirections;
+    directions.emplace_back(std::cos(angle) * x + std::sin(angle) * y);
+  }
+  return directions;
+}
+
+// The plane with most votes: each voxel votes in the directions within 45° of its normal.
+SupportSurface MostVoted(const VoxelGrid& grid, const std::vector<int>& candidates,
+                         const std::vector<Eigen::Vector3f>& directions) {
+  float farthest = 0;
+  for (const int v : candidates) farthest = std::max(farthest, grid.voxels[v].mean.norm());
+  const int half = static_cast<int>(farthest / kOffsetBinM) + 2;
+  SupportSurface best;
+  float best_votes = 0;
+  for (const Eigen::Vector3f& direction : directions) {
+    std::vector<float> votes(2 * static_cast<std::size_t>(half) + 1, 0.0F);
+    for (const int v : candidates) {
+      const Voxel& voxel = grid.voxels[v];
+      if (voxel.normal.dot(direction) < std::numbers::sqrt2_v<float> / 2) continue;
+      const float bin = std::floor(voxel.mean.dot(direction) / kOffsetBinM);
+      votes[static_cast<std::size_t>(static_cast<int>(bin) + half)] += VisibleArea(voxel);
+    }
+    const auto fullest = std::max_element(votes.begin(), votes.end());
+    if (*fullest <= best_votes) continue;
+    best_votes = *fullest;
+    const auto bin = static_cast<float>(fullest - votes.begin() - half);
+    best = {direction, -(bin + 0.5F) * kOffsetBinM, 0};
+  }
+  return best;
+}
+
+std::vector<int> Inliers(const VoxelGrid& grid, const std::vector<int>& voxels,
+                         const SupportSurface& plane, const SupportOptions& tolerance,
+                         float widening) {
+  std::vector<int> inliers;
+  std::copy_if(voxels.begin(), voxels.end(), std::back_inserter(inliers), [&](int v) {
+    const Eigen::Vector3f& p = grid.voxels[v].mean;
+    return std::abs(plane.HeightOf(p)) <= widening * SupportTolerance(p.z(), tolerance);
+  });
+  return inliers;
+}
+
+SupportSurface Refine(const VoxelGrid& grid, const std::vector<int>& candidates,
+                      SupportSurface plane, const SupportOptions& tolerance) {
+  for (const float widening : {2.0F, 1.5F, 1.0F}) {
+    std::vector<Eigen::Vector3f> points;
+    for (const int v : Inliers(grid, candidates, plane, tolerance, widening)) {
+      points.push_back(grid.voxels[v].mean);
+    }
+    if (points.size() < 3) break;
+    plane = FitPlane(points, plane.normal);
+  }
+  return plane;
+}
+
+// Whether each of the voxels belongs to a large connected part of the plane.
+class LargeParts {
+ public:
+  LargeParts(const VoxelGrid& grid, const std::vector<int>& voxels, const SupportSurface& plane,
+             const Eigen::Vector3f& up, const WallOptions& options)
+      : vertical_((up - up.dot(plane.normal) * plane.normal).normalized()),
+        horizontal_(vertical_.cross(plane.normal)) {
+    Eigen::Vector2f low = Eigen::Vector2f::Constant(std::numeric_limits<float>::max());
+    Eigen::Vector2f high = -low;
+    for (const int v : voxels) {
+      low = low.cwiseMin(OnPlane(grid.voxels[v].mean));
+      high = high.cwiseMax(OnPlane(grid.voxels[v].mean));
+    }
+    origin_ = low - Eigen::Vector2f::Constant(2 * kCellM);
+    const Eigen::Vector2i size = ((high - low) / kCellM).cast<int>().array() + 5;
+    cv::Mat occupied = cv::Mat::zeros(size.y(), size.x(), CV_8UC1);
+    for (const int v : voxels) occupied.at<uchar>(CellOf(grid.voxels[v].mean)) = 255;
+    // Far surfaces are sampled thinly and have holes.
+    cv::morphologyEx(occupied, occupied, cv::MORPH_CLOSE, cv::Mat::ones(3, 3, CV_8UC1));
+    Keep(occupied, options);
+  }
+
+  bool Contain(const Eigen::Vector3f& point) const {
+    const cv::Point cell = CellOf(point);
+    return cv::Rect({}, large_.size()).contains(cell) && large_.at<uchar>(cell) != 0;
+  }
+
+ private:
+  Eigen::Vector2f OnPlane(const Eigen::Vector3f& p) const {
+    return {horizontal_.dot(p), vertical_.dot(p)};
+  }
+  cv::Point CellOf(const Eigen::Vector3f& point) const {
+    const Eigen::Vector2f cell = (OnPlane(point) - origin_) / kCellM;
+    return {cvFloor(cell.x()), cvFloor(cell.y())};
+  }
+
+  void Keep(const cv::Mat& occupied, const WallOptions& options) {
+    large_ = cv::Mat::zeros(occupied.size(), CV_8UC1);
+    cv::Mat parts, statistics, centroids;
+    const int count = cv::connectedComponentsWithStats(occupied, parts, statistics, centroids);
+    for (int part = 1; part < count; ++part) {
+      const int* stats = statistics.ptr<int>(part);
+      const int extent = std::max(stats[cv::CC_STAT_WIDTH], stats[cv::CC_STAT_HEIGHT]);
+      const float area_m2 = static_cast<float>(stats[cv::CC_STAT_AREA]) * kCellM * kCellM;
+      if (static_cast<float>(extent) * kCellM < options.min_extent_m) continue;
+      if (area_m2 >= options.min_area_m2) large_.setTo(255, parts == part);
+    }
+    cv::dilate(large_, large_, cv::Mat::ones(3, 3, CV_8UC1));
+  }
+
+  Eigen::Vector3f vertical_, horizontal_;  // the plane's axes
+  Eigen::Vector2f origin_;                 // of the grid
+  cv::Mat large_;                          // CV_8UC1, one pixel a cell
+};
+
+}  // namespace
+
+std::vector<char> FindWalls(const VoxelGrid& grid, const Eigen::Vector3f& up,
+                            const SupportOptions& tolerance, const WallOptions& options) {
+  std::vector<char> on_wall(grid.voxels.size(), 0);
+  if (options.min_extent_m <= 0) return on_wall;
+  const std::vector<Eigen::Vector3f> directions = Directions(up);
+  std::vector<int> candidates = UprightVoxels(grid, up);
+  std::vector<int> all(grid.voxels.size());
+  std::iota(all.begin(), all.end(), 0);
+  for (int i = 0; i < options.max_planes && candidates.size() >= 3; ++i) {
+    const SupportSurface plane =
+        Refine(grid, candidates, MostVoted(grid, candidates, directions), tolerance);
+    const std::vector<int> inliers = Inliers(grid, candidates, plane, tolerance, 1.0F);
+    if (inliers.empty()) break;
+    const LargeParts parts(grid, inliers, plane, up, options);
+    for (const int v : Inliers(grid, all, plane, tolerance, 1.5F)) {
+      if (parts.Contain(grid.voxels[v].mean)) on_wall[v] = 1;
+    }
+    std::erase_if(candidates, [&](int v) {
+      const Eigen::Vector3f& p = grid.voxels[v].mean;
+      return std::abs(plane.HeightOf(p)) <= 1.5F * SupportTolerance(p.z(), tolerance);
+    });
+  }
+  return on_wall;
+}
+
+}  // namespace fovea

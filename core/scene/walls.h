@@ -1,0 +1,29 @@
+// Upright surfaces that are too large to be a side of an object: walls, cupboards, partitions. Goes
+// beyond the paper, whose scenes show a table and nothing else.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/scene/support_surface.h"
+#include "core/segmentation/voxel_grid.h"
+
+namespace fovea {
+
+struct WallOptions {
+  // Connected parts of an upright plane at least this long along the horizon or the vertical are
+  // wall; metres, 0 switches the search off.
+  double min_extent_m = 0;
+  // And of at least this visible area; square metres.
+  double min_area_m2 = 0.05;
+  // Up to this many planes are looked for, the largest first.
+  int max_planes = 8;
+};
+
+// Finds upright planes by voting for their direction and distance, fits each by least squares and
+// keeps its large connected parts. `tolerance`: the distance from a plane that still belongs to it,
+// as of a support. Returns one entry a voxel, 1 = on a wall.
+std::vector<char> FindWalls(const VoxelGrid& grid, const Eigen::Vector3f& up,
+                            const SupportOptions& tolerance, const WallOptions& options = {});
+
+}  // namespace fovea

@@ -1,0 +1,121 @@
+#include "core/segmentation/contraction.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/segmentation/disjoint_sets.h"
+
+namespace fovea {
+namespace {
+
+// Whether each node can take a label above 0.
+std::vector<char> HaveChoice(const PottsEnergy& energy) {
+  std::vector<char> have(energy.num_nodes, 0);
+  for (std::size_t label = 1; label < energy.choices.size(); ++label) {
+    for (const PottsEnergy::Choice& choice : energy.choices[label]) have[choice.node] = 1;
+  }
+  return have;
+}
+
+// Cluster numbers in the order of their first nodes; their sizes.
+struct Clusters {
+  std::vector<int> of_node;
+  std::vector<int> sizes;
+};
+
+Clusters FindClusters(const PottsEnergy& energy, int max_size, float min_weight) {
+  const std::vector<char> have_choice = HaveChoice(energy);
+  DisjointSets sets(energy.num_nodes);
+  std::vector<int> sizes(energy.num_nodes, 1);  // of a set, at its first node
+  for (int limit = 2; limit <= max_size; limit *= 2) {
+    for (const PottsEnergy::Edge& edge : energy.edges) {
+      if (edge.weight < min_weight || !have_choice[edge.a] || !have_choice[edge.b]) continue;
+      const int a = sets.Find(edge.a);
+      const int b = sets.Find(edge.b);
+      if (a == b || sizes[a] + sizes[b] > limit) continue;
+      const int size = sizes[a] + sizes[b];
+      sets.Join(a, b);
+      sizes[sets.Find(a)] = size;
+    }
+  }
+  Clusters clusters{std::vector<int>(energy.num_nodes), {}};
+  for (int node = 0; node < energy.num_nodes; ++node) {
+    const int first = sets.Find(node);
+    if (first == node) {
+      clusters.of_node[node] = static_cast<int>(clusters.sizes.size());
+      clusters.sizes.push_back(sizes[node]);
+    } else {
+      clusters.of_node[node] = clusters.of_node[first];
+    }
+  }
+  return clusters;
+}
+
+// What a label costs the clusters all of whose nodes it offers itself to.
+std::vector<PottsEnergy::Choice> JoinChoices(const std::vector<PottsEnergy::Choice>& choices,
+                                             const Clusters& clusters) {
+  std::vector<std::pair<int, float>> of_cluster;  // one entry a node
+  of_cluster.reserve(choices.size());
+  for (const PottsEnergy::Choice& choice : choices) {
+    of_cluster.emplace_back(clusters.of_node[choice.node], choice.cost);
+  }
+  std::stable_sort(of_cluster.begin(), of_cluster.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<PottsEnergy::Choice> joined;
+  for (std::size_t first = 0; first < of_cluster.size();) {
+    const int cluster = of_cluster[first].first;
+    float cost = 0;
+    std::size_t end = first;
+    for (; end < of_cluster.size() && of_cluster[end].first == cluster; ++end) {
+      cost += of_cluster[end].second;
+    }
+    if (static_cast<int>(end - first) == clusters.sizes[cluster]) joined.push_back({cluster, cost});
+    first = end;
+  }
+  return joined;
+}
+
+std::vector<PottsEnergy::Edge> JoinEdges(const std::vector<PottsEnergy::Edge>& edges,
+                                         const Clusters& clusters) {
+  std::vector<PottsEnergy::Edge> joined;
+  for (const PottsEnergy::Edge& edge : edges) {
+    const auto [a, b] = std::minmax(clusters.of_node[edge.a], clusters.of_node[edge.b]);
+    if (a != b) joined.push_back({a, b, edge.weight});
+  }
+  std::stable_sort(joined.begin(), joined.end(), [](const auto& x, const auto& y) {
+    return std::pair(x.a, x.b) < std::pair(y.a, y.b);
+  });
+  std::size_t kept = 0;
+  for (const PottsEnergy::Edge& edge : joined) {
+    if (kept > 0 && joined[kept - 1].a == edge.a && joined[kept - 1].b == edge.b) {
+      joined[kept - 1].weight += edge.weight;
+    } else {
+      joined[kept++] = edge;
+    }
+  }
+  joined.resize(kept);
+  return joined;
+}
+
+}  // namespace
+
+Contraction Contract(const PottsEnergy& energy, int max_size, float min_weight) {
+  Clusters clusters = FindClusters(energy, max_size, min_weight);
+  Contraction contraction;
+  contraction.energy.num_nodes = static_cast<int>(clusters.sizes.size());
+  for (const std::vector<PottsEnergy::Choice>& choices : energy.choices) {
+    contraction.energy.choices.push_back(JoinChoices(choices, clusters));
+  }
+  contraction.energy.edges = JoinEdges(energy.edges, clusters);
+  contraction.cluster_of_node = std::move(clusters.of_node);
+  return contraction;
+}
+
+std::vector<int> Expand(const Contraction& contraction, const std::vector<int>& cluster_labels) {
+  std::vector<int> labels;
+  labels.reserve(contraction.cluster_of_node.size());
+  for (const int cluster : contraction.cluster_of_node) labels.push_back(cluster_labels[cluster]);
+  return labels;
+}
+
+}  // namespace fovea

@@ -1,0 +1,33 @@
+#include "core/scene/region.h"
+
+#include <gtest/gtest.h>
+
+namespace fovea {
+namespace {
+
+constexpr CameraIntrinsics kIntrinsics{500, 500, 320, 240};
+
+TEST(IsInRegion, ByDefaultEverythingIs) {
+  EXPECT_TRUE(IsInRegion({0.6F, -0.4F, 1}, kIntrinsics, {}));
+}
+
+TEST(IsInRegion, AsksForThePixelAtWhichThePointShows) {
+  const RegionOptions options{.x_px = 300, .y_px = 200, .width_px = 40, .height_px = 60};
+  EXPECT_TRUE(IsInRegion({0, 0, 1}, kIntrinsics, options));        // at 320, 240
+  EXPECT_TRUE(IsInRegion({-0.08F, 0, 2}, kIntrinsics, options));   // at 300
+  EXPECT_FALSE(IsInRegion({-0.09F, 0, 2}, kIntrinsics, options));  // at 297.5
+  EXPECT_FALSE(IsInRegion({0.041F, 0, 1}, kIntrinsics, options));  // at 340.5
+  EXPECT_FALSE(IsInRegion({0, 0.05F, 1}, kIntrinsics, options));   // at 265 of below 260
+  EXPECT_FALSE(IsInRegion({0, -0.09F, 1}, kIntrinsics, options));  // at 195
+}
+
+TEST(IsInRegion, AsksForTheWorkspace) {
+  const RegionOptions options{.min_x_m = -0.1, .max_y_m = 0.2, .max_z_m = 1.5};
+  EXPECT_TRUE(IsInRegion({0, 0, 1}, kIntrinsics, options));
+  EXPECT_FALSE(IsInRegion({-0.2F, 0, 1}, kIntrinsics, options));
+  EXPECT_FALSE(IsInRegion({0, 0.3F, 1}, kIntrinsics, options));
+  EXPECT_FALSE(IsInRegion({0, 0, 1.6F}, kIntrinsics, options));
+}
+
+}  // namespace
+}  // namespace fovea

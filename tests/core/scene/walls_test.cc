@@ -1,0 +1,72 @@
+#include "core/scene/walls.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <random>
+
+namespace fovea {
+namespace {
+
+const Eigen::Vector3f kUp = -Eigen::Vector3f::UnitY();
+constexpr SupportOptions kTolerance{.tolerance_m = 0.004, .tolerance_per_m = 0.006};
+constexpr WallOptions kOptions{.min_extent_m = 0.4, .min_area_m2 = 0.08};
+
+// A rectangle of voxels every 2 cm around `center`, as wide and high as asked for, with some noise.
+void AddUpright(VoxelGrid& grid, const Eigen::Vector3f& center, const Eigen::Vector3f& normal,
+                float width_m, float height_m) {
+  std::mt19937 random(7);
+  const Eigen::Vector3f side = kUp.cross(normal);
+  for (float x = -width_m / 2; x <= width_m / 2; x += 0.02F) {
+    for (float y = -height_m / 2; y <= height_m / 2; y += 0.02F) {
+      const float noise_m = static_cast<float>(random() % 1000) / 1000 * 0.008F - 0.004F;
+      grid.voxels.push_back({.mean = center + x * side + y * kUp + noise_m * normal,
+                             .normal = normal,
+                             .num_points = 4});
+    }
+  }
+}
+
+int Count(const std::vector<char>& on_wall, std::size_t first, std::size_t end) {
+  return std::accumulate(on_wall.begin() + static_cast<std::ptrdiff_t>(first),
+                         on_wall.begin() + static_cast<std::ptrdiff_t>(end), 0);
+}
+
+TEST(FindWalls, FindsWallsInAnyDirectionAndLeavesBoxes) {
+  VoxelGrid grid;
+  AddUpright(grid, {0, 0, 2.5F}, -Eigen::Vector3f::UnitZ(), 2, 1);
+  AddUpright(grid, {1, 0, 1.8F}, Eigen::Vector3f(-0.8F, 0, -0.6F), 1, 1);
+  const std::size_t walls = grid.voxels.size();
+  AddUpright(grid, {0, 0, 1.2F}, -Eigen::Vector3f::UnitZ(), 0.2F, 0.3F);  // a box's front
+  const std::vector<char> on_wall = FindWalls(grid, kUp, kTolerance, kOptions);
+  ASSERT_EQ(on_wall.size(), grid.voxels.size());
+  EXPECT_GT(Count(on_wall, 0, walls), 0.98 * static_cast<double>(walls));
+  EXPECT_EQ(Count(on_wall, walls, grid.voxels.size()), 0);
+}
+
+TEST(FindWalls, BoxesInOnePlaneAreNoWall) {
+  VoxelGrid grid;
+  AddUpright(grid, {-0.3F, 0, 1.2F}, -Eigen::Vector3f::UnitZ(), 0.2F, 0.3F);
+  AddUpright(grid, {0.3F, 0, 1.2F}, -Eigen::Vector3f::UnitZ(), 0.2F, 0.3F);
+  const std::vector<char> on_wall = FindWalls(grid, kUp, kTolerance, kOptions);
+  EXPECT_EQ(Count(on_wall, 0, on_wall.size()), 0);
+}
+
+TEST(FindWalls, LevelSurfacesAreNoWall) {
+  VoxelGrid grid;
+  AddUpright(grid, {0, 0, 1.5F}, -Eigen::Vector3f::UnitZ(), 1, 1);
+  for (Voxel& voxel : grid.voxels) voxel.normal = kUp;
+  const std::vector<char> on_wall = FindWalls(grid, kUp, kTolerance, kOptions);
+  EXPECT_EQ(Count(on_wall, 0, on_wall.size()), 0);
+}
+
+TEST(FindWalls, IsOffWithoutAnExtentAndTakesNoVoxels) {
+  VoxelGrid grid;
+  EXPECT_TRUE(FindWalls(grid, kUp, kTolerance, kOptions).empty());
+  AddUpright(grid, {0, 0, 2.5F}, -Eigen::Vector3f::UnitZ(), 2, 1);
+  const std::vector<char> on_wall = FindWalls(grid, kUp, kTolerance, {});
+  EXPECT_EQ(Count(on_wall, 0, on_wall.size()), 0);
+}
+
+}  // namespace
+}  // namespace fovea
