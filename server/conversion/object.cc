@@ -37,6 +37,7 @@ v1::Object ToProto(const DetectedObject& object, const std::string& frame_id,
   proto.set_id(frame_id + "/" + std::to_string(object.label));
   proto.set_label(static_cast<std::uint32_t>(object.label));
   proto.set_confidence(object.confidence);
+  proto.set_saliency(object.saliency);
   *proto.mutable_bounding_box() = ToProto(object.bounds_px);
   proto.set_num_pixels(static_cast<std::uint32_t>(object.num_pixels));
 

@@ -1,7 +1,9 @@
 // The whole detector at 640×480 on one thread, and where its time goes.
 #include <benchmark/benchmark.h>
 
+#include <iterator>
 #include <opencv2/core/utility.hpp>
+#include <string>
 
 #include "core/detector.h"
 #include "tests/benchmark/frames.h"
@@ -10,9 +12,10 @@ namespace fovea {
 namespace {
 
 // Time per frame; one counter a stage, in milliseconds.
-void DetectFrame(benchmark::State& state, const std::string& profile) {
+void DetectFrame(benchmark::State& state) {
   cv::setNumThreads(1);
-  const std::string& name = FrameNames()[static_cast<std::size_t>(state.range(0))];
+  const std::string profile = ProfileNames()[static_cast<std::size_t>(state.range(0))];
+  const std::string& name = FrameNames()[static_cast<std::size_t>(state.range(1))];
   const RgbdFrame frame = ReadFrame(name);
   const DetectorOptions options = OptionsOfProfile(profile);
   for (auto _ : state) {
@@ -21,20 +24,14 @@ void DetectFrame(benchmark::State& state, const std::string& profile) {
     }
   }
   for (auto& [stage, counter] : state.counters) counter.flags = benchmark::Counter::kAvgIterations;
-  state.SetLabel(name);
+  state.SetLabel(profile + ", " + name);
 }
 
-void RegisterProfile(const std::string& profile) {
-  benchmark::RegisterBenchmark(("Detect/" + profile).c_str(), DetectFrame, profile)
-      ->ArgName("frame")
-      ->DenseRange(0, 3)
-      ->Unit(benchmark::kMillisecond);
-}
-
-[[maybe_unused]] const bool kRegistered = [] {
-  for (const std::string& profile : ProfileNames()) RegisterProfile(profile);
-  return true;
-}();
+BENCHMARK(DetectFrame)
+    ->ArgNames({"profile", "frame"})
+    ->ArgsProduct({benchmark::CreateDenseRange(0, std::ssize(ProfileNames()) - 1, /*step=*/1),
+                   benchmark::CreateDenseRange(0, 3, /*step=*/1)})
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace fovea
