@@ -24,6 +24,18 @@ std::string Text(double x, double y, const char* anchor, const std::string& text
                      Escape(text));
 }
 
+// The values themselves where they are few.
+std::set<double> XTicks(const std::set<double>& xs) {
+  constexpr std::size_t kFew = 9;
+  constexpr int kNumSteps = 4;
+  if (xs.size() <= kFew) return xs;
+  std::set<double> ticks;
+  for (int i = 0; i <= kNumSteps; ++i) {
+    ticks.insert(*xs.begin() + (*xs.rbegin() - *xs.begin()) * i / kNumSteps);
+  }
+  return ticks;
+}
+
 }  // namespace
 
 ChartFrame::ChartFrame(const Chart& chart) : chart_(chart) {
@@ -73,11 +85,8 @@ std::string ChartFrame::XAxis() const {
   for (std::size_t c = 0; c < chart_.categories.size(); ++c) {
     svg += Text(GroupLeft(c) + GroupWidth() / 2, kBelow, "middle", chart_.categories[c]);
   }
-  double free_from = 0;  // labels do not overlap
-  for (const double x : xs_) {
-    if (X(x) < free_from) continue;
+  for (const double x : XTicks(xs_)) {
     svg += Text(X(x), kBelow, "middle", fmt::format("{:.4g}", x));
-    free_from = X(x) + 30;
   }
   return svg;
 }

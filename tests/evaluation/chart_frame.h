@@ -10,7 +10,7 @@ namespace fovea::evaluation {
 
 class ChartFrame {
  public:
-  static constexpr int kWidth = 460, kHeight = 340;  // of the whole chart in pixels
+  static constexpr int kWidth = 480, kHeight = 340;  // of the whole chart in pixels
 
   explicit ChartFrame(const Chart& chart);
 

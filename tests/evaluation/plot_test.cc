@@ -21,6 +21,21 @@ TEST(Plot, PutsPointsWhereTheyBelong) {
   EXPECT_TRUE(svg.ends_with("</svg>"));
 }
 
+TEST(Plot, NamesFewValuesAndDividesTheRangeOfMany) {
+  Series few{"few", {0, 3, 10}, {0, 0, 0}}, many{"many", {}, {}};
+  for (int x = 0; x <= 20; ++x) {
+    many.x.push_back(x);
+    many.y.push_back(0);
+  }
+  const auto draw = [](const Series& series) {
+    return DrawSvg(
+        {{.title = "", .x_label = "", .y_label = "", .series = {series}, .categories = {}}});
+  };
+  EXPECT_THAT(draw(few), HasSubstr(">3</text>"));
+  EXPECT_THAT(draw(many), HasSubstr(">15</text>"));
+  EXPECT_THAT(draw(many), testing::Not(HasSubstr(">3</text>")));
+}
+
 TEST(Plot, DrawsABarPerSeriesAndCategory) {
   // Groups are 145 wide, of which two bars take 0.8.
   const std::string svg = DrawSvg({{.title = "methods",

@@ -2,6 +2,7 @@
 
 #include <pcl/console/print.h>
 
+#include <mutex>
 #include <stdexcept>
 
 #include "tests/evaluation/peers/convexity.h"
@@ -14,7 +15,8 @@ std::vector<std::string> PeerNames() { return {"lccp", "cpc", "plane_clusters"};
 
 cv::Mat SegmentWithPeer(const std::string& name, const RgbdFrame& frame) {
   constexpr int kMinPixels = 1500;
-  pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);  // CPC talks a lot
+  static std::once_flag quiet;  // CPC reports every cut
+  std::call_once(quiet, [] { pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); });
   const PixelCloud cloud = CloudAboveTable(frame, {});
   const cv::Size size = frame.depth_m.size();
   if (name == "lccp") {
