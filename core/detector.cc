@@ -144,8 +144,10 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   clock.Finish("seeds");
 
   const NormalOptions wide{.window_radius_px = options.gravity.window_radius_px};
-  const cv::Mat wide_normals =
-      EstimateNormals(points, frame.intrinsics, wide, options.gravity.step_px);
+  cv::Mat wide_normals;
+  if (!frame.gravity || options.support.wide_normals) {
+    wide_normals = EstimateNormals(points, frame.intrinsics, wide, options.gravity.step_px);
+  }
   result.gravity = FindGravity(frame, wide_normals, options.gravity);
   const std::vector<Support> supports =
       FindSupports(points, options.support.wide_normals ? wide_normals : normals,

@@ -1,24 +1,10 @@
 #include "core/objects/continuation.h"
 
-#include <cstdint>
-
 #include "core/objects/outline.h"
 #include "core/segmentation/labels.h"
 
 namespace fovea {
 namespace {
-
-cv::Mat PixelsOnWall(const VoxelGrid& grid, const std::vector<char>& on_wall) {
-  cv::Mat image = cv::Mat::zeros(grid.voxel_of_pixel.size(), CV_8UC1);
-  for (int row = 0; row < image.rows; ++row) {
-    const int* voxel = grid.voxel_of_pixel.ptr<int>(row);
-    auto* pixel = image.ptr<std::uint8_t>(row);
-    for (int col = 0; col < image.cols; ++col) {
-      if (voxel[col] >= 0) pixel[col] = static_cast<std::uint8_t>(on_wall[voxel[col]]);
-    }
-  }
-  return image;
-}
 
 // Whether a segment is, for all one can see, a part of something that goes on: above it, or beyond
 // the end of the image.
@@ -36,7 +22,7 @@ PlausibleSegments RemoveContinued(const VoxelGrid& grid, const std::vector<int>&
                                   const ContinuationOptions& options) {
   PlausibleSegments result{labels, 0};
   if (options.max_share >= 1) return result;
-  const cv::Mat wall_pixels = PixelsOnWall(grid, on_wall);
+  const cv::Mat wall_pixels = LabelImage(grid, {on_wall.begin(), on_wall.end()});
   for (bool changed = true; changed;) {
     const std::vector<Outline> outlines =
         FindOutlines(LabelImage(grid, result.labels), points, wall_pixels, intrinsics, up);

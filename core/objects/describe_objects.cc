@@ -113,21 +113,19 @@ float MeanOf(const cv::Mat& map, const std::vector<cv::Point>& pixels) {
   return static_cast<float>(sum / static_cast<double>(pixels.size()));
 }
 
-// Leaves the `max_objects` most salient of the labels, in their order. Returns how many it drops.
-std::size_t KeepMostSalient(const PixelsOfLabel& pixels, const cv::Mat& saliency, int max_objects,
+// Leaves the `max_objects` most salient of the labels, in their order; 0: all. `saliency`: one
+// entry a label. Returns how many it drops.
+std::size_t KeepMostSalient(const std::vector<float>& saliency, int max_objects,
                             std::vector<int>& labels) {
   const auto limit = static_cast<std::size_t>(max_objects);
   if (limit == 0 || labels.size() <= limit) return 0;
   std::vector<int> by_saliency = labels;
-  std::stable_sort(by_saliency.begin(), by_saliency.end(), [&](int a, int b) {
-    return MeanOf(saliency, pixels[a]) > MeanOf(saliency, pixels[b]);
-  });
-  const std::size_t dropped = labels.size() - limit;
+  std::stable_sort(by_saliency.begin(), by_saliency.end(),
+                   [&](int a, int b) { return saliency[a] > saliency[b]; });
   by_saliency.resize(limit);
-  std::erase_if(labels, [&](int label) {
+  return std::erase_if(labels, [&](int label) {
     return std::find(by_saliency.begin(), by_saliency.end(), label) == by_saliency.end();
   });
-  return dropped;
 }
 
 // Old labels of the objects to keep, in their new order: larger first, which is also the order of
@@ -164,13 +162,15 @@ void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points, const cv::Ma
   };
   Diagnostics& counts = detections.diagnostics;
   std::vector<int> kept = LabelsToKeep(pixels, is_large_enough, counts.segments_too_small);
-  counts.objects_less_salient = KeepMostSalient(pixels, saliency, options.max_objects, kept);
+  std::vector<float> saliency_of_label(pixels.size(), 0);
+  for (const int label : kept) saliency_of_label[label] = MeanOf(saliency, pixels[label]);
+  counts.objects_less_salient = KeepMostSalient(saliency_of_label, options.max_objects, kept);
 
   detections.labels = cv::Mat::zeros(frame.depth_m.size(), CV_16UC1);
   for (const int old_label : kept) {
     DetectedObject object =
         Describe(frame, points, pixels[old_label], supports, detections.gravity.direction, options);
-    object.saliency = MeanOf(saliency, pixels[old_label]);
+    object.saliency = saliency_of_label[old_label];
     object.label = static_cast<int>(detections.objects.size()) + 1;
     for (const cv::Point& pixel : pixels[old_label]) {
       detections.labels.at<std::uint16_t>(pixel) = static_cast<std::uint16_t>(object.label);

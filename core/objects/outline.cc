@@ -111,7 +111,7 @@ class Search {
   void Compare(const cv::Point& pixel, const cv::Point& beyond_px, Outline::Upper& upper) const {
     const Eigen::Vector3f own = PointAt(points_, pixel);
     const Eigen::Vector3f beyond = PointAt(points_, beyond_px);
-    const bool on_wall = on_wall_.at<std::uint8_t>(beyond_px) != 0;
+    const bool on_wall = on_wall_.at<std::uint16_t>(beyond_px) != 0;
     const float step_m = beyond.z() - own.z();
     const float gap_m = DepthGap_m(own.z());
     if (step_m < -gap_m) {

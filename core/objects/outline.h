@@ -26,7 +26,7 @@ struct Outline {
   } upper;
 };
 
-// `labels`: CV_16UC1, 0 = background; `points`: CV_32FC3, NaN = none; `on_wall`: CV_8UC1, not 0 on
+// `labels`: CV_16UC1, 0 = background; `points`: CV_32FC3, NaN = none; `on_wall`: CV_16UC1, not 0 on
 // walls, which objects may stand against; `up`: unit vector. One entry a label, the first for 0.
 // Upper borders are found only where up shows in the image: a camera that looks straight down sees
 // none.
