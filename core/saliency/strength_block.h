@@ -1,61 +1,93 @@
-// Sixteen strengths of one image row, held in SIMD registers: the inner step of PropagateStrength.
+// Sixteen strengths of one image row, held in vector registers: the inner step of
+// PropagateStrength. All is inlined into a caller that may be compiled for wider registers than the
+// rest of the program; the arithmetic, and so every bit of the answer, is the same in any.
 #pragma once
 
+#include <algorithm>
 #include <array>
-#include <cstddef>
 #include <cstdint>
-#include <opencv2/core.hpp>
-#include <opencv2/core/hal/intrin.hpp>
+#include <cstring>
+
+#define FOVEA_INLINE __attribute__((always_inline)) inline
 
 namespace fovea {
 
 class StrengthBlock {
  public:
-  static constexpr int kSize_px = 16;  // one register of 8-bit features
+  static constexpr int kSize_px = 16;
 
-  StrengthBlock(const std::uint8_t* features, const float* strengths)
-      : features_(cv::v_load(features)) {
-    for (std::size_t i = 0; i < 4; ++i) strengths_[i] = cv::v_load(strengths + 4 * i);
-  }
+  // `features`: values 0 … 255 of the 16 pixels.
+  FOVEA_INLINE StrengthBlock(const float* features, const float* strengths)
+      : features_{Load(features), Load(features + kLanes)},
+        strengths_{Load(strengths), Load(strengths + kLanes)} {}
 
   // Eq. 3 and 4 for one neighbour each: strength = max(strength, neighbour's · (1 − |difference| /
   // 255)). The features and strengths are those of the 16 neighbours.
-  void PullFrom(const std::uint8_t* features, const float* strengths) {
-    cv::v_uint16x8 low, high;
-    cv::v_expand(cv::v_absdiff(features_, cv::v_load(features)), low, high);
-    std::array<cv::v_uint32x4, 4> differences;
-    cv::v_expand(low, differences[0], differences[1]);
-    cv::v_expand(high, differences[2], differences[3]);
-    const cv::v_float32x4 one = cv::v_setall_f32(1.0F);
-    const cv::v_float32x4 high_part = cv::v_setall_f32(kHighPart);
-    const cv::v_float32x4 low_part = cv::v_setall_f32(kLowPart);
-    for (std::size_t i = 0; i < 4; ++i) {
-      const auto difference = cv::v_cvt_f32(cv::v_reinterpret_as_s32(differences[i]));
-      const auto factor = one - (difference * high_part + difference * low_part);
-      strengths_[i] = cv::v_max(strengths_[i], cv::v_load(strengths + 4 * i) * factor);
+  FOVEA_INLINE void PullFrom(const float* features, const float* strengths) {
+    for (int half = 0; half < 2; ++half, features += kLanes, strengths += kLanes) {
+      Lanes difference = features_[half] - Load(features);
+      difference = Larger(difference, -difference);
+      const Lanes factor = 1.0F - (difference * kHighPart + difference * kLowPart);
+      strengths_[half] = Larger(strengths_[half], Load(strengths) * factor);
     }
   }
 
-  // Writes back what grew. Bit i of the answer: pixel i did.
-  unsigned Store(float* strengths) const {
-    unsigned grown = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const auto mask = strengths_[i] > cv::v_load(strengths + 4 * i);
-      grown |= static_cast<unsigned>(cv::v_signmask(mask)) << (4 * i);
+  // Writes back what grew. Returns whether any did.
+  FOVEA_INLINE bool Store(float* strengths) {
+    std::array<Lanes, 2> grown;
+    for (int half = 0; half < 2; ++half) {
+      grown[half] =
+          strengths_[half] > Load(strengths + half * kLanes) ? strengths_[half] : Lanes{};
     }
-    if (grown == 0) return 0;
-    for (std::size_t i = 0; i < 4; ++i) cv::v_store(strengths + 4 * i, strengths_[i]);
-    return grown;
+    if (Largest(grown) == 0) return false;
+    for (int half = 0; half < 2; ++half) {
+      grown_[half] = Larger(grown_[half], grown[half]);
+      std::memcpy(strengths + half * kLanes, &strengths_[half], sizeof(Lanes));
+    }
+    return true;
+  }
+
+  // The largest strength among those that have grown (0: none has), over all pixels, the first few
+  // and the last few.
+  struct Growth {
+    float all = 0, first = 0, last = 0;
+  };
+  FOVEA_INLINE Growth GrowthSoFar(int few) const {
+    std::array<float, kSize_px> grown;
+    std::memcpy(grown.data(), grown_.data(), sizeof grown);
+    Growth growth{.all = Largest(grown_)};
+    for (int i = 0; i < few; ++i) {
+      growth.first = std::max(growth.first, grown[i]);
+      growth.last = std::max(growth.last, grown[kSize_px - 1 - i]);
+    }
+    return growth;
   }
 
  private:
+  static constexpr int kLanes = 8;
+  using Lanes __attribute__((vector_size(kLanes * sizeof(float)))) = float;
+
   // 1/255 in two parts: the product of an 8-bit number with the first is exact, so both products
   // together round to the quotient by 255, bit for bit, at a fraction of a division's cost.
   static constexpr float kHighPart = 0x1.01p-8F;
   static constexpr float kLowPart = static_cast<float>(1.0 / 255 - double{kHighPart});
 
-  cv::v_uint8x16 features_;
-  std::array<cv::v_float32x4, 4> strengths_;
+  FOVEA_INLINE static Lanes Load(const float* from) {
+    Lanes lanes;
+    std::memcpy(&lanes, from, sizeof lanes);
+    return lanes;
+  }
+  FOVEA_INLINE static Lanes Larger(const Lanes& a, const Lanes& b) { return a > b ? a : b; }
+  FOVEA_INLINE static float Largest(const std::array<Lanes, 2>& values) {
+    Lanes most = Larger(values[0], values[1]);
+    most = Larger(most, __builtin_shufflevector(most, most, 4, 5, 6, 7, 0, 1, 2, 3));
+    most = Larger(most, __builtin_shufflevector(most, most, 2, 3, 0, 1, 6, 7, 4, 5));
+    return std::max(most[0], most[1]);
+  }
+
+  std::array<Lanes, 2> features_;
+  std::array<Lanes, 2> strengths_;
+  std::array<Lanes, 2> grown_{};
 };
 
 }  // namespace fovea
