@@ -17,10 +17,6 @@ health::HealthCheckRequest AboutDetection() {
   return request;
 }
 
-void ThrowUnlessOk(const grpc::Status& status) {
-  if (!status.ok()) throw RpcError(status);
-}
-
 }  // namespace
 
 Client::Client(const std::string& address, ClientOptions options)
@@ -49,23 +45,25 @@ bool Client::IsServing() const {
   grpc::ClientContext context;
   PrepareCall(options_, options_.timeout, &context);
   health::HealthCheckResponse response;
-  ThrowUnlessOk(health::Health::NewStub(channel_)->Check(&context, AboutDetection(), &response));
+  const grpc::Status status =
+      health::Health::NewStub(channel_)->Check(&context, AboutDetection(), &response);
+  if (!status.ok()) throw RpcError(status);
   return response.status() == health::HealthCheckResponse::SERVING;
 }
 
 v1::GetServerInfoResponse Client::GetServerInfo() const {
   v1::GetServerInfoResponse response;
-  ThrowUnlessOk(CallWithRetries(options_, options_.timeout, [&](grpc::ClientContext* context) {
+  CallWithRetries(options_, options_.timeout, [&](grpc::ClientContext* context) {
     return stub_->GetServerInfo(context, {}, &response);
-  }));
+  });
   return response;
 }
 
 v1::GetStatisticsResponse Client::GetStatistics() const {
   v1::GetStatisticsResponse response;
-  ThrowUnlessOk(CallWithRetries(options_, options_.timeout, [&](grpc::ClientContext* context) {
+  CallWithRetries(options_, options_.timeout, [&](grpc::ClientContext* context) {
     return stub_->GetStatistics(context, {}, &response);
-  }));
+  });
   return response;
 }
 
@@ -76,9 +74,9 @@ v1::DetectResponse Client::Detect(const v1::DetectRequest& request) const {
 v1::DetectResponse Client::Detect(const v1::DetectRequest& request,
                                   std::chrono::milliseconds timeout) const {
   v1::DetectResponse response;
-  ThrowUnlessOk(CallWithRetries(options_, timeout, [&](grpc::ClientContext* context) {
+  CallWithRetries(options_, timeout, [&](grpc::ClientContext* context) {
     return stub_->Detect(context, request, &response);
-  }));
+  });
   return response;
 }
 

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "client/channel.h"
+#include "client/rpc_error.h"
 
 namespace fovea::client {
 namespace {
@@ -52,19 +53,21 @@ milliseconds BackoffAfter(int attempt, const RetryOptions& options,
   return std::max(random_wait, RetryAfter(context).value_or(milliseconds(0)));
 }
 
-grpc::Status CallWithRetries(const ClientOptions& options, milliseconds timeout,
-                             const std::function<grpc::Status(grpc::ClientContext*)>& call) {
+void CallWithRetries(const ClientOptions& options, milliseconds timeout,
+                     const std::function<grpc::Status(grpc::ClientContext*)>& call) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point deadline = Clock::now() + timeout;
   for (int attempt = 1;; ++attempt) {
     grpc::ClientContext context;
     PrepareCall(options, std::chrono::duration_cast<milliseconds>(deadline - Clock::now()),
                 &context);
-    grpc::Status status = call(&context);
-    if (status.ok() || attempt >= options.retry.max_attempts) return status;
-    if (!IsWorthRetrying(status, context)) return status;
+    const grpc::Status status = call(&context);
+    if (status.ok()) return;
     const milliseconds wait = BackoffAfter(attempt, options.retry, context);
-    if (Clock::now() + wait >= deadline) return status;
+    if (attempt >= options.retry.max_attempts || !IsWorthRetrying(status, context) ||
+        Clock::now() + wait >= deadline) {
+      throw RpcError(status, RetryAfter(context));
+    }
     std::this_thread::sleep_for(wait);
   }
 }

@@ -17,8 +17,9 @@ bool IsWorthRetrying(const grpc::Status& status, const grpc::ClientContext& cont
 std::chrono::milliseconds BackoffAfter(int attempt, const RetryOptions& options,
                                        const grpc::ClientContext& context);
 
-// Makes the call, again if need be and while the deadline allows. Returns the last status.
-grpc::Status CallWithRetries(const ClientOptions& options, std::chrono::milliseconds timeout,
-                             const std::function<grpc::Status(grpc::ClientContext*)>& call);
+// Makes the call, again if need be and while the deadline allows. Throws the RpcError of the last
+// attempt where none succeeds.
+void CallWithRetries(const ClientOptions& options, std::chrono::milliseconds timeout,
+                     const std::function<grpc::Status(grpc::ClientContext*)>& call);
 
 }  // namespace fovea::client

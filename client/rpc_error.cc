@@ -20,9 +20,10 @@ std::string TextOf(const grpc::Status& status) {
 
 }  // namespace
 
-RpcError::RpcError(const grpc::Status& status)
+RpcError::RpcError(const grpc::Status& status, std::optional<std::chrono::milliseconds> retry_after)
     : std::runtime_error(TextOf(status)),
       code_(status.error_code()),
-      message_(status.error_message()) {}
+      message_(status.error_message()),
+      retry_after_(retry_after) {}
 
 }  // namespace fovea::client

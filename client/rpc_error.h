@@ -2,6 +2,8 @@
 
 #include <grpcpp/support/status.h>
 
+#include <chrono>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -11,15 +13,19 @@ namespace fovea::client {
 // "INVALID_ARGUMENT: frame.depth.data: has 10 bytes, 640x480 16UC1 needs 614400".
 class RpcError : public std::runtime_error {
  public:
-  explicit RpcError(const grpc::Status& status);
+  explicit RpcError(const grpc::Status& status,
+                    std::optional<std::chrono::milliseconds> retry_after = std::nullopt);
 
   grpc::StatusCode code() const { return code_; }
   // Without the code's name.
   const std::string& message() const { return message_; }
+  // When a server with too much to do says to come back.
+  std::optional<std::chrono::milliseconds> retry_after() const { return retry_after_; }
 
  private:
   grpc::StatusCode code_;
   std::string message_;
+  std::optional<std::chrono::milliseconds> retry_after_;
 };
 
 }  // namespace fovea::client

@@ -95,8 +95,7 @@ void AddCommonFlags(CLI::App& command, DetectFlags& flags) {
       ->type_name("SECONDS")
       ->capture_default_str();
   AddFlag(command, "--intrinsics", flags.intrinsics, "FX,FY,CX,CY",
-          "Of the colour camera in pixels, for example 525,525,319.5,239.5")
-      ->required();
+          "Of the colour camera in pixels, for example 525,525,319.5,239.5; required");
   command.add_option("--depth-unit", flags.depth_unit_m, "Metres per unit of the depth image")
       ->type_name("METRES")
       ->capture_default_str();
@@ -150,6 +149,9 @@ void AddDetectFlags(CLI::App& command, DetectFlags& flags) {
 }
 
 int RunDetect(const DetectFlags& flags) {
+  // Not CLI11's `required`: it would be reported before a misspelt flag.
+  Require(!flags.intrinsics.empty(),
+          "--intrinsics is required: FX,FY,CX,CY of the colour camera in pixels");
   const client::Client client = Connect(flags.connection);
   if (!flags.input.empty()) return DetectMany(flags, client);
   Require(flags.output.empty(), "--output needs --input: the folder to read from");

@@ -11,13 +11,16 @@ constexpr const char* kClearLine = "\r\x1B[K";
 
 }  // namespace
 
-Progress::Progress(std::size_t total) : total_(total), on_terminal_(isatty(STDOUT_FILENO) != 0) {}
+Progress::Progress(std::size_t total, Stream stream)
+    : total_(total),
+      out_(stream == Stream::kOut ? std::cout : std::cerr),
+      on_terminal_(isatty(stream == Stream::kOut ? STDOUT_FILENO : STDERR_FILENO) != 0) {}
 
 void Progress::DrawBar(const std::string& text) const {
   constexpr std::size_t kWidth = 30;
   const std::size_t filled = total_ == 0 ? kWidth : kWidth * done_ / total_;
-  std::cout << kClearLine << '[' << std::string(filled, '#') << std::string(kWidth - filled, '.')
-            << "] " << done_ << '/' << total_ << "  " << text << std::flush;
+  out_ << kClearLine << '[' << std::string(filled, '#') << std::string(kWidth - filled, '.') << "] "
+       << done_ << '/' << total_ << "  " << text << std::flush;
 }
 
 void Progress::Advance(const std::string& text) {
@@ -25,17 +28,17 @@ void Progress::Advance(const std::string& text) {
   if (on_terminal_) {
     DrawBar(text);
   } else {
-    std::cout << done_ << '/' << total_ << "  " << text << std::endl;
+    out_ << done_ << '/' << total_ << "  " << text << std::endl;
   }
 }
 
 void Progress::Complain(const std::string& text) {
-  if (on_terminal_) std::cout << kClearLine << std::flush;
+  if (on_terminal_) out_ << kClearLine << std::flush;
   std::cerr << text << std::endl;
 }
 
 void Progress::Finish() {
-  if (on_terminal_) std::cout << std::endl;
+  if (on_terminal_) out_ << std::endl;
 }
 
 }  // namespace fovea::cli

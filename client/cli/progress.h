@@ -1,15 +1,18 @@
 #pragma once
 
 #include <cstddef>
+#include <iosfwd>
 #include <string>
 
 namespace fovea::cli {
 
 // How far a run over many frames is: a bar that is drawn over itself on a terminal, else a line
-// per frame. Writes to stdout.
+// per frame.
 class Progress {
  public:
-  explicit Progress(std::size_t total);
+  enum class Stream { kOut, kError };
+
+  explicit Progress(std::size_t total, Stream stream = Stream::kOut);
 
   // One more frame is done; `text` says what came of it.
   void Advance(const std::string& text);
@@ -22,6 +25,7 @@ class Progress {
   void DrawBar(const std::string& text) const;
 
   const std::size_t total_;
+  std::ostream& out_;
   const bool on_terminal_;
   std::size_t done_ = 0;
 };

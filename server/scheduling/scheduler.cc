@@ -5,6 +5,13 @@
 #include <utility>
 
 namespace fovea::server {
+namespace {
+
+// How much later than it was told a robot may come back without losing its place in line: it has
+// to send its frame once more.
+constexpr std::chrono::milliseconds kGrace{500};
+
+}  // namespace
 
 Scheduler::Scheduler(const SchedulerLimits& limits) : limits_(limits) {
   for (int i = 0; i < limits_.num_threads; ++i) threads_.emplace_back([this] { RunThread(); });
@@ -47,21 +54,27 @@ std::size_t Scheduler::NumWaiting() const {
   return num_waiting_;
 }
 
-void Scheduler::RequireRoom(const std::string& robot) const {
+void Scheduler::RequireRoom(const std::string& robot) {
   const auto of_robot = counted_by_robot_.find(robot);
   if (of_robot != counted_by_robot_.end() && of_robot->second >= limits_.max_per_robot) {
     throw Overloaded("this robot has " + std::to_string(of_robot->second) +
                          " frames waiting or computed, the most that one may have",
-                     RetryAfter());
+                     RetryAfter(0));
   }
-  if (num_counted_ >= limits_.num_threads + limits_.max_waiting) {
-    throw Overloaded("the queue is full with " + std::to_string(num_counted_) + " frames",
-                     RetryAfter());
-  }
+  const auto now = WaitingLine::Clock::now();
+  const std::size_t ahead = turned_away_.Ahead(robot, now);
+  const int taken =
+      num_counted_ + (num_counted_ < limits_.num_threads ? 0 : static_cast<int>(ahead));
+  if (taken < limits_.num_threads + limits_.max_waiting) return turned_away_.Leave(robot);
+  const std::chrono::milliseconds retry_after = RetryAfter(ahead);
+  turned_away_.Keep(robot, now + retry_after + kGrace);
+  std::string text = "the queue is full with " + std::to_string(num_counted_) + " frames";
+  if (ahead > 0) text += " and " + std::to_string(ahead) + " robots in line";
+  throw Overloaded(text, retry_after);
 }
 
-std::chrono::milliseconds Scheduler::RetryAfter() const {
-  const double rounds = static_cast<double>(num_waiting_ + 1) / limits_.num_threads;
+std::chrono::milliseconds Scheduler::RetryAfter(std::size_t ahead) const {
+  const double rounds = static_cast<double>(ahead + 1) / limits_.num_threads;
   return std::chrono::milliseconds(
       static_cast<std::int64_t>(std::clamp(std::ceil(rounds * mean_work_ms_), 10.0, 10'000.0)));
 }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "server/scheduling/fair_queue.h"
+#include "server/scheduling/waiting_line.h"
 
 namespace fovea::server {
 
@@ -50,7 +51,9 @@ class Scheduler {
   Scheduler(const Scheduler&) = delete;
   Scheduler& operator=(const Scheduler&) = delete;
 
-  // Has `work` done when it is the robot's turn. Throws Overloaded at once where the limits forbid.
+  // Has `work` done when it is the robot's turn. Throws Overloaded at once where the limits forbid,
+  // and where the room left is for robots that were turned away before this one; never while a
+  // thread has nothing to do.
   Ticket Submit(const std::string& robot, Work work);
 
   // The same without limits, for those who have only one piece of work waiting at any time.
@@ -70,8 +73,8 @@ class Scheduler {
     bool counted = false;  // against the limits
   };
 
-  void RequireRoom(const std::string& robot) const;
-  std::chrono::milliseconds RetryAfter() const;
+  void RequireRoom(const std::string& robot);
+  std::chrono::milliseconds RetryAfter(std::size_t ahead) const;
   Ticket Enqueue(const std::string& robot, Work work, bool counted);
   void Uncount(const std::string& robot);
   void RunThread();
@@ -82,6 +85,7 @@ class Scheduler {
   FairQueue<Job> queue_;
   std::map<std::string, int> counted_by_robot_;  // waiting or computed
   int num_counted_ = 0;
+  WaitingLine turned_away_{1000};
   std::size_t num_waiting_ = 0;
   Ticket last_ticket_ = 0;
   double mean_work_ms_ = 100;  // a guess until there is something to go by

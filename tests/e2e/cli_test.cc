@@ -120,6 +120,8 @@ TEST_F(CliTest, SaysInOneLineWhatIsWrong) {
   ExpectOneLineError(DetectFrame({"--labels", At("no/folder/l.png")}), "cannot write");
   ExpectOneLineError(DetectFrame({"--input", folder_.string()}), "--output");
   ExpectOneLineError(Detect({}), "--color");
+  ExpectOneLineError(Execute({FOVEA_CLI, "detect", "--colour", "c.png"}), "--colour");
+  ExpectOneLineError(Execute({FOVEA_CLI, "detect", "--color", "c.png"}), "--intrinsics");
   ExpectOneLineError(Detect({"--color", At("none.png"), "--depth", At("a_depth.png")}),
                      "cannot read " + At("none.png"));
   ExpectOneLineError(Detect({"--color", folder_.string(), "--depth", At("a_depth.png")}),

@@ -63,6 +63,7 @@ std::vector<fovea::load::Outcome> RunAll(const Flags& flags) {
     fovea::load::RobotPlan plan{.server = flags.server,
                                 .name = "robot-" + std::to_string(i),
                                 .rate_hz = flags.rate_hz * (i == 0 ? flags.greedy : 1),
+                                .phase = static_cast<double>(i) / flags.robots,
                                 .stream = flags.stream,
                                 .frame = frame};
     plan.frame.set_id(plan.name);
@@ -70,7 +71,8 @@ std::vector<fovea::load::Outcome> RunAll(const Flags& flags) {
       return fovea::load::RunRobot(plan, stop.get_token());
     }));
   }
-  fovea::cli::Progress progress(static_cast<std::size_t>(flags.seconds));
+  fovea::cli::Progress progress(static_cast<std::size_t>(flags.seconds),
+                                fovea::cli::Progress::Stream::kError);
   for (int second = 0; second < flags.seconds; ++second) {
     std::this_thread::sleep_for(std::chrono::seconds(1));
     progress.Advance(std::to_string(flags.robots) + " robots");

@@ -34,6 +34,7 @@ Outcome Sum(const std::vector<Outcome>& outcomes) {
     all.dropped += one.dropped;
     Append(one.latency_ms, &all.latency_ms);
     Append(one.overhead_ms, &all.overhead_ms);
+    Append(one.refusal_ms, &all.refusal_ms);
     for (const auto& [code, count] : one.errors) all.errors[code] += count;
   }
   return all;
@@ -56,6 +57,7 @@ std::string Report(const std::vector<Outcome>& outcomes, double seconds) {
       fmt::format("dropped    {}\nfairness   {} to {} answers per robot\n", all.dropped, least,
                   most);
   for (const auto& [code, count] : all.errors) text += fmt::format("{}  {}\n", code, count);
+  if (!all.refusal_ms.empty()) text += "refusals   " + Percentiles(all.refusal_ms) + "\n";
   if (outcomes.size() > 1) {
     text += "first      " + Percentiles(outcomes.front().latency_ms) + "\n";
     text +=

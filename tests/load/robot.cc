@@ -12,7 +12,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-constexpr milliseconds kTimeout{30'000}, kWaitAfterError{50};
+constexpr milliseconds kTimeout{30'000}, kWaitAfterError{1000};
 
 double MillisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -41,18 +41,25 @@ std::string CodeName(const client::RpcError& error) {
 // The robot's clock: when the next frame is due.
 class Pace {
  public:
-  explicit Pace(double rate_hz) : rate_hz_(rate_hz) {}
+  Pace(double rate_hz, double phase) : rate_hz_(rate_hz) {
+    if (rate_hz_ > 0) std::this_thread::sleep_until(next_ += Share(phase));
+  }
 
   void Wait() {
     if (rate_hz_ <= 0) return;
-    next_ +=
-        std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / rate_hz_));
+    next_ += Share(1);
     // A camera does not make up for frames that nobody took.
     next_ = std::max(next_, Clock::now());
     std::this_thread::sleep_until(next_);
   }
 
  private:
+  // Of the time between two frames.
+  Clock::duration Share(double share) const {
+    return std::chrono::duration_cast<Clock::duration>(
+        std::chrono::duration<double>(share / rate_hz_));
+  }
+
   const double rate_hz_;
   Clock::time_point next_ = Clock::now();
 };
@@ -62,14 +69,16 @@ Outcome CallOneByOne(const client::Client& client, const RobotPlan& plan,
   Outcome outcome;
   v1::DetectRequest request;
   *request.mutable_frame() = plan.frame;
-  for (Pace pace(plan.rate_hz); !stop.stop_requested(); pace.Wait()) {
+  for (Pace pace(plan.rate_hz, plan.phase); !stop.stop_requested(); pace.Wait()) {
     ++outcome.sent;
     const Clock::time_point sent = Clock::now();
     try {
       Note(client.Detect(request, kTimeout).detections(), sent, &outcome);
     } catch (const client::RpcError& error) {
       ++outcome.errors[CodeName(error)];
-      if (plan.rate_hz <= 0) std::this_thread::sleep_for(kWaitAfterError);
+      outcome.refusal_ms.push_back(MillisecondsSince(sent));
+      if (plan.rate_hz <= 0)
+        std::this_thread::sleep_for(error.retry_after().value_or(kWaitAfterError));
     }
   }
   return outcome;
@@ -105,7 +114,8 @@ Outcome Stream(const client::Client& client, const RobotPlan& plan, const std::s
   std::jthread sender([&] {
     v1::DetectStreamRequest request;
     *request.mutable_frame() = plan.frame;
-    for (Pace pace(plan.rate_hz > 0 ? plan.rate_hz : 30); !stop.stop_requested(); pace.Wait()) {
+    for (Pace pace(plan.rate_hz > 0 ? plan.rate_hz : 30, plan.phase); !stop.stop_requested();
+         pace.Wait()) {
       times.Add();
       if (!stream->Send(request)) break;
     }

@@ -15,6 +15,7 @@ namespace fovea::load {
 struct RobotPlan {
   std::string server, name;
   double rate_hz = 0;  // 0 = the next frame as soon as the last one is answered
+  double phase = 0;    // of the first frame, as a share of the time between two
   bool stream = false;
   v1::Frame frame;
 };
@@ -23,6 +24,7 @@ struct Outcome {
   std::uint64_t sent = 0, dropped = 0;
   std::vector<double> latency_ms;               // of each detection
   std::vector<double> overhead_ms;              // what of that is neither queue nor computing
+  std::vector<double> refusal_ms;               // until each call that failed did
   std::map<std::string, std::uint64_t> errors;  // by the name of the status code
 };
 

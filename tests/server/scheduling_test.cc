@@ -149,6 +149,29 @@ TEST(Scheduling, RefusesAtOnceWhatDoesNotFit) {
   EXPECT_TRUE(held.first.get().ok());
 }
 
+// Refused, as nothing is computed; returns what the server says of it.
+std::string RefusalOf(const Loopback& loopback, const std::string& robot) {
+  const grpc::Status status = Call(loopback, robot).Run();
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED) << robot;
+  return status.error_message();
+}
+
+TEST(Scheduling, LetsInFirstWhomItTurnedAwayFirst) {
+  Held held(OneThread(/*max_waiting=*/1, /*max_per_robot=*/10));
+  Crowd crowd(held.loopback);
+  crowd.Join("second");
+  EXPECT_THAT(RefusalOf(held.loopback, "third"), HasSubstr("2 frames"));
+  EXPECT_THAT(RefusalOf(held.loopback, "fourth"), HasSubstr("2 frames and 1 robots in line"));
+  crowd.LeaveLast();
+  AwaitWaiting(held.loopback, 0);
+  EXPECT_THAT(RefusalOf(held.loopback, "fourth"), HasSubstr("1 frames and 1 robots in line"));
+  EXPECT_THAT(RefusalOf(held.loopback, "newcomer"), HasSubstr("1 frames and 2 robots in line"));
+  Crowd those_in_line(held.loopback);
+  those_in_line.Join("third");
+  held.gate.Let(2);
+  EXPECT_THAT(those_in_line.Answered(), ElementsAre("third"));
+}
+
 TEST(Scheduling, OneRobotCannotTakeAllPlaces) {
   Held held(OneThread(/*max_waiting=*/4, /*max_per_robot=*/1));
   Call again(held.loopback, "first");
