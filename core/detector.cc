@@ -29,9 +29,8 @@ cv::Mat ChannelZ(const cv::Mat& points) {
 // Depth that the stages can rely on: every value that is not a positive number is NaN.
 cv::Mat CleanDepth(const cv::Mat& depth_m) {
   cv::Mat clean = depth_m.clone();
-  for (auto it = clean.begin<float>(); it != clean.end<float>(); ++it) {
-    if (!std::isfinite(*it) || *it <= 0) *it = std::numeric_limits<float>::quiet_NaN();
-  }
+  const cv::Mat reliable = (depth_m > 0) & (depth_m < std::numeric_limits<float>::infinity());
+  clean.setTo(std::numeric_limits<float>::quiet_NaN(), ~reliable);
   return clean;
 }
 

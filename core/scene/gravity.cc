@@ -25,12 +25,13 @@ std::vector<Eigen::Vector3d> ValidNormals(const cv::Mat& normals) {
 
 Eigen::Vector3d Refine(const std::vector<Eigen::Vector3d>& normals, const Eigen::Vector3d& down,
                        double angle_rad) {
+  const double level = std::cos(angle_rad), upright = std::sin(angle_rad);
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
   for (const Eigen::Vector3d& n : normals) {
     const double c = std::abs(n.dot(down));
-    if (c > std::cos(angle_rad)) {
+    if (c > level) {
       scatter -= n * n.transpose();  // floor-like: wants to be parallel
-    } else if (c < std::sin(angle_rad)) {
+    } else if (c < upright) {
       scatter += n * n.transpose();  // wall-like: wants to be orthogonal
     }
   }
@@ -59,11 +60,12 @@ struct Explained {
 
 Explained Explain(const std::vector<Eigen::Vector3d>& normals, const Eigen::Vector3d& down) {
   const double gate = 10 * std::numbers::pi / 180;
+  const double level = std::cos(gate), upright = std::sin(gate);
   Explained explained;
   for (const Eigen::Vector3d& n : normals) {
     const double c = n.dot(down);
-    if (c < -std::cos(gate)) ++explained.level;
-    if (std::abs(c) < std::sin(gate)) ++explained.upright;
+    if (c < -level) ++explained.level;
+    if (std::abs(c) < upright) ++explained.upright;
   }
   return explained;
 }

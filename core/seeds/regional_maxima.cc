@@ -12,10 +12,13 @@ namespace {
 void Renumber(const std::vector<char>& keep, cv::Mat& labels) {
   std::vector<int> numbers(keep.size(), 0);
   int count = 0;
-  for (int& label : cv::Mat_<int>(labels)) {
-    const auto component = static_cast<std::size_t>(label);
-    if (keep[component] != 0 && numbers[component] == 0) numbers[component] = ++count;
-    label = numbers[component];
+  for (int y = 0; y < labels.rows; ++y) {
+    int* row = labels.ptr<int>(y);
+    for (int x = 0; x < labels.cols; ++x) {
+      const auto component = static_cast<std::size_t>(row[x]);
+      if (keep[component] != 0 && numbers[component] == 0) numbers[component] = ++count;
+      row[x] = numbers[component];
+    }
   }
 }
 

@@ -52,21 +52,25 @@ Eigen::Vector3i CellOf(const Eigen::Vector3f& p, const VoxelOptions& options) {
 CellIndex CollectVoxels(const cv::Mat& points, const cv::Mat& normals, const VoxelOptions& options,
                         VoxelGrid& grid) {
   CellIndex index;
+  int last = -1;  // neighbouring pixels are mostly of the same voxel
   for (int row = 0; row < points.rows; ++row) {
     for (int col = 0; col < points.cols; ++col) {
       const cv::Vec3f& p = points.at<cv::Vec3f>(row, col);
       if (std::isnan(p[2])) continue;
       const Eigen::Vector3f position(p[0], p[1], p[2]);
       const Eigen::Vector3i cell = CellOf(position, options);
-      const auto [entry, is_new] =
-          index.try_emplace(KeyOf(cell), static_cast<int>(grid.voxels.size()));
-      if (is_new) grid.voxels.push_back({.cell = cell});
-      Voxel& voxel = grid.voxels[entry->second];
+      if (last < 0 || grid.voxels[last].cell != cell) {
+        const auto [entry, is_new] =
+            index.try_emplace(KeyOf(cell), static_cast<int>(grid.voxels.size()));
+        if (is_new) grid.voxels.push_back({.cell = cell});
+        last = entry->second;
+      }
+      Voxel& voxel = grid.voxels[last];
       voxel.mean += position;
       const cv::Vec3f& n = normals.at<cv::Vec3f>(row, col);
       if (!std::isnan(n[0])) voxel.normal += Eigen::Vector3f(n[0], n[1], n[2]);
       ++voxel.num_points;
-      grid.voxel_of_pixel.at<int>(row, col) = entry->second;
+      grid.voxel_of_pixel.at<int>(row, col) = last;
     }
   }
   return index;
