@@ -3,17 +3,16 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <opencv2/core/hal/intrin.hpp>
+#include <opencv2/core.hpp>
+
+#include "core/types/lanes.h"
 
 namespace fovea {
 namespace {
 
-using Four = cv::v_float32x4;
-constexpr int kLanes = 4;
-
-// Weighted sums of the linear fit of 1/z over the windows of four evaluated columns.
+// Weighted sums of the linear fit of 1/z over the windows of the evaluated columns.
 struct FitSums {
-  Four n = cv::v_setzero_f32(), u = n, v = n, uu = n, uv = n, vv = n, q = n, qu = n, qv = n;
+  Lanes n{}, u{}, v{}, uu{}, uv{}, vv{}, q{}, qu{}, qv{};
 };
 
 // Inverse depth with a margin around it, so that windows need no border checks; 0 = none.
@@ -29,37 +28,31 @@ cv::Mat PaddedInverseDepth(const cv::Mat& points, int radius, int step) {
   return inverse;
 }
 
-Four Load(const float* first, std::ptrdiff_t step) {
-  return step == 1 ? cv::v_load(first)
-                   : Four(first[0], first[step], first[2 * step], first[3 * step]);
-}
-
-// The sums over the windows around four centres, `step` apart, the first of which is at `center`;
+// The sums over the windows around kLanes centres, `step` apart, the first of which is at `center`;
 // `stride` leads from row to row. One column of the window at a time, so that its offset du is
 // multiplied in once.
-FitSums SumWindows(const float* center, std::size_t stride, int step, int radius,
-                   float max_change) {
-  const Four at_center = Load(center, step);
-  const Four limit = at_center * cv::v_setall_f32(max_change);
-  const Four one = cv::v_setall_f32(1);
+FOVEA_INLINE FitSums SumWindows(const float* center, std::size_t stride, int step, int radius,
+                                float max_change) {
+  const Lanes at_center = LoadLanes(center, step);
+  const Lanes limit = at_center * max_change;
   FitSums sums;
   for (int du = -radius; du <= radius; ++du) {
     FitSums column;
     const float* top = center - static_cast<std::ptrdiff_t>(stride) * radius + du;
     for (int row = 0; row <= 2 * radius; ++row) {
-      const Four dv = cv::v_setall_f32(static_cast<float>(row - radius));
+      const auto dv = static_cast<float>(row - radius);
       // Relative to the centre, which keeps precision.
-      const Four difference = Load(top + stride * row, step) - at_center;
-      const Four same_surface = cv::v_abs(difference) <= limit;
-      const Four weight = same_surface & one;
-      const Four value = same_surface & difference;
+      const Lanes difference = LoadLanes(top + stride * row, step) - at_center;
+      const auto same_surface = Magnitude(difference) <= limit;
+      const Lanes weight = same_surface ? AllLanes(1) : Lanes{};
+      const Lanes value = same_surface ? difference : Lanes{};
       column.n += weight;
       column.v += weight * dv;
       column.vv += weight * dv * dv;
       column.q += value;
       column.qv += value * dv;
     }
-    const Four offset = cv::v_setall_f32(static_cast<float>(du));
+    const auto offset = static_cast<float>(du);
     sums.n += column.n;
     sums.u += column.n * offset;
     sums.uu += column.n * offset * offset;
@@ -78,24 +71,22 @@ struct PlaneFit {
   std::array<float, kLanes> a, b, c;
 };
 
-PlaneFit Solve(const FitSums& s, const Four& at_center) {
-  const Four n = cv::v_max(s.n, cv::v_setall_f32(1));
+FOVEA_INLINE PlaneFit Solve(const FitSums& s, const Lanes& at_center) {
+  const Lanes n = Larger(s.n, AllLanes(1));
   // Normal equations of the centred fit.
-  const Four uu = s.uu - s.u * s.u / n;
-  const Four uv = s.uv - s.u * s.v / n;
-  const Four vv = s.vv - s.v * s.v / n;
-  const Four qu = s.qu - s.q * s.u / n;
-  const Four qv = s.qv - s.q * s.v / n;
-  const Four determinant = uu * vv - uv * uv;
-  const Four on_a_line = determinant < cv::v_setall_f32(1e-3F);
-  const Four none = cv::v_setall_f32(std::numeric_limits<float>::quiet_NaN());
-  const Four a = cv::v_select(on_a_line, none, (qu * vv - qv * uv) / determinant);
-  const Four b = (qv * uu - qu * uv) / determinant;
-  const Four c = at_center + (s.q - a * s.u - b * s.v) / n;
+  const Lanes uu = s.uu - s.u * s.u / n;
+  const Lanes uv = s.uv - s.u * s.v / n;
+  const Lanes vv = s.vv - s.v * s.v / n;
+  const Lanes qu = s.qu - s.q * s.u / n;
+  const Lanes qv = s.qv - s.q * s.v / n;
+  const Lanes determinant = uu * vv - uv * uv;
+  const Lanes none = AllLanes(std::numeric_limits<float>::quiet_NaN());
+  const Lanes a = determinant < 1e-3F ? none : (qu * vv - qv * uv) / determinant;  // on a line
+  const Lanes b = (qv * uu - qu * uv) / determinant;
   PlaneFit fit;
-  cv::v_store(fit.a.data(), a);
-  cv::v_store(fit.b.data(), b);
-  cv::v_store(fit.c.data(), c);
+  StoreLanes(a, fit.a.data());
+  StoreLanes(b, fit.b.data());
+  StoreLanes(at_center + (s.q - a * s.u - b * s.v) / n, fit.c.data());
   return fit;
 }
 
@@ -109,25 +100,24 @@ cv::Vec3f NormalOf(float a, float b, float c, float du0, float dv0, const cv::Ve
   return normal.dot(point) > 0 ? -normal : normal;
 }
 
-}  // namespace
+// The normals of one row.
+struct RowFit {
+  const cv::Mat& points;
+  const cv::Mat& inverse;
+  const CameraIntrinsics& intrinsics;
+  const NormalOptions& options;
+  int step;
 
-cv::Mat EstimateNormals(const cv::Mat& points, const CameraIntrinsics& intrinsics,
-                        const NormalOptions& options, int step) {
-  const int radius = options.window_radius_px;
-  const cv::Mat inverse = PaddedInverseDepth(points, radius, step);
-  const std::size_t stride = inverse.step1();
-  cv::Mat normals(points.size(), CV_32FC3,
-                  cv::Scalar::all(std::numeric_limits<float>::quiet_NaN()));
-
-  for (int row = 0; row < points.rows; row += step) {
-    const float dv0 = static_cast<float>(row - intrinsics.cy_px);
+  FOVEA_INLINE void Run(int row, cv::Mat& normals) const {
+    const int radius = options.window_radius_px;
+    const auto dv0 = static_cast<float>(row - intrinsics.cy_px);
     for (int col = 0; col < points.cols; col += kLanes * step) {
       const float* center = inverse.ptr<float>(row + radius) + radius + col;
-      const Four at_center = Load(center, step);
-      if (!cv::v_check_any(at_center > cv::v_setzero_f32())) continue;
-      const PlaneFit fit = Solve(
-          SumWindows(center, stride, step, radius, static_cast<float>(options.max_depth_change)),
-          at_center);
+      const Lanes at_center = LoadLanes(center, step);
+      if (LargestLane(at_center) <= 0) continue;
+      const PlaneFit fit = Solve(SumWindows(center, inverse.step1(), step, radius,
+                                            static_cast<float>(options.max_depth_change)),
+                                 at_center);
       for (int lane = 0; lane < kLanes && col + lane * step < points.cols; ++lane) {
         const int pixel = col + lane * step;
         if (center[pixel - col] <= 0 || std::isnan(fit.a[lane])) continue;
@@ -137,6 +127,19 @@ cv::Mat EstimateNormals(const cv::Mat& points, const CameraIntrinsics& intrinsic
       }
     }
   }
+};
+
+}  // namespace
+
+cv::Mat EstimateNormals(const cv::Mat& points, const CameraIntrinsics& intrinsics,
+                        const NormalOptions& options, int step) {
+  const cv::Mat inverse = PaddedInverseDepth(points, options.window_radius_px, step);
+  cv::Mat normals(points.size(), CV_32FC3,
+                  cv::Scalar::all(std::numeric_limits<float>::quiet_NaN()));
+  const RowFit fit{points, inverse, intrinsics, options, step};
+  RunInWidestRegisters([&] {
+    for (int row = 0; row < points.rows; row += step) fit.Run(row, normals);
+  });
   return normals;
 }
 

@@ -1,14 +1,11 @@
 // Sixteen strengths of one image row, held in vector registers: the inner step of
-// PropagateStrength. All is inlined into a caller that may be compiled for wider registers than the
-// rest of the program; the arithmetic, and so every bit of the answer, is the same in any.
+// PropagateStrength.
 #pragma once
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
-#include <cstring>
 
-#define FOVEA_INLINE __attribute__((always_inline)) inline
+#include "core/types/lanes.h"
 
 namespace fovea {
 
@@ -18,17 +15,16 @@ class StrengthBlock {
 
   // `features`: values 0 … 255 of the 16 pixels.
   FOVEA_INLINE StrengthBlock(const float* features, const float* strengths)
-      : features_{Load(features), Load(features + kLanes)},
-        strengths_{Load(strengths), Load(strengths + kLanes)} {}
+      : features_{LoadLanes(features), LoadLanes(features + kLanes)},
+        strengths_{LoadLanes(strengths), LoadLanes(strengths + kLanes)} {}
 
   // Eq. 3 and 4 for one neighbour each: strength = max(strength, neighbour's · (1 − |difference| /
   // 255)). The features and strengths are those of the 16 neighbours.
   FOVEA_INLINE void PullFrom(const float* features, const float* strengths) {
     for (int half = 0; half < 2; ++half, features += kLanes, strengths += kLanes) {
-      Lanes difference = features_[half] - Load(features);
-      difference = Larger(difference, -difference);
+      const Lanes difference = Magnitude(features_[half] - LoadLanes(features));
       const Lanes factor = 1.0F - (difference * kHighPart + difference * kLowPart);
-      strengths_[half] = Larger(strengths_[half], Load(strengths) * factor);
+      strengths_[half] = Larger(strengths_[half], LoadLanes(strengths) * factor);
     }
   }
 
@@ -37,12 +33,12 @@ class StrengthBlock {
     std::array<Lanes, 2> grown;
     for (int half = 0; half < 2; ++half) {
       grown[half] =
-          strengths_[half] > Load(strengths + half * kLanes) ? strengths_[half] : Lanes{};
+          strengths_[half] > LoadLanes(strengths + half * kLanes) ? strengths_[half] : Lanes{};
     }
     if (Largest(grown) == 0) return false;
     for (int half = 0; half < 2; ++half) {
       grown_[half] = Larger(grown_[half], grown[half]);
-      std::memcpy(strengths + half * kLanes, &strengths_[half], sizeof(Lanes));
+      StoreLanes(strengths_[half], strengths + half * kLanes);
     }
     return true;
   }
@@ -54,7 +50,8 @@ class StrengthBlock {
   };
   FOVEA_INLINE Growth GrowthSoFar(int few) const {
     std::array<float, kSize_px> grown;
-    std::memcpy(grown.data(), grown_.data(), sizeof grown);
+    StoreLanes(grown_[0], grown.data());
+    StoreLanes(grown_[1], grown.data() + kLanes);
     Growth growth{.all = Largest(grown_)};
     for (int i = 0; i < few; ++i) {
       growth.first = std::max(growth.first, grown[i]);
@@ -64,25 +61,13 @@ class StrengthBlock {
   }
 
  private:
-  static constexpr int kLanes = 8;
-  using Lanes __attribute__((vector_size(kLanes * sizeof(float)))) = float;
-
   // 1/255 in two parts: the product of an 8-bit number with the first is exact, so both products
   // together round to the quotient by 255, bit for bit, at a fraction of a division's cost.
   static constexpr float kHighPart = 0x1.01p-8F;
   static constexpr float kLowPart = static_cast<float>(1.0 / 255 - double{kHighPart});
 
-  FOVEA_INLINE static Lanes Load(const float* from) {
-    Lanes lanes;
-    std::memcpy(&lanes, from, sizeof lanes);
-    return lanes;
-  }
-  FOVEA_INLINE static Lanes Larger(const Lanes& a, const Lanes& b) { return a > b ? a : b; }
   FOVEA_INLINE static float Largest(const std::array<Lanes, 2>& values) {
-    Lanes most = Larger(values[0], values[1]);
-    most = Larger(most, __builtin_shufflevector(most, most, 4, 5, 6, 7, 0, 1, 2, 3));
-    most = Larger(most, __builtin_shufflevector(most, most, 2, 3, 0, 1, 6, 7, 4, 5));
-    return std::max(most[0], most[1]);
+    return LargestLane(Larger(values[0], values[1]));
   }
 
   std::array<Lanes, 2> features_;

@@ -90,7 +90,7 @@ class Propagation {
     strengths_(inside) = 0.0F;
   }
 
-  FOVEA_INLINE cv::Mat Run() {
+  FOVEA_INLINE void Run() {
     while (const float largest = std::max(down_.Largest(), up_.Largest())) {
       least_ = largest * kShareOfRound;
       for (bool again = true; again;) {
@@ -99,8 +99,9 @@ class Propagation {
         for (int y = end_ - 1; y >= scale_; --y) again |= Sweep(up_, y, +1);
       }
     }
-    return strengths_;
   }
+
+  const cv::Mat& strengths() const { return strengths_; }
 
  private:
   // The pending blocks of a row pull from above (side = -1) or below (+1). Returns whether there
@@ -166,19 +167,6 @@ class Propagation {
   cv::Mat strengths_;  // CV_32FC1, cols_ wide
 };
 
-#ifdef __x86_64__
-__attribute__((target("avx2"), flatten)) cv::Mat RunWithAvx2(Propagation& propagation) {
-  return propagation.Run();
-}
-#endif
-
-cv::Mat Run(Propagation& propagation) {
-#ifdef __x86_64__
-  if (__builtin_cpu_supports("avx2")) return RunWithAvx2(propagation);
-#endif
-  return propagation.Run();
-}
-
 }  // namespace
 
 cv::Mat PropagateStrength(const cv::Mat& channel, int scale) {
@@ -186,7 +174,8 @@ cv::Mat PropagateStrength(const cv::Mat& channel, int scale) {
     return cv::Mat::ones(channel.size(), CV_32F);  // nothing but border
   }
   Propagation propagation(channel, scale);
-  return Run(propagation).colRange(0, channel.cols).clone();
+  RunInWidestRegisters([&] { propagation.Run(); });
+  return propagation.strengths().colRange(0, channel.cols).clone();
 }
 
 }  // namespace fovea
