@@ -12,7 +12,10 @@ constexpr float kCellM = 0.03F;
 // Cells with points, closed over gaps of one cell (far surfaces are sampled thinly).
 cv::Mat Occupancy(const std::vector<cv::Point>& cells, const cv::Size& size) {
   cv::Mat occupied = cv::Mat::zeros(size, CV_8UC1);
-  for (const cv::Point& cell : cells) occupied.at<uchar>(cell) = 255;
+  const cv::Rect grid({0, 0}, size);
+  for (const cv::Point& cell : cells) {
+    if (grid.contains(cell)) occupied.at<uchar>(cell) = 255;
+  }
   cv::morphologyEx(occupied, occupied, cv::MORPH_CLOSE, cv::Mat::ones(3, 3, CV_8UC1));
   return occupied;
 }
@@ -28,42 +31,48 @@ void FillHull(const cv::Mat& part, cv::Mat& inside) {
 
 }  // namespace
 
-Footprint::Footprint(const std::vector<Eigen::Vector3f>& points, const SupportSurface& surface,
+Footprint::Footprint(const std::vector<Eigen::Vector3f>& points,
+                     const std::vector<Eigen::Vector3f>& above, const SupportSurface& surface,
                      double min_area_m2, double margin_m) {
   const Eigen::Vector3f x = surface.normal.unitOrthogonal();
   axes_.row(0) = x;
   axes_.row(1) = surface.normal.cross(x);
-  std::vector<Eigen::Vector2f> positions;
   Eigen::Vector2f low = Eigen::Vector2f::Constant(std::numeric_limits<float>::max());
   Eigen::Vector2f high = -low;
   for (const Eigen::Vector3f& point : points) {
-    positions.push_back(axes_ * point);
-    low = low.cwiseMin(positions.back());
-    high = high.cwiseMax(positions.back());
+    low = low.cwiseMin(axes_ * point);
+    high = high.cwiseMax(axes_ * point);
   }
   const int border = static_cast<int>(std::ceil(margin_m / kCellM)) + 2;
   origin_ = low - Eigen::Vector2f::Constant(kCellM * static_cast<float>(border));
   const Eigen::Vector2i extent = ((high - low) / kCellM).cast<int>().array() + 2 * border + 1;
-  std::vector<cv::Point> cells;
-  for (const Eigen::Vector2f& position : positions) {
-    const Eigen::Vector2i cell = ((position - origin_) / kCellM).cast<int>();
-    cells.emplace_back(cell.x(), cell.y());
-  }
+  const cv::Size size(extent.x(), extent.y());
 
-  const cv::Mat occupied = Occupancy(cells, {extent.x(), extent.y()});
-  inside_ = cv::Mat::zeros(occupied.size(), CV_8UC1);
+  std::vector<cv::Point> cells = CellsOf(points);
+  const cv::Mat occupied = Occupancy(cells, size);
+  const std::vector<cv::Point> covered = CellsOf(above);
+  cells.insert(cells.end(), covered.begin(), covered.end());
+  inside_ = cv::Mat::zeros(size, CV_8UC1);
   cv::Mat parts;
-  cv::Mat statistics;
-  cv::Mat centroids;
-  const int num_parts = cv::connectedComponentsWithStats(occupied, parts, statistics, centroids);
+  const int num_parts = cv::connectedComponents(Occupancy(cells, size), parts);
   for (int part = 1; part < num_parts; ++part) {
-    const double area = statistics.at<int>(part, cv::CC_STAT_AREA) * kCellM * kCellM;
-    if (area < min_area_m2) continue;
-    FillHull(parts == part, inside_);
+    const cv::Mat seen = (parts == part) & occupied;
+    const double area = cv::countNonZero(seen) * kCellM * kCellM;
+    if (area == 0 || area < min_area_m2) continue;
+    FillHull(seen, inside_);
     area_m2_ += area;
   }
   const int reach = 2 * static_cast<int>(std::lround(margin_m / kCellM)) + 1;
   cv::dilate(inside_, inside_, cv::getStructuringElement(cv::MORPH_ELLIPSE, {reach, reach}));
+}
+
+std::vector<cv::Point> Footprint::CellsOf(const std::vector<Eigen::Vector3f>& points) const {
+  std::vector<cv::Point> cells;
+  for (const Eigen::Vector3f& point : points) {
+    const Eigen::Vector2f cell = (axes_ * point - origin_) / kCellM;
+    cells.emplace_back(cvFloor(cell.x()), cvFloor(cell.y()));
+  }
+  return cells;
 }
 
 bool Footprint::Covers(const Eigen::Vector3f& point) const {

@@ -17,9 +17,10 @@ class Footprint {
   Footprint() = default;
 
   // From the points that lie on the surface; parts smaller than `min_area_m2` are left out, the
-  // hulls grow by `margin_m`.
-  Footprint(const std::vector<Eigen::Vector3f>& points, const SupportSurface& surface,
-            double min_area_m2, double margin_m);
+  // hulls grow by `margin_m`. Parts are also connected where the points `above` stand between them:
+  // a pile of objects parts what is seen of a table.
+  Footprint(const std::vector<Eigen::Vector3f>& points, const std::vector<Eigen::Vector3f>& above,
+            const SupportSurface& surface, double min_area_m2, double margin_m);
 
   // True if the point's projection along the normal lies inside.
   bool Covers(const Eigen::Vector3f& point) const;
@@ -28,6 +29,8 @@ class Footprint {
   double AreaM2() const { return area_m2_; }
 
  private:
+  std::vector<cv::Point> CellsOf(const std::vector<Eigen::Vector3f>& points) const;
+
   Eigen::Matrix<float, 2, 3> axes_;  // rows: the plane's axes
   Eigen::Vector2f origin_;           // of the grid, in plane coordinates
   cv::Mat inside_;                   // CV_8UC1; empty = unbounded

@@ -83,11 +83,30 @@ SupportSurface FitDominating(const std::vector<Eigen::Vector3f>& level, const Ei
   return surface;
 }
 
-Footprint FootprintOf(const std::vector<Eigen::Vector3f>& inliers, const SupportSurface& surface,
-                      const SupportOptions& options) {
+// Every few pixels: enough for the cells of a footprint.
+std::vector<Eigen::Vector3f> PointsAbove(const cv::Mat& points, const SupportSurface& surface,
+                                         const SupportOptions& options) {
+  constexpr int kStep_px = 4;
+  const auto max_height_m = static_cast<float>(options.max_height_m);
+  std::vector<Eigen::Vector3f> above;
+  for (int row = 0; row < points.rows; row += kStep_px) {
+    for (int col = 0; col < points.cols; col += kStep_px) {
+      const Eigen::Vector3f point = ToEigen(points.at<cv::Vec3f>(row, col));
+      const float height_m = surface.HeightOf(point);  // NaN where there is no point
+      if (height_m > SupportTolerance(point.z(), options) && height_m < max_height_m) {
+        above.push_back(point);
+      }
+    }
+  }
+  return above;
+}
+
+Footprint FootprintOf(const std::vector<Eigen::Vector3f>& inliers, const cv::Mat& points,
+                      const SupportSurface& surface, const SupportOptions& options) {
   const bool matters = options.min_area_m2 > 0 || options.footprint_margin_m > 0;
   if (!matters || inliers.empty()) return {};
-  return {inliers, surface, options.min_area_m2, options.footprint_margin_m};
+  return {inliers, PointsAbove(points, surface, options), surface, options.min_area_m2,
+          options.footprint_margin_m};
 }
 
 // Most of the points lie closely above one of the supports.
@@ -142,7 +161,7 @@ std::vector<Support> FindSupports(const cv::Mat& points, const cv::Mat& normals,
     const SupportSurface surface = FitDominating(level, up, options);
     const std::vector<Eigen::Vector3f> inliers = Inliers(level, surface, options, 1.0F);
     if (supports.empty() && inliers.size() < min_points) break;
-    const Footprint footprint = FootprintOf(inliers, surface, options);
+    const Footprint footprint = FootprintOf(inliers, points, surface, options);
     if (footprint.AreaM2() >= MinArea_m2(supports, inliers, options)) {
       if (options.max_surfaces > 1 && supports.empty()) up = surface.normal;  // the better vertical
       supports.push_back({surface, options.footprint_margin_m > 0 ? footprint : Footprint()});

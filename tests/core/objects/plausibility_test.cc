@@ -48,7 +48,7 @@ Support Table() {
       points.emplace_back(0.02F * static_cast<float>(x), -0.7F, 1 + 0.02F * static_cast<float>(z));
     }
   }
-  return {surface, Footprint(points, surface, 0, 0)};
+  return {surface, Footprint(points, {}, surface, 0, 0)};
 }
 
 constexpr SupportOptions kSupport{.tolerance_m = 0.002};

@@ -40,7 +40,7 @@ TEST(Footprint, IsUnboundedByDefault) {
 }
 
 TEST(Footprint, CoversAHiddenMiddleButNotTheOutside) {
-  const Footprint footprint(Ring(), kTable, 0, 0);
+  const Footprint footprint(Ring(), {}, kTable, 0, 0);
   EXPECT_TRUE(footprint.Covers({0.28F, 0.7F, 1.3F}));  // seen
   EXPECT_TRUE(footprint.Covers({0, 0.7F, 1.3F}));      // hidden
   EXPECT_TRUE(footprint.Covers({0, 0.2F, 1.3F}));      // above the hidden
@@ -54,7 +54,7 @@ TEST(Footprint, CoversTheNookOfAnL) {
   Points corner;
   AddRectangle(0, 60, 100, 110, corner);
   AddRectangle(0, 10, 100, 160, corner);
-  const Footprint footprint(corner, kTable, 0, 0);
+  const Footprint footprint(corner, {}, kTable, 0, 0);
   EXPECT_TRUE(footprint.Covers({0.25F, 0.7F, 1.25F}));
   EXPECT_FALSE(footprint.Covers({0.5F, 0.7F, 1.5F}));  // beyond the line between the ends
 }
@@ -63,9 +63,9 @@ TEST(Footprint, AreaIsWhatIsSeen) {
   Points square;
   AddRectangle(-30, 30, 100, 160, square);
   constexpr double kCell = 0.02;  // up to one cell too many along the outlines
-  EXPECT_NEAR(Footprint(square, kTable, 0, 0).AreaM2(), 0.36, 2.4 * kCell);
-  EXPECT_NEAR(Footprint(square, kTable, 0, 0.2).AreaM2(), 0.36, 2.4 * kCell);  // without margin
-  EXPECT_NEAR(Footprint(Ring(), kTable, 0, 0).AreaM2(), 0.36 - 0.09, (2.4 + 1.2) * kCell);
+  EXPECT_NEAR(Footprint(square, {}, kTable, 0, 0).AreaM2(), 0.36, 2.4 * kCell);
+  EXPECT_NEAR(Footprint(square, {}, kTable, 0, 0.2).AreaM2(), 0.36, 2.4 * kCell);  // without margin
+  EXPECT_NEAR(Footprint(Ring(), {}, kTable, 0, 0).AreaM2(), 0.36 - 0.09, (2.4 + 1.2) * kCell);
 }
 
 TEST(Footprint, LeavesSmallPartsOut) {
@@ -73,22 +73,49 @@ TEST(Footprint, LeavesSmallPartsOut) {
   AddRectangle(0, 60, 100, 160, points);     // 0.36 m²
   AddRectangle(150, 160, 100, 110, points);  // 0.01 m²
   const Eigen::Vector3f on_small(1.55F, 0.7F, 1.05F);
-  const Footprint all(points, kTable, 0, 0);
+  const Footprint all(points, {}, kTable, 0, 0);
   EXPECT_TRUE(all.Covers(on_small));
   EXPECT_FALSE(all.Covers({1.0F, 0.7F, 1.05F})) << "each part has its own hull";
-  const Footprint large(points, kTable, 0.05, 0);
+  const Footprint large(points, {}, kTable, 0.05, 0);
   EXPECT_FALSE(large.Covers(on_small));
   EXPECT_TRUE(large.Covers({0.3F, 0.7F, 1.3F}));
   EXPECT_NEAR(all.AreaM2() - large.AreaM2(), 0.01, 0.005);
-  const Footprint none(points, kTable, 1, 0);
+  const Footprint none(points, {}, kTable, 1, 0);
   EXPECT_FALSE(none.Covers({0.3F, 0.7F, 1.3F}));
   EXPECT_EQ(none.AreaM2(), 0);
+}
+
+TEST(Footprint, APileDoesNotPartASurface) {
+  Points left_and_right;
+  AddRectangle(0, 40, 100, 160, left_and_right);   // 0.24 m²
+  AddRectangle(70, 80, 100, 160, left_and_right);  // 0.06 m²
+  Points pile;
+  AddRectangle(41, 69, 110, 130, pile);
+  for (Eigen::Vector3f& point : pile) point.y() -= 0.2F;
+  const Eigen::Vector3f between(0.55F, 0.7F, 1.5F), right(0.75F, 0.7F, 1.5F);
+  const Footprint parted(left_and_right, {}, kTable, 0.1, 0);
+  EXPECT_FALSE(parted.Covers(between));
+  EXPECT_FALSE(parted.Covers(right));
+  const Footprint whole(left_and_right, pile, kTable, 0.1, 0);
+  EXPECT_TRUE(whole.Covers(between));
+  EXPECT_TRUE(whole.Covers(right));
+  EXPECT_NEAR(whole.AreaM2(), 0.3, 0.04) << "the surface without the pile";
+}
+
+TEST(Footprint, WhatStandsBesideASurfaceIsNoPartOfIt) {
+  Points table, beside;
+  AddRectangle(0, 40, 100, 160, table);
+  AddRectangle(41, 90, 100, 160, beside);
+  for (Eigen::Vector3f& point : beside) point.y() -= 0.3F;
+  const Footprint footprint(table, beside, kTable, 0, 0);
+  EXPECT_TRUE(footprint.Covers({0.3F, 0.7F, 1.3F}));
+  EXPECT_FALSE(footprint.Covers({0.5F, 0.7F, 1.3F}));
 }
 
 TEST(Footprint, GrowsByTheMargin) {
   Points square;
   AddRectangle(-30, 30, 100, 160, square);
-  const Footprint footprint(square, kTable, 0, 0.1);
+  const Footprint footprint(square, {}, kTable, 0, 0.1);
   for (const float side : {-1.0F, 1.0F}) {
     EXPECT_TRUE(footprint.Covers({side * 0.38F, 0.7F, 1.3F})) << side;
     EXPECT_FALSE(footprint.Covers({side * 0.44F, 0.7F, 1.3F})) << side;
@@ -104,7 +131,7 @@ TEST(Footprint, ClosesGapsOfThinSampling) {
       thin.emplace_back(0.04F * static_cast<float>(i), 0.7F, 1 + 0.04F * static_cast<float>(j));
     }
   }
-  EXPECT_NEAR(Footprint(thin, kTable, 0.1, 0).AreaM2(), 0.36, 0.04);
+  EXPECT_NEAR(Footprint(thin, {}, kTable, 0.1, 0).AreaM2(), 0.36, 0.04);
 }
 
 TEST(Footprint, ProjectsAlongTheNormalOfATiltedSurface) {
@@ -113,7 +140,7 @@ TEST(Footprint, ProjectsAlongTheNormalOfATiltedSurface) {
   const SupportSurface tilted{turn * kTable.normal, kTable.offset_m, 0};
   Points points = Ring();
   for (Eigen::Vector3f& point : points) point = turn * point;
-  const Footprint footprint(points, tilted, 0, 0);
+  const Footprint footprint(points, {}, tilted, 0, 0);
   EXPECT_TRUE(footprint.Covers(turn * Eigen::Vector3f(0, 0.2F, 1.3F)));
   EXPECT_TRUE(footprint.Covers(turn * Eigen::Vector3f(0.25F, 0.2F, 1.3F)));
   EXPECT_FALSE(footprint.Covers(turn * Eigen::Vector3f(0.36F, 0.2F, 1.3F)));

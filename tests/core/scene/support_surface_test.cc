@@ -145,7 +145,7 @@ std::vector<Support> FloorAndTable() {
                             1 + 0.02F * static_cast<float>(j));
     }
   }
-  return {{floor, Footprint()}, {table, Footprint(on_table, table, 0.0, 0.0)}};
+  return {{floor, Footprint()}, {table, Footprint(on_table, {}, table, 0.0, 0.0)}};
 }
 
 TEST(SupportBelow, IsTheNearestThatCoversThePoint) {
