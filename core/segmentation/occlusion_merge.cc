@@ -6,11 +6,11 @@
 #include <map>
 #include <numbers>
 #include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
 #include <set>
 #include <utility>
 
 #include "core/segmentation/disjoint_sets.h"
+#include "core/segmentation/gap.h"
 #include "core/segmentation/image_borders.h"
 #include "core/segmentation/labels.h"
 #include "core/segmentation/segment_color.h"
@@ -154,7 +154,7 @@ class Evidence {
     const std::vector<int> in_b = Sample(segments_[b].voxels);
     return SharedSurface(grid_, in_a, in_b, options_) >= options_.min_shared_surface &&
            SharedSurface(grid_, in_b, in_a, options_) >= options_.min_shared_surface &&
-           NothingBehindBetween(a, b);
+           ShareSeenThrough(image_, points_, a, b) <= options_.max_seen_through;
   }
 
   bool IsInsideOf(int inside, int outside) const {
@@ -181,15 +181,6 @@ class Evidence {
     return share >= 0.25 && share <= 1.1;
   }
 
-  cv::Point2d CenterPx(int segment) const {
-    const cv::Moments moments = cv::moments(image_ == segment, true);
-    return {moments.m10 / moments.m00, moments.m01 / moments.m00};
-  }
-
-  // True if whatever is seen on the line between the two is nearer than they are: a gap through
-  // which the background is seen parts them.
-  bool NothingBehindBetween(int a, int b) const;
-
   const VoxelGrid& grid_;
   const OcclusionMergeOptions& options_;
   const cv::Mat& points_;
@@ -199,32 +190,6 @@ class Evidence {
   cv::Mat image_;
   ImageBorders borders_;
 };
-
-bool Evidence::NothingBehindBetween(int a, int b) const {
-  const cv::Point2d from = CenterPx(a);
-  const cv::Point2d to = CenterPx(b);
-  const auto depth_at = [&](const cv::Point2d& p) {
-    return points_.at<cv::Vec3f>(cvRound(p.y), cvRound(p.x))[2];
-  };
-  const auto mean_depth = [&](int segment) {
-    double sum = 0;
-    for (const int v : segments_[segment].voxels) sum += grid_.voxels[v].mean.z();
-    return sum / static_cast<double>(segments_[segment].voxels.size());
-  };
-  const double depth_a = mean_depth(a);
-  const double depth_b = mean_depth(b);
-  const int steps = cvRound(cv::norm(to - from)) + 1;
-  int behind = 0;
-  for (int i = 0; i <= steps; ++i) {
-    const double share = static_cast<double>(i) / steps;
-    const cv::Point2d p = from + share * (to - from);
-    const int label = image_.at<std::uint16_t>(cvRound(p.y), cvRound(p.x));
-    if (label == a || label == b) continue;
-    const double expected = depth_a + share * (depth_b - depth_a);
-    if (depth_at(p) > expected) ++behind;  // false where there is no depth
-  }
-  return behind <= steps / 20;
-}
 
 }  // namespace
 
