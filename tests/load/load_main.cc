@@ -4,12 +4,15 @@
 #include <cstdlib>
 #include <future>
 #include <iostream>
+#include <map>
 #include <thread>
 
 #include "client/cli/progress.h"
 #include "client/images.h"
+#include "tests/load/process_watch.h"
 #include "tests/load/report.h"
 #include "tests/load/robot.h"
+#include "tests/load/saboteur.h"
 #include "tests/support/labelled_frame.h"
 #include "tests/support/random_scene.h"
 
@@ -17,7 +20,7 @@ namespace {
 
 struct Flags {
   std::string server = "127.0.0.1:50051", kind = "tabletop";
-  int robots = 1, seconds = 20;
+  int robots = 1, seconds = 20, saboteurs = 0, pid = 0;
   double rate_hz = 0, greedy = 1;
   bool stream = false;
 };
@@ -32,6 +35,13 @@ void AddFlags(CLI::App& app, Flags& flags) {
   app.add_option("--greedy", flags.greedy, "The first robot sends this many times as often")
       ->check(CLI::Range(1.0, 1000.0));
   app.add_flag("--stream", flags.stream, "Streams instead of single calls");
+  app.add_option("--saboteurs", flags.saboteurs,
+                 "So many others that send damaged frames, vanish, do not read their answers …")
+      ->check(CLI::Range(0, 100));
+  app.add_option(
+      "--pid", flags.pid,
+      "Process of the server, if it runs on this machine: prints its memory, threads and "
+      "open files every minute");
   app.add_option("--kind", flags.kind, "Kind of the generated scene, as for fovea-scenes")
       ->capture_default_str();
 }
@@ -55,9 +65,36 @@ fovea::v1::Frame MakeFrame(const std::string& kind) {
   return frame;
 }
 
+void Print(const std::map<std::string, std::uint64_t>& deeds) {
+  for (const auto& [name, count] : deeds) std::cout << count << ' ' << name << '\n';
+}
+
+// Lets the time pass, with a bar and, where a process is watched, a line a minute.
+void Wait(const Flags& flags) {
+  constexpr int kMinute_s = 60;
+  fovea::cli::Progress progress(static_cast<std::size_t>(flags.seconds),
+                                fovea::cli::Progress::Stream::kError);
+  for (int second = 0; second < flags.seconds; ++second) {
+    if (flags.pid > 0 && second % kMinute_s == 0) {
+      std::cout << second / kMinute_s << " min: " << fovea::load::SizeOfProcess(flags.pid).Text()
+                << std::endl;
+    }
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    progress.Advance(std::to_string(flags.robots) + " robots");
+  }
+  progress.Finish();
+}
+
 std::vector<fovea::load::Outcome> RunAll(const Flags& flags) {
   const fovea::v1::Frame frame = MakeFrame(flags.kind);
   std::stop_source stop;
+  std::vector<std::future<std::map<std::string, std::uint64_t>>> saboteurs;
+  for (int i = 0; i < flags.saboteurs; ++i) {
+    saboteurs.push_back(std::async(std::launch::async, [&, i] {
+      return fovea::load::RunSaboteur(flags.server, frame, static_cast<unsigned>(i) + 1,
+                                      stop.get_token());
+    }));
+  }
   std::vector<std::future<fovea::load::Outcome>> robots;
   for (int i = 0; i < flags.robots; ++i) {
     fovea::load::RobotPlan plan{.server = flags.server,
@@ -71,16 +108,11 @@ std::vector<fovea::load::Outcome> RunAll(const Flags& flags) {
       return fovea::load::RunRobot(plan, stop.get_token());
     }));
   }
-  fovea::cli::Progress progress(static_cast<std::size_t>(flags.seconds),
-                                fovea::cli::Progress::Stream::kError);
-  for (int second = 0; second < flags.seconds; ++second) {
-    std::this_thread::sleep_for(std::chrono::seconds(1));
-    progress.Advance(std::to_string(flags.robots) + " robots");
-  }
-  progress.Finish();
+  Wait(flags);
   stop.request_stop();
   std::vector<fovea::load::Outcome> outcomes;
   for (auto& robot : robots) outcomes.push_back(robot.get());
+  for (auto& saboteur : saboteurs) Print(saboteur.get());
   return outcomes;
 }
 
