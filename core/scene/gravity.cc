@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace fovea {
@@ -45,7 +46,9 @@ Eigen::Vector3d RefineFrom(Eigen::Vector3d down, const std::vector<Eigen::Vector
                            const GravityOptions& options) {
   for (const double angle_deg : {options.coarse_angle_deg, options.fine_angle_deg}) {
     for (int i = 0; i < options.iterations; ++i) {
-      down = Refine(normals, down, angle_deg * std::numbers::pi / 180);
+      const Eigen::Vector3d before =
+          std::exchange(down, Refine(normals, down, angle_deg * std::numbers::pi / 180));
+      if (down == before) break;  // and so would all further ones be
     }
   }
   return down;
