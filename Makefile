@@ -1,5 +1,5 @@
 # The two commands of the README; developers may use the CMake presets directly.
-.PHONY: all demo test lint clean
+.PHONY: all demo test lint package install clean
 
 PRESET ?= release
 BUILD := build/$(PRESET)
@@ -23,6 +23,14 @@ test: build
 
 lint: dependencies
 	@deploy/lint.sh $(BUILD)
+
+# Debian packages of the server, the client and the Python client, in $(BUILD)
+package: build
+	@cd $(BUILD) && cpack
+
+# Below PREFIX, /usr/local unless given; needs to be root for that
+install: build
+	@cmake --install $(BUILD) $(if $(PREFIX),--prefix $(PREFIX))
 
 clean:
 	rm -rf build demo

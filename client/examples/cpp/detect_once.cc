@@ -3,8 +3,8 @@
 #include <iostream>
 #include <iterator>
 
-#include "client/client.h"
-#include "client/images.h"
+#include "fovea/client/client.h"
+#include "fovea/client/images.h"
 
 std::string ReadFile(const char* path) {
   std::ifstream file(path, std::ios::binary);
@@ -12,11 +12,11 @@ std::string ReadFile(const char* path) {
 }
 
 int main(int argc, char** argv) try {
-  if (argc != 3) throw std::invalid_argument("give a colour image and a 16-bit depth PNG");
-  const fovea::client::Client client("127.0.0.1:50051");
+  if (argc != 4) throw std::invalid_argument("give HOST:PORT, a colour image and a depth PNG");
+  const fovea::client::Client client(argv[1]);
   fovea::v1::DetectRequest request;
-  *request.mutable_frame()->mutable_color() = fovea::client::MakeColorImage(ReadFile(argv[1]));
-  *request.mutable_frame()->mutable_depth() = fovea::client::MakeDepthImage(ReadFile(argv[2]));
+  *request.mutable_frame()->mutable_color() = fovea::client::MakeColorImage(ReadFile(argv[2]));
+  *request.mutable_frame()->mutable_depth() = fovea::client::MakeDepthImage(ReadFile(argv[3]));
   *request.mutable_frame()->mutable_intrinsics() =
       fovea::client::MakeIntrinsics(525, 525, 319.5, 239.5);
 
