@@ -42,12 +42,12 @@ class Grasp:
     @property
     def pose(self) -> FloatArray:
         """4x4 at the tool centre point: x = closing, z = approach, y = z × x."""
-        y = np.cross(self.approach, self.closing)
+        # The vectors were rounded to 32 bits; the matrix is a rotation to the last digits.
+        z = self.approach / np.linalg.norm(self.approach)
+        y = np.cross(z, self.closing)
         y /= np.linalg.norm(y)
         pose = np.eye(4)
-        pose[:3] = np.column_stack(
-            [np.cross(y, self.approach), y, self.approach, self.tool_center_point]
-        )
+        pose[:3] = np.column_stack([np.cross(y, z), y, z, self.tool_center_point])
         return pose
 
 
