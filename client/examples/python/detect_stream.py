@@ -31,16 +31,16 @@ def camera(folder: Path, num_frames: int | None) -> Iterator[fovea.Frame]:
 
 
 def show(answer: fovea.StreamAnswer) -> None:
-    if answer.error:
+    found = answer.detections
+    if found is None:
         print(f"frame {answer.frame_id}: {answer.error}")
-    else:
-        age_ms = (time.time_ns() - answer.detections.captured_at_ns) / 1e6
-        count = len(answer.detections.objects)
-        print(
-            f"frame {answer.frame_id}: {count} objects, {age_ms:.0f} ms old, "
-            f"{answer.dropped} dropped before it",
-            flush=True,
-        )
+        return
+    age_ms = (time.time_ns() - (found.captured_at_ns or 0)) / 1e6
+    print(
+        f"frame {answer.frame_id}: {len(found.objects)} objects, {age_ms:.0f} ms old, "
+        f"{answer.dropped} dropped before it",
+        flush=True,
+    )
 
 
 def main() -> None:

@@ -189,7 +189,20 @@ class Client:
             with self._errors():
                 return method(request, timeout=seconds_left, metadata=self._metadata)
 
-        return call_with_retries(call, self._timeout_of(timeout), self._retry, self._closed)
+        return call_with_retries(call, self._timeout_of(timeout), self._retry, self._wait)
+
+    def _wait(self, seconds: float) -> None:
+        """Raises Cancelled when the client is closed."""
+
+        def watcher(_: grpc.ChannelConnectivity) -> None:
+            """gRPC connects again at once only while somebody looks on, else within 5 s."""
+
+        if not self._closed.is_set():
+            self._channel.subscribe(watcher)
+            self._closed.wait(seconds)
+            self._channel.unsubscribe(watcher)
+        if self._closed.is_set():
+            raise Cancelled("CANCELLED", "the client is closed")
 
     @contextmanager
     def _errors(self) -> Iterator[None]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import random
-import threading
 import time
 from collections.abc import Callable
 from typing import TypeVar
@@ -31,11 +30,12 @@ def call_with_retries(
     call: Callable[[float], Answer],
     timeout: float,
     options: RetryOptions,
-    closed: threading.Event,
+    wait: Callable[[float], None],
 ) -> Answer:
     """Makes call(seconds left), again if need be and while `timeout` allows.
 
-    Raises the error of the last attempt where none succeeds. `closed` ends the waits.
+    wait(seconds) waits before the next attempt, or raises where there is to be none. Raises the
+    error of the last attempt where none succeeds.
     """
     deadline = time.monotonic() + timeout
     attempt = 1
@@ -43,9 +43,9 @@ def call_with_retries(
         try:
             return call(deadline - time.monotonic())
         except FoveaError as error:
-            wait = backoff_after(attempt, options, error)
-            is_last = attempt >= options.max_attempts or time.monotonic() + wait >= deadline
-            if closed.is_set() or is_last or not is_worth_retrying(error):
+            seconds = backoff_after(attempt, options, error)
+            is_last = attempt >= options.max_attempts or time.monotonic() + seconds >= deadline
+            if is_last or not is_worth_retrying(error):
                 raise
-        closed.wait(wait)
+        wait(seconds)
         attempt += 1

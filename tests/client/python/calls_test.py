@@ -162,6 +162,18 @@ def test_a_closed_client_makes_no_calls(server: ServerProcess, scene: Scene) -> 
             call()
 
 
+def test_closing_ends_waits_between_attempts() -> None:
+    with ServerProcess() as gone:
+        address = gone.address
+    forever = fovea.RetryOptions(max_attempts=100_000, backoff=PATIENCE, max_backoff=PATIENCE)
+    client = fovea.Client(address, timeout=10 * PATIENCE, retry=forever)
+    with ThreadPoolExecutor() as threads:
+        call = threads.submit(client.get_server_info)
+        client.close()
+        with pytest.raises(fovea.Cancelled):
+            call.result(PATIENCE / 4)
+
+
 def test_closing_ends_calls_of_other_threads(scene: Scene) -> None:
     with ServerProcess() as server, ThreadPoolExecutor() as threads:
         client = fovea.Client(server.address, timeout=PATIENCE, retry=PERSISTENT)

@@ -41,7 +41,9 @@ def test_finds_the_objects_that_the_command_line_finds(
         assert list(each.centroid) == [same["centroid"][axis] for axis in "xyz"]
         position = same["oriented_box"]["pose"]["position"]
         assert list(each.oriented_box.pose[:3, 3]) == [position[axis] for axis in "xyz"]
-        assert list(each.oriented_box.size) == [same["oriented_box"]["size"][axis] for axis in "xyz"]
+        assert list(each.oriented_box.size) == [
+            same["oriented_box"]["size"][axis] for axis in "xyz"
+        ]
 
 
 def test_boxes_bound_the_masks_and_the_clouds(client: fovea.Client, scene: Scene) -> None:
