@@ -28,6 +28,7 @@ class ServerProcess:
     def freeze(self) -> None:
         """It answers nothing until thaw()."""
         self._process.send_signal(signal.SIGSTOP)
+        os.waitpid(self._process.pid, os.WUNTRACED)  # until all of its threads have stopped
 
     def thaw(self) -> None:
         self._process.send_signal(signal.SIGCONT)
