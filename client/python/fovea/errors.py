@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from typing import Any
 
 import grpc
 
@@ -22,6 +23,16 @@ class FoveaError(Exception):
         super().__init__(f"{code}: {message}")
         self.code = code
         self.message = message
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """For pickle, since the constructors differ."""
+        return _restored, (type(self), self.args, self.__dict__)
+
+
+def _restored(kind: type[FoveaError], args: tuple[Any, ...], state: dict[str, Any]) -> FoveaError:
+    error = kind.__new__(kind, *args)
+    error.__dict__.update(state)
+    return error
 
 
 class InvalidArgument(FoveaError, ValueError):
@@ -108,6 +119,7 @@ def error_of_call(call: grpc.RpcError) -> FoveaError:
     """The exception for a call of gRPC that failed."""
     message = call.details() or ""
     for key, value in call.trailing_metadata() or ():
-        if key == "retry-after-ms" and call.code() is grpc.StatusCode.RESOURCE_EXHAUSTED:
+        is_overload = call.code() is grpc.StatusCode.RESOURCE_EXHAUSTED
+        if is_overload and key == "retry-after-ms" and value.isdecimal():
             return Overloaded(message, int(value) / 1000)
     return error_of(call.code().value[0], message)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 import sys
 from typing import Any
 
@@ -146,6 +147,19 @@ def test_errors_without_a_field_have_none() -> None:
         error = error_of(3, message)
         assert isinstance(error, fovea.InvalidArgument)
         assert (error.field, error.message) == ("", message)
+
+
+def test_errors_travel_between_processes() -> None:
+    for error in (
+        fovea.InvalidArgument("frame.depth", "is empty"),
+        fovea.Overloaded("full", retry_after=0.5),
+        fovea.MissingPackage("png", "python3-pil"),
+        fovea.VersionMismatch("1.0.0", "2.0.0"),
+    ):
+        copy = pickle.loads(pickle.dumps(error))
+        assert type(copy) is type(error)
+        assert str(copy) == str(error)
+        assert vars(copy) == vars(error)
 
 
 def test_unknown_codes_are_errors_too() -> None:
