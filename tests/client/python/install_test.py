@@ -23,7 +23,8 @@ def installed(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Where the package is, installed without network from a copy of the sources."""
     folder = tmp_path_factory.mktemp("pip")
     for part in ("client/python", "proto"):
-        shutil.copytree(SOURCE / part, folder / "source" / part)
+        built = shutil.ignore_patterns("build", "*.egg-info", "__pycache__")
+        shutil.copytree(SOURCE / part, folder / "source" / part, ignore=built)
     target = folder / "target"
     command = [sys.executable, "-m", "pip", "install", "--no-index", "--no-build-isolation"]
     command += ["--no-deps", "--target", str(target), str(folder / "source/client/python")]
