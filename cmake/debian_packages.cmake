@@ -36,6 +36,7 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
     "python3:any, python3-grpcio, python3-protobuf, python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-pil, python3-zstandard")
 
 install(FILES deploy/fovea-server.service DESTINATION lib/systemd/system COMPONENT server)
 install(FILES deploy/fovea-server.toml DESTINATION /etc/fovea COMPONENT server)

@@ -1,0 +1,66 @@
+"""Finds unknown objects in RGB-D frames: client of fovea-server.
+
+    import fovea
+
+    with fovea.Client("127.0.0.1:50051") as client:
+        found = client.detect(color, depth, fovea.CameraIntrinsics(525, 525, 319.5, 239.5))
+    for each in found.objects:
+        print(each.label, each.oriented_box.pose[:3, 3], each.mask.sum())
+
+Positions are in metres in the camera's optical frame: x right, y down, z forward.
+"""
+
+from fovea.client import Client
+from fovea.detections import Detections, Diagnostics, Gravity, Seed, SupportSurface
+from fovea.errors import (
+    Cancelled,
+    DeadlineExceeded,
+    FoveaError,
+    InvalidArgument,
+    MissingPackage,
+    Overloaded,
+    ResourceExhausted,
+    Unauthenticated,
+    Unavailable,
+    VersionMismatch,
+)
+from fovea.frame import CameraIntrinsics, Frame
+from fovea.objects import BoundingBox2D, Grasp, Object, OrientedBox, PointCloud
+from fovea.options import DetectOptions, RetryOptions, TlsOptions
+from fovea.server_info import ServerInfo, StageStatistics, Statistics
+from fovea.stream import StreamAnswer
+from fovea.version import __version__
+
+__all__ = [
+    "BoundingBox2D",
+    "CameraIntrinsics",
+    "Cancelled",
+    "Client",
+    "DeadlineExceeded",
+    "DetectOptions",
+    "Detections",
+    "Diagnostics",
+    "FoveaError",
+    "Frame",
+    "Grasp",
+    "Gravity",
+    "InvalidArgument",
+    "MissingPackage",
+    "Object",
+    "OrientedBox",
+    "Overloaded",
+    "PointCloud",
+    "ResourceExhausted",
+    "RetryOptions",
+    "Seed",
+    "ServerInfo",
+    "StageStatistics",
+    "Statistics",
+    "StreamAnswer",
+    "SupportSurface",
+    "TlsOptions",
+    "Unauthenticated",
+    "Unavailable",
+    "VersionMismatch",
+    "__version__",
+]

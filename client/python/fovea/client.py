@@ -1,0 +1,220 @@
+"""Talks to a fovea server."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Generator, Iterable, Iterator
+from contextlib import contextmanager
+from types import TracebackType
+from typing import Any, TypeVar
+
+import grpc
+import numpy as np
+import numpy.typing as npt
+
+from fovea.channel import make_channel, make_metadata
+from fovea.detections import Detections, detections_from_proto
+from fovea.errors import Cancelled, Unavailable, error_of_call
+from fovea.frame import CameraIntrinsics, Frame
+from fovea.health import Health
+from fovea.options import DetectOptions, RetryOptions, TlsOptions
+from fovea.retry import call_with_retries
+from fovea.server_info import (
+    ServerInfo,
+    Statistics,
+    require_same_version,
+    server_info_from_proto,
+    statistics_from_proto,
+)
+from fovea.stream import DetectStream, StreamAnswer
+from fovea.v1 import detection_service_pb2, detection_service_pb2_grpc
+
+Answer = TypeVar("Answer")
+
+
+class Client:
+    """Thread-safe: one client serves any number of threads over one connection, which it opens at
+    the first call and opens again when it was lost. All times are in seconds.
+
+    Every call has a deadline and raises a FoveaError: DeadlineExceeded when that passes,
+    Unavailable when the server is away and Overloaded when it has too much to do, each after the
+    attempts of `retry`; InvalidArgument, which names the field, at once.
+
+        with fovea.Client("127.0.0.1:50051") as client:
+            found = client.detect(color, depth, intrinsics)
+    """
+
+    def __init__(
+        self,
+        address: str,
+        *,
+        timeout: float = 10.0,
+        retry: RetryOptions = RetryOptions(),
+        max_answer_mib: int = 64,
+        tls: TlsOptions | None = None,
+        token: str = "",
+        robot: str = "",
+    ) -> None:
+        """Does not connect yet; check() does.
+
+        address: HOST:PORT or any gRPC target, for example "ipv4:10.0.0.1:50051,10.0.0.2:50051".
+            Calls go to several addresses in turn.
+        timeout: of a call that is given none.
+        max_answer_mib: largest answer; the clouds of a 1920x1080 frame are 31 MiB.
+        tls: encrypts where it is given.
+        token: without TLS anybody on the way can read it. robot: the robot's name; empty = the
+            server goes by the token, the certificate or the host.
+        """
+        self._timeout = timeout
+        self._retry = retry
+        self._metadata = make_metadata(token, robot)
+        self._closed = threading.Event()
+        self._channel = make_channel(address, tls, max_answer_mib)
+        self._stub: Any = detection_service_pb2_grpc.DetectionServiceStub(self._channel)  # type: ignore[no-untyped-call]
+        self._health = Health(self._channel, self._metadata)
+
+    def __enter__(self) -> Client:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Ends all calls, of other threads too: they raise Cancelled."""
+        self._closed.set()
+        self._channel.close()
+
+    def wait_until_ready(self, timeout: float | None = None) -> None:
+        """Returns once the server says that it serves; raises a FoveaError after `timeout`."""
+        with self._errors():
+            for serving in self._health.watch(self._timeout_of(timeout)):
+                if serving:
+                    return
+        raise Unavailable("UNAVAILABLE", "the server is not ready")
+
+    def is_serving(self) -> bool:
+        """Asks once. False where the server answers that it does not serve; raises a FoveaError
+        where it does not answer."""
+        with self._errors():
+            return self._health.is_serving(self._timeout)
+
+    def check(self, timeout: float | None = None) -> ServerInfo:
+        """Waits until the server serves, and sees that it has the version of this library.
+
+        Raises VersionMismatch, or another FoveaError where it does not serve in time or does not
+        let this client in.
+        """
+        self.wait_until_ready(timeout)
+        info = self.get_server_info()
+        require_same_version(info.version)
+        return info
+
+    def get_server_info(self) -> ServerInfo:
+        """What this server is and what it lets through."""
+        request = detection_service_pb2.GetServerInfoRequest()
+        return server_info_from_proto(self._call(self._stub.GetServerInfo, request))
+
+    def get_statistics(self) -> Statistics:
+        """What it has done since it started, over all robots."""
+        request = detection_service_pb2.GetStatisticsRequest()
+        return statistics_from_proto(self._call(self._stub.GetStatistics, request))
+
+    def detect(
+        self,
+        color: npt.NDArray[np.uint8] | bytes,
+        depth: npt.NDArray[np.uint16] | npt.NDArray[np.float32] | bytes,
+        intrinsics: CameraIntrinsics | npt.ArrayLike,
+        options: DetectOptions = DetectOptions(),
+        *,
+        timeout: float | None = None,
+        **frame: Any,
+    ) -> Detections:
+        """The objects in one frame. Frame says what color, depth and intrinsics may be, and which
+        further arguments there are, for example gravity, camera_pose or depth_encoding.
+
+        No object is an answer, whose diagnostics say why.
+        """
+        return self.detect_frame(Frame(color, depth, intrinsics, **frame), options, timeout=timeout)
+
+    def detect_frame(
+        self,
+        frame: Frame,
+        options: DetectOptions = DetectOptions(),
+        *,
+        timeout: float | None = None,
+    ) -> Detections:
+        request = detection_service_pb2.DetectRequest(
+            frame=frame.to_proto(), options=options.to_proto()
+        )
+        return detections_from_proto(self._call(self._stub.Detect, request, timeout).detections)
+
+    def stream(
+        self,
+        frames: Iterable[Frame],
+        options: DetectOptions = DetectOptions(),
+        *,
+        timeout: float | None = None,
+        every_frame: bool = False,
+    ) -> Generator[StreamAnswer, None, None]:
+        """Sends frames as `frames` yields them and yields the answers in order.
+
+        Made for cameras: the server answers the newest frame and drops those that came while it
+        was at work; StreamAnswer.dropped counts them, and the last frame is always answered. With
+        `every_frame` the next frame is taken only when the last one has its answer, so that none
+        is dropped. A frame that cannot be answered gets an error in its answer and the stream goes
+        on. Raises a FoveaError where the stream breaks, and whatever `frames` raises, after the
+        answers to the frames before. It is not opened again by itself.
+
+        `frames` is iterated in another thread. Stop early by leaving the loop or with close(): what
+        has no answer yet is cancelled.
+
+        timeout: longest wait for an answer while a frame has none; the stream itself has no end.
+        """
+        stream = DetectStream(frames, options.to_proto(), self._timeout_of(timeout), every_frame)
+        return stream.run(self._open_stream)
+
+    def _open_stream(self, requests: Iterator[detection_service_pb2.DetectStreamRequest]) -> Any:
+        with self._errors():
+            return self._stub.DetectStream(requests, metadata=self._metadata)
+
+    def _call(
+        self, method: Callable[..., Answer], request: object, timeout: float | None = None
+    ) -> Answer:
+        def call(seconds_left: float) -> Answer:
+            with self._errors():
+                return method(request, timeout=seconds_left, metadata=self._metadata)
+
+        return call_with_retries(call, self._timeout_of(timeout), self._retry, self._wait)
+
+    def _wait(self, seconds: float) -> None:
+        """Raises Cancelled when the client is closed."""
+
+        def watcher(_: grpc.ChannelConnectivity) -> None:
+            """gRPC connects again at once only while somebody looks on, else within 5 s."""
+
+        if not self._closed.is_set():
+            self._channel.subscribe(watcher)
+            self._closed.wait(seconds)
+            self._channel.unsubscribe(watcher)
+        if self._closed.is_set():
+            raise Cancelled("CANCELLED", "the client is closed")
+
+    @contextmanager
+    def _errors(self) -> Iterator[None]:
+        """Turns exceptions of gRPC into ours."""
+        try:
+            yield
+        except grpc.RpcError as error:
+            raise error_of_call(error) from None
+        except ValueError:  # what gRPC says of a closed channel
+            if not self._closed.is_set():
+                raise
+            raise Cancelled("CANCELLED", "the client is closed") from None
+
+    def _timeout_of(self, timeout: float | None) -> float:
+        return self._timeout if timeout is None else timeout

@@ -1,0 +1,140 @@
+"""What was found in a frame."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from fovea.geometry import FloatArray, vector_from_proto
+from fovea.objects import Object, object_from_proto
+from fovea.v1 import detection_pb2
+
+
+@dataclass(frozen=True, eq=False)
+class Gravity:
+    direction: FloatArray  # unit vector that points down
+    source: str  # "estimated" or "request"
+
+
+@dataclass(frozen=True, eq=False)
+class SupportSurface:
+    """The plane normal · p + offset = 0. The normal is a unit vector that points up."""
+
+    normal: FloatArray
+    offset: float
+    num_points: int
+
+
+@dataclass(frozen=True, eq=False)
+class Seed:
+    """A position at which an object was looked for."""
+
+    x: int
+    y: int
+    position: FloatArray
+    source: str  # "color_saliency", "depth_saliency" or "unexplained_region"
+
+
+@dataclass(frozen=True)
+class Diagnostics:
+    """How much was left after each step: says why there are few objects, or none."""
+
+    num_pixels: int
+    num_measured: int
+    num_points: int
+    seeds_from_color: int
+    seeds_from_depth: int
+    seeds_without_depth: int
+    seeds_on_support: int
+    num_seeds: int
+    num_voxels: int
+    num_segments: int
+    num_merged: int
+    segments_too_small: int
+    segments_implausible: int  # too large, hanging from a surface, or in the air
+    messages: list[str]  # for people: what limited the result, most telling first
+
+
+@dataclass(frozen=True, eq=False)
+class Detections:
+    frame_id: str
+    captured_at_ns: int | None
+    profile: str
+    width: int  # of the colour image, in pixels
+    height: int
+    objects: list[Object]
+    gravity: Gravity
+    support_surface: SupportSurface | None  # None where none was found
+    # Milliseconds, in the order of the pipeline; "queue" and "decode" are the server's part.
+    stage_times_ms: dict[str, float]
+    diagnostics: Diagnostics
+    # By name, "color" and "depth": HxW uint8, 255 = most salient of this frame.
+    saliency_maps: dict[str, npt.NDArray[np.uint8]]
+    seeds: list[Seed]
+
+    def label_image(self) -> npt.NDArray[np.uint16]:
+        """HxW: 0 = background, k = the object with label k. Needs masks."""
+        labels = np.zeros((self.height, self.width), dtype=np.uint16)
+        for found in self.objects:
+            if found.mask is None:
+                raise ValueError("there are no masks; ask for them with return_masks=True")
+            labels[found.mask] = found.label
+        return labels
+
+
+def detections_from_proto(proto: detection_pb2.Detections) -> Detections:
+    captured_at = proto.captured_at.ToNanoseconds() if proto.HasField("captured_at") else None
+    return Detections(
+        frame_id=proto.frame_id,
+        captured_at_ns=captured_at,
+        profile=proto.profile,
+        width=proto.width,
+        height=proto.height,
+        objects=[object_from_proto(each, proto.height, proto.width) for each in proto.objects],
+        gravity=Gravity(
+            direction=vector_from_proto(proto.gravity.direction),
+            source=_name_of(detection_pb2.GravitySource, proto.gravity.source),
+        ),
+        support_surface=_support(proto.support_surface)
+        if proto.HasField("support_surface")
+        else None,
+        stage_times_ms={
+            time.stage: time.duration.ToNanoseconds() / 1e6 for time in proto.stage_times
+        },
+        diagnostics=_diagnostics(proto.diagnostics),
+        saliency_maps={
+            each.name: np.frombuffer(each.data, dtype=np.uint8).reshape(each.height, each.width)
+            for each in proto.saliency_maps
+        },
+        seeds=[_seed(seed) for seed in proto.seeds],
+    )
+
+
+def _name_of(enum: type, number: int) -> str:
+    """ "estimated" for GRAVITY_SOURCE_ESTIMATED; the number where a newer server sends more."""
+    for name, value in enum.items():  # type: ignore[attr-defined]
+        if value == number:
+            return str(name).split("_SOURCE_", 1)[1].lower()
+    return str(number)
+
+
+def _support(proto: detection_pb2.SupportSurface) -> SupportSurface:
+    return SupportSurface(
+        normal=vector_from_proto(proto.plane.normal),
+        offset=proto.plane.offset,
+        num_points=proto.num_points,
+    )
+
+
+def _seed(proto: detection_pb2.Seed) -> Seed:
+    source = _name_of(detection_pb2.SeedSource, proto.source)
+    return Seed(x=proto.x, y=proto.y, position=vector_from_proto(proto.position), source=source)
+
+
+def _diagnostics(proto: detection_pb2.Diagnostics) -> Diagnostics:
+    names = [name for name in Diagnostics.__dataclass_fields__ if name != "messages"]
+    return Diagnostics(
+        messages=list(proto.messages), **{name: getattr(proto, name) for name in names}
+    )

@@ -1,0 +1,125 @@
+"""What goes wrong, as exceptions. All are FoveaError."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+import grpc
+
+# The path in front of the server's message: "frame.depth.data", "options.parameters[no.such]",
+# "frame.color.width, height" or "metadata fovea-robot".
+_FIELD = re.compile(r"((?:metadata )?[\w.-]+(?:\[.*?\])?(?:, [\w.]+)*): (.*)", re.DOTALL)
+
+
+class FoveaError(Exception):
+    """A call that did not succeed; str() is "CODE: message".
+
+    code: name of the gRPC status code, for example "UNAVAILABLE".
+    message: without the code.
+    """
+
+    def __init__(self, code: str, message: str) -> None:
+        super().__init__(f"{code}: {message}")
+        self.code = code
+        self.message = message
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """For pickle, since the constructors differ."""
+        return _restored, (type(self), self.args, self.__dict__)
+
+
+def _restored(kind: type[FoveaError], args: tuple[Any, ...], state: dict[str, Any]) -> FoveaError:
+    error = kind.__new__(kind, *args)
+    error.__dict__.update(state)
+    return error
+
+
+class InvalidArgument(FoveaError, ValueError):
+    """The request cannot be answered as it is, and never will be.
+
+    field: path of what is wrong in the contract, for example "frame.depth.data"; "" if unknown.
+    """
+
+    def __init__(self, field: str, problem: str) -> None:
+        super().__init__("INVALID_ARGUMENT", f"{field}: {problem}" if field else problem)
+        self.field = field
+
+
+class MissingPackage(FoveaError, ImportError):
+    """An encoding needs a Python package that is not installed.
+
+    package: name of the Debian package that has it.
+    """
+
+    def __init__(self, encoding: str, package: str) -> None:
+        super().__init__(
+            "FAILED_PRECONDITION", f'the encoding "{encoding}" needs the Debian package {package}'
+        )
+        self.package = package
+
+
+class VersionMismatch(FoveaError):
+    """The server speaks another version of the contract."""
+
+    def __init__(self, server: str, client: str) -> None:
+        super().__init__(
+            "FAILED_PRECONDITION", f"the server has version {server}, this library is {client}"
+        )
+
+
+class Unauthenticated(FoveaError):
+    """The token is missing, unknown or has expired."""
+
+
+class Unavailable(FoveaError):
+    """No server answers there, or it is stopping."""
+
+
+class DeadlineExceeded(FoveaError, TimeoutError):
+    """No answer in time."""
+
+
+class Cancelled(FoveaError):
+    """The call was ended, for example because the client was closed."""
+
+
+class ResourceExhausted(FoveaError):
+    """Larger than the server or this client takes."""
+
+
+class Overloaded(ResourceExhausted):
+    """The server has too much to do. retry_after: seconds after which it asks to come back."""
+
+    def __init__(self, message: str, retry_after: float) -> None:
+        super().__init__("RESOURCE_EXHAUSTED", message)
+        self.retry_after = retry_after
+
+
+_CLASSES = {
+    "CANCELLED": Cancelled,
+    "DEADLINE_EXCEEDED": DeadlineExceeded,
+    "RESOURCE_EXHAUSTED": ResourceExhausted,
+    "UNAVAILABLE": Unavailable,
+    "UNAUTHENTICATED": Unauthenticated,
+}
+_NAMES = {code.value[0]: code.name for code in grpc.StatusCode}
+
+
+def error_of(code: int, message: str) -> FoveaError:
+    """The exception for a status code by its number, as FrameError has it."""
+    name = _NAMES.get(code, "UNKNOWN")
+    if name != "INVALID_ARGUMENT":
+        return _CLASSES.get(name, FoveaError)(name, message)
+    found = _FIELD.fullmatch(message)
+    return InvalidArgument(*found.groups()) if found else InvalidArgument("", message)
+
+
+def error_of_call(call: grpc.RpcError) -> FoveaError:
+    """The exception for a call of gRPC that failed."""
+    message = call.details() or ""
+    for key, value in call.trailing_metadata() or ():
+        is_overload = call.code() is grpc.StatusCode.RESOURCE_EXHAUSTED
+        if is_overload and key == "retry-after-ms" and value.isdecimal():
+            return Overloaded(message, int(value) / 1000)
+    return error_of(call.code().value[0], message)

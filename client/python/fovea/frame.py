@@ -1,0 +1,109 @@
+"""A frame of an RGB-D camera, as it is sent."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+from google.protobuf.timestamp_pb2 import Timestamp
+
+from fovea.errors import InvalidArgument
+from fovea.geometry import numbers, pose_to_proto, vector_to_proto
+from fovea.images import make_color_image, make_depth_image
+from fovea.v1 import frame_pb2
+
+_INTRINSICS = "frame.intrinsics"
+
+
+@dataclass(frozen=True)
+class CameraIntrinsics:
+    """Pinhole model without distortion, in pixels of the colour image.
+
+    The centre of the top left pixel is (0, 0).
+    """
+
+    fx: float
+    fy: float
+    cx: float
+    cy: float
+
+    @staticmethod
+    def from_matrix(matrix: npt.ArrayLike) -> CameraIntrinsics:
+        """From [[fx, 0, cx], [0, fy, cy], [0, 0, 1]]."""
+        k = numbers(matrix, (3, 3), _INTRINSICS)
+        if not np.array_equal(k[[0, 1, 2, 2, 2], [1, 0, 0, 1, 2]], [0, 0, 0, 0, 1]):
+            raise InvalidArgument(_INTRINSICS, "is not [[fx, 0, cx], [0, fy, cy], [0, 0, 1]]")
+        return CameraIntrinsics(k[0, 0], k[1, 1], k[0, 2], k[1, 2])
+
+    def to_proto(self) -> frame_pb2.CameraIntrinsics:
+        for name in ("fx", "fy", "cx", "cy"):
+            value = getattr(self, name)
+            if not (isinstance(value, (int, float, np.number)) and math.isfinite(value)):
+                raise InvalidArgument(f"{_INTRINSICS}.{name}", f"{value!r} is not a finite number")
+        return frame_pb2.CameraIntrinsics(fx=self.fx, fy=self.fy, cx=self.cx, cy=self.cy)
+
+
+@dataclass(frozen=True, eq=False)
+class Frame:
+    """Colour and depth, registered: pixel (u, v) of both looks along the same ray, and both have
+    one size. Nothing is checked or copied before the frame is sent.
+
+    color: HxWx3 uint8 in the order of color_encoding, or the bytes of a PNG or JPEG file.
+    depth: HxW uint16 in units of depth_unit_m, 0 = not measured; or HxW float32 in metres, NaN or
+        <= 0 = not measured; or the bytes of a 16-bit PNG file. Along the optical axis.
+    intrinsics: CameraIntrinsics or a 3x3 matrix.
+    id: comes back with the answer, and stands in the ids of objects.
+    captured_at_ns: when the camera took it, in nanoseconds since 1970 UTC as time.time_ns() says.
+    gravity: unit vector that points down, in the camera frame (x right, y down, z forward).
+        Estimated from the scene where absent.
+    camera_pose: 4x4, of the camera in a frame of your choice. Objects then have their pose there,
+        too, as pose_in_reference.
+    color_encoding: "rgb8", "bgr8", "png" or "jpeg"; depth_encoding: "raw", "zstd" or "png". Of
+        arrays; files are sent as they are.
+    """
+
+    color: npt.NDArray[np.uint8] | bytes
+    depth: npt.NDArray[np.uint16] | npt.NDArray[np.float32] | bytes
+    intrinsics: CameraIntrinsics | npt.ArrayLike
+    id: str = ""
+    captured_at_ns: int | None = None
+    gravity: npt.ArrayLike | None = None
+    camera_pose: npt.ArrayLike | None = None
+    depth_unit_m: float = 0.001
+    color_encoding: str = "rgb8"
+    depth_encoding: str = "raw"
+
+    def to_proto(self) -> frame_pb2.Frame:
+        """Raises InvalidArgument that names the field."""
+        intrinsics = self.intrinsics
+        if not isinstance(intrinsics, CameraIntrinsics):
+            intrinsics = CameraIntrinsics.from_matrix(intrinsics)
+        proto = frame_pb2.Frame(
+            id=self.id,
+            intrinsics=intrinsics.to_proto(),
+            color=make_color_image(self.color, self.color_encoding),
+            depth=make_depth_image(self.depth, self.depth_encoding, self.depth_unit_m),
+        )
+        _require_same_size(self.color, self.depth)
+        if self.captured_at_ns is not None:
+            seconds, nanos = divmod(self.captured_at_ns, 1_000_000_000)
+            proto.captured_at.CopyFrom(Timestamp(seconds=seconds, nanos=nanos))
+        if self.gravity is not None:
+            proto.gravity.CopyFrom(vector_to_proto(self.gravity, "frame.gravity"))
+        if self.camera_pose is not None:
+            proto.camera_pose.CopyFrom(pose_to_proto(self.camera_pose, "frame.camera_pose"))
+        return proto
+
+
+def _require_same_size(color: Any, depth: Any) -> None:
+    """The sizes of files the server checks."""
+    if isinstance(color, np.ndarray) and isinstance(depth, np.ndarray):
+        if color.shape[:2] != depth.shape:
+            raise InvalidArgument(
+                "frame.depth",
+                f"is {depth.shape[1]}x{depth.shape[0]}, colour is "
+                f"{color.shape[1]}x{color.shape[0]}; depth must be registered to colour",
+            )

@@ -1,0 +1,112 @@
+"""Images of a request from arrays or whole files, in the encodings of the contract."""
+
+from __future__ import annotations
+
+import io
+from typing import Any
+
+import numpy as np
+
+from fovea.errors import InvalidArgument, MissingPackage
+from fovea.v1 import frame_pb2
+
+JPEG_QUALITY = 90
+_COLOR, _DEPTH = "frame.color", "frame.depth"
+
+
+def make_color_image(color: Any, encoding: str = "rgb8") -> frame_pb2.ColorImage:
+    """HxWx3 uint8, or the bytes of a PNG or JPEG file, which are sent as they are.
+
+    encoding: "rgb8" (as it is, lossless), "bgr8" (the same for arrays in the order blue, green,
+    red), "png" (RGB array, lossless) or "jpeg" (RGB array, lossy).
+    """
+    if isinstance(color, (bytes, bytearray, memoryview)):
+        return _color_file(bytes(color))
+    _require_array(color, _COLOR, ("uint8",), "HxWx3 uint8")
+    if color.ndim != 3 or color.shape[2] != 3:
+        raise InvalidArgument(_COLOR, f"has the shape {color.shape}, not HxWx3")
+    if encoding in ("rgb8", "bgr8"):
+        number = getattr(frame_pb2, f"COLOR_ENCODING_{encoding.upper()}")
+        return frame_pb2.ColorImage(encoding=number, data=color.tobytes(), **_size_of(color))
+    if encoding == "png":
+        return _color_file(_file_of(color, "png", compress_level=1))
+    if encoding == "jpeg":
+        return _color_file(_file_of(color, "jpeg", quality=JPEG_QUALITY))
+    raise InvalidArgument(f"{_COLOR}.encoding", f'"{encoding}" is not one of rgb8, bgr8, png, jpeg')
+
+
+def make_depth_image(
+    depth: Any, encoding: str = "raw", unit_m: float = 0.001
+) -> frame_pb2.DepthImage:
+    """HxW uint16 in units of `unit_m` metres with 0 = not measured; or HxW float32 in metres, where
+    NaN or <= 0 = not measured; or the bytes of a 16-bit PNG file, which are sent as they are.
+
+    encoding: "raw", "zstd" or "png" (uint16 only). All are lossless.
+    """
+    if isinstance(depth, (bytes, bytearray, memoryview)):
+        return _depth_file(bytes(depth), unit_m)
+    _require_array(depth, _DEPTH, ("uint16", "float32"), "HxW uint16 or float32")
+    if depth.ndim != 2:
+        raise InvalidArgument(_DEPTH, f"has the shape {depth.shape}, not HxW")
+    kind = "16UC1" if depth.dtype.name == "uint16" else "32FC1"
+    if encoding == "png":
+        if kind != "16UC1":
+            raise InvalidArgument(f"{_DEPTH}.encoding", '"png" holds uint16 only, not float32')
+        return _depth_file(_file_of(depth, "png", compress_level=1), unit_m)
+    if encoding not in ("raw", "zstd"):
+        raise InvalidArgument(f"{_DEPTH}.encoding", f'"{encoding}" is not one of raw, zstd, png')
+    data = depth.astype(depth.dtype.newbyteorder("<"), copy=False).tobytes()
+    if encoding == "zstd":
+        data, kind = _zstd_of(data), kind + "_ZSTD"
+    number = getattr(frame_pb2, f"DEPTH_ENCODING_{kind}")
+    return frame_pb2.DepthImage(encoding=number, data=data, unit_m=unit_m, **_size_of(depth))
+
+
+def _require_array(image: Any, field: str, dtypes: tuple[str, ...], expected: str) -> None:
+    if not isinstance(image, np.ndarray):
+        raise InvalidArgument(field, f"is {type(image).__name__}, not an array of {expected}")
+    if image.dtype.name not in dtypes:
+        raise InvalidArgument(field, f"is an array of {image.dtype.name}, not {expected}")
+    if image.size == 0:
+        raise InvalidArgument(field, f"is empty: its shape is {image.shape}")
+
+
+def _size_of(image: Any) -> dict[str, int]:
+    return {"width": image.shape[1], "height": image.shape[0]}
+
+
+def _is_png(file: bytes) -> bool:
+    return file.startswith(b"\x89PNG\r\n\x1a\n")
+
+
+def _color_file(file: bytes) -> frame_pb2.ColorImage:
+    if _is_png(file):
+        return frame_pb2.ColorImage(encoding=frame_pb2.COLOR_ENCODING_PNG, data=file)
+    if file.startswith(b"\xff\xd8\xff"):
+        return frame_pb2.ColorImage(encoding=frame_pb2.COLOR_ENCODING_JPEG, data=file)
+    raise InvalidArgument(f"{_COLOR}.data", "is neither a PNG nor a JPEG file")
+
+
+def _depth_file(file: bytes, unit_m: float) -> frame_pb2.DepthImage:
+    if not _is_png(file):
+        raise InvalidArgument(f"{_DEPTH}.data", "is not a PNG file")
+    encoding = frame_pb2.DEPTH_ENCODING_16UC1_PNG
+    return frame_pb2.DepthImage(encoding=encoding, data=file, unit_m=unit_m)
+
+
+def _file_of(image: Any, kind: str, **settings: Any) -> bytes:
+    try:
+        from PIL import Image
+    except ImportError:
+        raise MissingPackage(kind, "python3-pil") from None
+    file = io.BytesIO()
+    Image.fromarray(np.ascontiguousarray(image)).save(file, kind, **settings)
+    return file.getvalue()
+
+
+def _zstd_of(data: bytes) -> bytes:
+    try:
+        import zstandard
+    except ImportError:
+        raise MissingPackage("zstd", "python3-zstandard") from None
+    return bytes(zstandard.ZstdCompressor(level=1).compress(data))

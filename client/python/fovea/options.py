@@ -1,0 +1,64 @@
+"""How a client connects, and what it asks for."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from fovea.errors import InvalidArgument
+from fovea.v1 import detection_pb2
+
+
+@dataclass(frozen=True)
+class TlsOptions:
+    """PEM texts, not paths."""
+
+    # Whom to trust; empty = the authorities of this machine.
+    root_certificates: bytes = b""
+    # What the server asks for with mutual TLS; both or none.
+    certificate_chain: bytes = b""
+    private_key: bytes = field(default=b"", repr=False)
+
+
+@dataclass(frozen=True)
+class RetryOptions:
+    """When a call is made again because its server was away, stopping or had too much to do."""
+
+    max_attempts: int = 5  # 1 = never again
+    # Seconds before the second attempt; doubles with each, up to the maximum. The real wait is
+    # random between half of it and all of it, so that robots do not come back all at once.
+    backoff: float = 0.05
+    max_backoff: float = 2.0
+
+
+@dataclass(frozen=True)
+class DetectOptions:
+    """What is computed and what comes back beside the objects' attributes."""
+
+    # "default" or "paper"; empty means "default".
+    profile: str = ""
+    # Changes to the profile by option name, for example {"mrf.gamma_per_m2": 80}; docs/options.md
+    # has all names, units and ranges.
+    parameters: Mapping[str, float] = field(default_factory=dict)
+    return_masks: bool = True
+    return_clouds: bool = False
+    return_saliency_maps: bool = False
+    return_seeds: bool = False
+
+    def to_proto(self) -> detection_pb2.DetectOptions:
+        """Raises InvalidArgument for a parameter that is no number."""
+        proto = detection_pb2.DetectOptions(
+            profile=self.profile,
+            return_masks=self.return_masks,
+            return_clouds=self.return_clouds,
+            return_saliency_maps=self.return_saliency_maps,
+            return_seeds=self.return_seeds,
+        )
+        for name, value in self.parameters.items():
+            try:
+                proto.parameters[name] = float(value)
+            except (TypeError, ValueError):
+                raise InvalidArgument(
+                    f"options.parameters[{name}]", f"{value!r} is not a number"
+                ) from None
+        return proto

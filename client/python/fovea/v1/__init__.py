@@ -1,0 +1,1 @@
+"""The wire contract: modules that the build generates from proto/fovea/v1 come in here."""

@@ -1,0 +1,180 @@
+"""Answers: the same objects as the command line's, whatever way the frame came."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+from comparison import assert_same
+from conftest import Scene
+from PIL import Image
+from server_process import ServerProcess
+
+import fovea
+
+EVERYTHING = fovea.DetectOptions(return_clouds=True, return_saliency_maps=True, return_seeds=True)
+
+
+def test_finds_the_objects_that_the_command_line_finds(
+    client: fovea.Client, server: ServerProcess, scene: Scene, tmp_path: Path
+) -> None:
+    labels, answer = tmp_path / "labels.png", tmp_path / "answer.json"
+    command = [os.environ["FOVEA_CLI"], "detect", "--server", server.address]
+    command += ["--color", str(scene.color_file), "--depth", str(scene.depth_file)]
+    command += ["--intrinsics", "262.5,262.5,159.5,119.5", "--id", "a"]
+    subprocess.run([*command, "--labels", str(labels), "--json", str(answer)], check=True)
+    expected = json.loads(answer.read_text())["objects"]
+
+    found = client.detect(scene.color, scene.depth, scene.intrinsics, id="a")
+
+    assert len(found.objects) >= 3
+    assert np.array_equal(found.label_image(), np.array(Image.open(labels)))
+    assert len(found.objects) == len(expected)
+    for each, same in zip(found.objects, expected):
+        assert each.id == same["id"]
+        assert each.confidence == same["confidence"]
+        assert each.num_pixels == same["num_pixels"] == each.mask.sum()
+        assert list(each.centroid) == [same["centroid"][axis] for axis in "xyz"]
+        position = same["oriented_box"]["pose"]["position"]
+        assert list(each.oriented_box.pose[:3, 3]) == [position[axis] for axis in "xyz"]
+        assert list(each.oriented_box.size) == [
+            same["oriented_box"]["size"][axis] for axis in "xyz"
+        ]
+
+
+def test_boxes_bound_the_masks_and_the_clouds(client: fovea.Client, scene: Scene) -> None:
+    found = client.detect_frame(scene.frame(), EVERYTHING)
+    for each in found.objects:
+        rows, columns = np.nonzero(each.mask)
+        box = each.bounding_box
+        assert (box.x, box.y) == (columns.min(), rows.min())
+        assert (box.width, box.height) == (np.ptp(columns) + 1, np.ptp(rows) + 1)
+
+        positions = each.cloud.positions
+        assert positions.shape == (each.num_pixels, 3) == each.cloud.colors.shape
+        assert np.array_equal(each.cloud.colors, scene.color[each.mask])
+        depth_m = scene.depth[each.mask] * 0.001
+        assert np.allclose(positions[:, 2], depth_m, atol=1e-6)
+        assert np.allclose(positions[:, 0], (columns - 159.5) / 262.5 * depth_m, atol=1e-5)
+        assert np.allclose(each.centroid, positions.mean(axis=0), atol=1e-5)
+        box_from_camera = np.linalg.inv(each.oriented_box.pose)
+        in_box = positions @ box_from_camera[:3, :3].T + box_from_camera[:3, 3]
+        # The box may leave out strays, but not more than a few of them.
+        inside = (np.abs(in_box) <= each.oriented_box.size / 2 + 1e-4).all(axis=1)
+        assert inside.mean() > 0.8
+
+
+def test_grasps_are_poses(client: fovea.Client, scene: Scene) -> None:
+    found = client.detect_frame(scene.frame())
+    grasps = [grasp for each in found.objects for grasp in each.grasps]
+    assert grasps
+    for grasp in grasps:
+        rotation = grasp.pose[:3, :3]
+        assert np.allclose(rotation @ rotation.T, np.eye(3))
+        assert np.linalg.det(rotation) > 0
+        assert np.allclose(rotation[:, 0], grasp.closing, atol=1e-6)
+        assert np.allclose(rotation[:, 2], grasp.approach, atol=1e-6)
+        assert np.array_equal(grasp.pose[:3, 3], grasp.tool_center_point)
+        assert grasp.approach @ found.gravity.direction > 0.9  # from above
+
+
+def test_the_same_frame_gives_the_same_answer_in_every_lossless_way(
+    client: fovea.Client, scene: Scene
+) -> None:
+    expected = client.detect_frame(scene.frame(), EVERYTHING)
+    float_depth = np.where(scene.depth == 0, np.nan, scene.depth * 0.001).astype(np.float32)
+    ways = [
+        {"color": scene.color_file.read_bytes(), "depth": scene.depth_file.read_bytes()},
+        {"color_encoding": "png", "depth_encoding": "png"},
+        {"color": scene.color[..., ::-1], "color_encoding": "bgr8", "depth_encoding": "zstd"},
+        {"depth": float_depth},
+        {"depth": float_depth, "depth_encoding": "zstd"},
+        {"depth": scene.depth.astype(">u2")},
+        {"color": np.asfortranarray(scene.color), "depth": np.asfortranarray(scene.depth)},
+        {"depth": scene.depth * np.uint16(2), "depth_unit_m": 0.0005},
+        {"intrinsics": [[262.5, 0, 159.5], [0, 262.5, 119.5], [0, 0, 1]]},
+    ]
+    for way in ways:
+        assert_same(client.detect_frame(scene.frame(**way), EVERYTHING), expected)
+
+
+def test_jpeg_is_sent_as_jpeg(client: fovea.Client, scene: Scene) -> None:
+    frame = scene.frame(color_encoding="jpeg")
+    file = frame.to_proto().color.data
+    assert file.startswith(b"\xff\xd8\xff")
+    assert len(file) < scene.color.nbytes / 4
+    found = client.detect_frame(frame)
+    assert found.objects
+    assert_same(client.detect_frame(scene.frame(color=file)), found)
+
+
+def test_only_what_was_asked_for_comes_back(client: fovea.Client, scene: Scene) -> None:
+    little = client.detect_frame(scene.frame(), fovea.DetectOptions(return_masks=False))
+    assert little.objects and not little.saliency_maps and not little.seeds
+    assert all(each.mask is None and each.cloud is None for each in little.objects)
+    assert all(each.pose_in_reference is None for each in little.objects)
+    with pytest.raises(ValueError, match="return_masks"):
+        little.label_image()
+
+    much = client.detect_frame(scene.frame(), EVERYTHING)
+    assert len(much.seeds) == much.diagnostics.num_seeds
+    assert {seed.source for seed in much.seeds} <= {
+        "color_saliency",
+        "depth_saliency",
+        "unexplained_region",
+    }
+    assert set(much.saliency_maps) == {"color", "depth"}
+    for saliency in much.saliency_maps.values():
+        assert saliency.shape == (240, 320)
+        assert (saliency.min(), saliency.max()) == (0, 255)
+
+
+def test_echoes_the_frame_and_takes_gravity_and_camera_pose(
+    client: fovea.Client, scene: Scene
+) -> None:
+    camera_pose = np.array([[0, 0, 1, 0.1], [-1, 0, 0, -0.2], [0, -1, 0, 1.3], [0, 0, 0, 1]])
+    gravity = [0, np.cos(0.6), np.sin(0.6)]
+    found = client.detect(
+        scene.color,
+        scene.depth,
+        scene.intrinsics,
+        id="kitchen 7",
+        captured_at_ns=1_700_000_000_123_456_789,
+        gravity=gravity,
+        camera_pose=camera_pose,
+    )
+    assert (found.frame_id, found.captured_at_ns) == ("kitchen 7", 1_700_000_000_123_456_789)
+    assert (found.width, found.height, found.profile) == (320, 240, "default")
+    assert found.gravity.source == "request"
+    assert np.allclose(found.gravity.direction, gravity, atol=1e-6)
+    assert [each.id for each in found.objects] == [
+        f"kitchen 7/{i + 1}" for i in range(len(found.objects))
+    ]
+    for each in found.objects:
+        assert np.allclose(each.pose_in_reference, camera_pose @ each.oriented_box.pose, atol=1e-6)
+
+
+def test_profile_and_parameters_count(client: fovea.Client, scene: Scene) -> None:
+    paper = client.detect_frame(scene.frame(), fovea.DetectOptions(profile="paper"))
+    assert paper.profile == "paper"
+    one = fovea.DetectOptions(parameters={"objects.max_objects": 1})
+    assert len(client.detect_frame(scene.frame(), one).objects) == 1
+
+
+def test_an_empty_answer_explains_itself(client: fovea.Client, scene: Scene) -> None:
+    found = client.detect_frame(scene.frame(depth=np.zeros_like(scene.depth)))
+    assert found.objects == [] and found.support_surface is None
+    assert found.diagnostics.num_pixels == 320 * 240
+    assert found.diagnostics.num_measured == 0
+    assert found.diagnostics.messages
+    assert not found.label_image().any()
+
+
+def test_stages_have_times(client: fovea.Client, scene: Scene) -> None:
+    times = client.detect_frame(scene.frame()).stage_times_ms
+    assert list(times)[:2] == ["queue", "decode"]
+    assert sum(times.values()) > 0

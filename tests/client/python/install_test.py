@@ -1,0 +1,84 @@
+"""The package as pip installs it, and the examples with it."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from conftest import Scene
+from server_process import ServerProcess
+
+import fovea
+
+SOURCE = Path(os.environ["FOVEA_SOURCE_DIR"])
+EXAMPLES = SOURCE / "client/examples/python"
+
+
+@pytest.fixture(scope="module")
+def installed(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Where the package is, installed without network from a copy of the sources."""
+    folder = tmp_path_factory.mktemp("pip")
+    for part in ("client/python", "proto"):
+        built = shutil.ignore_patterns("build", "*.egg-info", "__pycache__")
+        shutil.copytree(SOURCE / part, folder / "source" / part, ignore=built)
+    target = folder / "target"
+    command = [sys.executable, "-m", "pip", "install", "--no-index", "--no-build-isolation"]
+    command += ["--no-deps", "--target", str(target), str(folder / "source/client/python")]
+    subprocess.run(command, check=True, capture_output=True, env=os.environ | {"HOME": str(folder)})
+    return target
+
+
+def run_with(installed: Path, *arguments: str) -> str:
+    environment = os.environ | {"PYTHONPATH": str(installed)}
+    finished = subprocess.run(
+        [sys.executable, *arguments], env=environment, capture_output=True, text=True, timeout=300
+    )
+    assert finished.returncode == 0, finished.stderr
+    return finished.stdout
+
+
+def test_the_installed_package_is_complete(installed: Path) -> None:
+    built = Path(fovea.__file__).parent
+    assert built != installed / "fovea"
+    files = sorted(path.relative_to(built) for path in built.rglob("*.py*") if path.is_file())
+    assert Path("v1/detection_service_pb2_grpc.py") in files
+    for file in [*files, Path("py.typed")]:
+        assert (installed / "fovea" / file).read_bytes() == (built / file).read_bytes()
+    program = "import fovea, importlib.metadata as m; print(fovea.__file__, m.version('fovea'))"
+    expected = [str(installed / "fovea/__init__.py"), fovea.__version__]
+    assert run_with(installed, "-c", program).split() == expected
+
+
+def test_the_example_finds_objects(installed: Path, server: ServerProcess, scene: Scene) -> None:
+    files = str(scene.color_file), str(scene.depth_file)
+    output = run_with(installed, str(EXAMPLES / "detect_once.py"), server.address, *files)
+    assert len(output.splitlines()) >= 3
+    assert all(line.endswith(" grasps") for line in output.splitlines())
+
+
+def test_the_example_of_a_stream_runs_over_a_folder(
+    installed: Path, server: ServerProcess, scene: Scene
+) -> None:
+    folder = str(scene.color_file.parent)
+    output = run_with(
+        installed, str(EXAMPLES / "detect_stream.py"), server.address, folder, "--frames", "3"
+    )
+    lines = output.splitlines()
+    assert lines[-1].startswith("frame 2: ")
+
+
+def test_it_stands_beside_another_copy_of_the_health_protocol(installed: Path) -> None:
+    """As of grpcio-health-checking, whose messages have the same names."""
+    program = """
+from google.protobuf import descriptor_pb2, descriptor_pool
+file = descriptor_pb2.FileDescriptorProto(name="grpc/health/v1/health.proto")
+file.package = "grpc.health.v1"
+file.message_type.add(name="HealthCheckRequest")
+descriptor_pool.Default().Add(file)
+import fovea
+"""
+    run_with(installed, "-c", program)

@@ -1,0 +1,167 @@
+"""Mistakes are named by their field, before they are sent where that is possible."""
+
+from __future__ import annotations
+
+import pickle
+import sys
+from typing import Any
+
+import numpy as np
+import pytest
+from conftest import Scene
+
+import fovea
+from fovea.errors import error_of
+
+TURNED = np.eye(4)[[1, 0, 2, 3]]  # a reflection
+
+# What is caught here: changes to a good frame, the field and a part of the message.
+LOCAL: list[tuple[dict[str, Any], str, str]] = [
+    ({"color": np.zeros((240, 320), np.uint8)}, "frame.color", "shape (240, 320), not HxWx3"),
+    ({"color": np.zeros((240, 320, 4), np.uint8)}, "frame.color", "not HxWx3"),
+    ({"color": np.zeros((240, 320, 3))}, "frame.color", "float64, not HxWx3 uint8"),
+    ({"color": [[1, 2]]}, "frame.color", "is list, not an array"),
+    ({"color": np.zeros((0, 320, 3), np.uint8)}, "frame.color", "is empty"),
+    ({"color": b"GIF89a"}, "frame.color.data", "neither a PNG nor a JPEG"),
+    ({"color_encoding": "webp"}, "frame.color.encoding", "rgb8, bgr8, png, jpeg"),
+    ({"depth": np.zeros((240, 320, 1), np.uint16)}, "frame.depth", "not HxW"),
+    ({"depth": np.zeros((240, 320), np.int32)}, "frame.depth", "int32, not HxW uint16 or float32"),
+    ({"depth": np.zeros((320, 240), np.uint16)}, "frame.depth", "is 240x320, colour is 320x240"),
+    ({"depth": None}, "frame.depth", "is NoneType"),
+    ({"depth": b"\xff\xd8\xff"}, "frame.depth.data", "not a PNG"),
+    ({"depth_encoding": "jpeg"}, "frame.depth.encoding", "raw, zstd, png"),
+    (
+        {"depth": np.ones((240, 320), np.float32), "depth_encoding": "png"},
+        "frame.depth.encoding",
+        "uint16 only",
+    ),
+    ({"intrinsics": np.eye(4)}, "frame.intrinsics", "shape (4, 4), not (3, 3)"),
+    ({"intrinsics": "wide"}, "frame.intrinsics", "not made of numbers"),
+    ({"intrinsics": [[5, 1, 3], [0, 5, 3], [0, 0, 1]]}, "frame.intrinsics", "is not [[fx, 0"),
+    ({"intrinsics": fovea.CameraIntrinsics(5, np.nan, 3, 3)}, "frame.intrinsics.fy", "finite"),
+    ({"gravity": [0, 1]}, "frame.gravity", "shape (2,), not (3,)"),
+    ({"camera_pose": np.eye(3)}, "frame.camera_pose", "shape (3, 3), not (4, 4)"),
+    ({"camera_pose": 2 * np.eye(4)}, "frame.camera_pose", "rotation"),
+    ({"camera_pose": TURNED}, "frame.camera_pose", "rotation"),
+]
+
+# What the server finds.
+REMOTE: list[tuple[dict[str, Any], str]] = [
+    ({"intrinsics": fovea.CameraIntrinsics(0, 5, 3, 3)}, "frame.intrinsics.fx"),
+    ({"gravity": [0, 2, 0]}, "frame.gravity"),
+    ({"id": "x" * 300}, "frame.id"),
+    ({"depth_unit_m": 7.0}, "frame.depth.unit_m"),
+    ({"color": b"\x89PNG\r\n\x1a\n", "depth": np.ones((9, 9), np.uint16)}, "frame.color.data"),
+    (
+        {"color": np.zeros((1500, 1500, 3), np.uint8), "depth": np.ones((1500, 1500), np.uint16)},
+        "frame.color.width, height",
+    ),
+]
+
+
+@pytest.mark.parametrize(("changes", "field", "problem"), LOCAL)
+def test_finds_mistakes_before_sending(
+    scene: Scene, changes: dict[str, Any], field: str, problem: str
+) -> None:
+    nobody = fovea.Client("127.0.0.1:1")
+    with pytest.raises(fovea.InvalidArgument) as caught:
+        nobody.detect_frame(scene.frame(**changes))
+    assert caught.value.field == field
+    assert problem in caught.value.message
+    assert str(caught.value).startswith(f"INVALID_ARGUMENT: {field}: ")
+    assert isinstance(caught.value, ValueError)
+
+
+@pytest.mark.parametrize(("changes", "field"), REMOTE)
+def test_reads_the_field_of_the_servers_error(
+    client: fovea.Client, scene: Scene, changes: dict[str, Any], field: str
+) -> None:
+    with pytest.raises(fovea.InvalidArgument) as caught:
+        client.detect_frame(scene.frame(**changes))
+    assert caught.value.field == field
+
+
+@pytest.mark.parametrize(
+    ("options", "field"),
+    [
+        (fovea.DetectOptions(profile="fast"), "options.profile"),
+        (fovea.DetectOptions(parameters={"no.such": 1}), "options.parameters[no.such]"),
+        (fovea.DetectOptions(parameters={"a b: c": 1}), "options.parameters[a b: c]"),
+        (
+            fovea.DetectOptions(parameters={"mrf.gamma_per_m2": -1}),
+            "options.parameters[mrf.gamma_per_m2]",
+        ),
+        (fovea.DetectOptions(parameters={"x": "much"}), "options.parameters[x]"),  # type: ignore
+    ],
+)
+def test_names_the_option(
+    client: fovea.Client, scene: Scene, options: fovea.DetectOptions, field: str
+) -> None:
+    with pytest.raises(fovea.InvalidArgument) as caught:
+        client.detect_frame(scene.frame(), options)
+    assert caught.value.field == field
+
+
+def test_names_what_cannot_travel_in_a_header() -> None:
+    for name in ("robot", "token"):
+        with pytest.raises(fovea.InvalidArgument) as caught:
+            fovea.Client("127.0.0.1:1", **{name: "Küche"})
+        assert caught.value.field.startswith("metadata ")
+
+
+def test_names_a_robot_that_the_server_does_not_take(client: fovea.Client, server: Any) -> None:
+    with fovea.Client(server.address, robot="x" * 65) as nameless:
+        with pytest.raises(fovea.InvalidArgument) as caught:
+            nameless.get_server_info()
+    assert caught.value.field == "metadata fovea-robot"
+
+
+def test_a_frame_too_large_for_a_message_is_no_overload(client: fovea.Client, scene: Scene) -> None:
+    large = np.zeros((2400, 2400, 3), np.uint8)
+    with pytest.raises(fovea.ResourceExhausted) as caught:
+        client.detect(large, np.ones((2400, 2400), np.uint16), scene.intrinsics)
+    assert not isinstance(caught.value, fovea.Overloaded)
+
+
+@pytest.mark.parametrize(
+    ("module", "changes", "package"),
+    [
+        ("PIL", {"color_encoding": "png"}, "python3-pil"),
+        ("PIL", {"color_encoding": "jpeg"}, "python3-pil"),
+        ("PIL", {"depth_encoding": "png"}, "python3-pil"),
+        ("zstandard", {"depth_encoding": "zstd"}, "python3-zstandard"),
+    ],
+)
+def test_names_the_package_that_is_missing(
+    scene: Scene, monkeypatch: pytest.MonkeyPatch, module: str, changes: Any, package: str
+) -> None:
+    monkeypatch.setitem(sys.modules, module, None)
+    with pytest.raises(fovea.MissingPackage) as caught:
+        scene.frame(**changes).to_proto()
+    assert caught.value.package == package
+    assert package in str(caught.value)
+
+
+def test_errors_without_a_field_have_none() -> None:
+    for message in ("the message is not a DetectStreamRequest", "", "some words: and more"):
+        error = error_of(3, message)
+        assert isinstance(error, fovea.InvalidArgument)
+        assert (error.field, error.message) == ("", message)
+
+
+def test_errors_travel_between_processes() -> None:
+    for error in (
+        fovea.InvalidArgument("frame.depth", "is empty"),
+        fovea.Overloaded("full", retry_after=0.5),
+        fovea.MissingPackage("png", "python3-pil"),
+        fovea.VersionMismatch("1.0.0", "2.0.0"),
+    ):
+        copy = pickle.loads(pickle.dumps(error))
+        assert type(copy) is type(error)
+        assert str(copy) == str(error)
+        assert vars(copy) == vars(error)
+
+
+def test_unknown_codes_are_errors_too() -> None:
+    assert error_of(13, "oh").code == "INTERNAL"
+    assert error_of(99, "oh").code == "UNKNOWN"
