@@ -21,7 +21,7 @@ class StrengthBlock {
   // Eq. 3 and 4 for one neighbour each: strength = max(strength, neighbour's · (1 − |difference| /
   // 255)). The features and strengths are those of the 16 neighbours.
   FOVEA_INLINE void PullFrom(const float* features, const float* strengths) {
-    for (int half = 0; half < 2; ++half, features += kLanes, strengths += kLanes) {
+    for (std::size_t half = 0; half < 2; ++half, features += kLanes, strengths += kLanes) {
       const Lanes difference = Magnitude(features_[half] - LoadLanes(features));
       const Lanes factor = 1.0F - (difference * kHighPart + difference * kLowPart);
       strengths_[half] = Larger(strengths_[half], LoadLanes(strengths) * factor);
@@ -31,12 +31,12 @@ class StrengthBlock {
   // Writes back what grew. Returns whether any did.
   FOVEA_INLINE bool Store(float* strengths) {
     std::array<Lanes, 2> grown;
-    for (int half = 0; half < 2; ++half) {
+    for (std::size_t half = 0; half < 2; ++half) {
       grown[half] =
           strengths_[half] > LoadLanes(strengths + half * kLanes) ? strengths_[half] : Lanes{};
     }
     if (Largest(grown) == 0) return false;
-    for (int half = 0; half < 2; ++half) {
+    for (std::size_t half = 0; half < 2; ++half) {
       grown_[half] = Larger(grown_[half], grown[half]);
       StoreLanes(strengths_[half], strengths + half * kLanes);
     }
