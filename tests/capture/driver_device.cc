@@ -137,8 +137,10 @@ void DriverDevice::Serve() {
     }
     changed_.wait(lock, [&] { return closing_ || (BothRun() && (paced || wanted_)); });
     if (closing_) return;
-    wanted_ = false;
-    if (options_.Has("silent")) continue;
+    if (options_.Has("silent")) {
+      wanted_ = false;
+      continue;
+    }
     // Unlocked: OpenNI2 calls us with its locks held, and takes them when it gets a frame.
     serving_ = true;
     lock.unlock();
