@@ -12,6 +12,9 @@ namespace {
 
 using std::chrono::steady_clock;
 
+// The speed of a recording that goes on when the last frame was read.
+constexpr double kAsRead = -1;
+
 // Without the padding of its rows; the pixels are the caller's.
 cv::Mat Copy(const openni::VideoFrameRef& frame, int type) {
   return cv::Mat(frame.getHeight(), frame.getWidth(), type, const_cast<void*>(frame.getData()),
@@ -60,11 +63,14 @@ void Camera::StartRecording(std::ostream& notes) {
   notes << "note: a recording does not say whether depth was registered to colour; it is taken as "
            "registered\n";
   device_.getPlaybackControl()->setRepeatEnabled(false);
-  if (device_.getPlaybackControl()->setSpeed(static_cast<float>(options_.speed)) !=
-      openni::STATUS_OK) {
-    throw CameraError(uri_ + " cannot be played at that speed: " + OpenNiReason());
-  }
+  SetSpeed(kAsRead);  // until somebody reads, lest the start is missed
   Start();
+}
+
+void Camera::SetSpeed(double speed) {
+  if (device_.getPlaybackControl()->setSpeed(static_cast<float>(speed)) == openni::STATUS_OK)
+    return;
+  throw CameraError(uri_ + " cannot be played at that speed: " + OpenNiReason());
 }
 
 void Camera::StartCamera(std::ostream& notes) {
@@ -91,6 +97,8 @@ void Camera::Start() {
 
 std::optional<Picture> Camera::Next(std::chrono::milliseconds patience) {
   if (watch_.unplugged()) throw CameraLost("the camera " + uri_ + " was unplugged");
+  if (!read_ && device_.isFile()) SetSpeed(options_.speed);
+  read_ = true;
   int ready = 0;
   const openni::Status status = openni::OpenNI::waitForAnyStream(
       const_cast<openni::VideoStream**>(both_.data()), static_cast<int>(both_.size()), &ready,

@@ -50,6 +50,7 @@ class Camera {
 
  private:
   void StartRecording(std::ostream& notes);
+  void SetSpeed(double speed);
   void StartCamera(std::ostream& notes);
   void Start();
   std::optional<Picture> Read(std::size_t index);
@@ -65,7 +66,7 @@ class Camera {
   std::optional<Pairing<cv::Mat>> pairing_;
   CameraLosses losses_;
   double depth_unit_m_ = 0.001;
-  bool delivered_ = false;
+  bool read_ = false, delivered_ = false;
   std::chrono::steady_clock::time_point last_arrival_;
 };
 

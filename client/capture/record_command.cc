@@ -1,8 +1,10 @@
 #include "client/capture/record_command.h"
 
+#include <cerrno>
 #include <cstdlib>
-#include <exception>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <stdexcept>
 
@@ -16,6 +18,7 @@ namespace {
 class Recording {
  public:
   Recording(const std::string& path, Streams& streams) {
+    CheckWritable(path);
     Check(recorder_.create(path.c_str()), path);
     Check(recorder_.attach(streams.depth, /*allowLossyCompression=*/false), path);
     Check(recorder_.attach(streams.color, /*allowLossyCompression=*/false), path);
@@ -30,6 +33,13 @@ class Recording {
   Recording& operator=(const Recording&) = delete;
 
  private:
+  // OpenNI2 itself crashes where it cannot make the file.
+  static void CheckWritable(const std::string& path) {
+    errno = 0;
+    if (std::ofstream(path, std::ios::binary)) return;
+    throw std::runtime_error("cannot record to " + path + ": " + std::strerror(errno));
+  }
+
   static void Check(openni::Status status, const std::string& path) {
     if (status == openni::STATUS_OK) return;
     throw std::runtime_error("cannot record to " + path + ": " + OpenNiReason());

@@ -21,6 +21,10 @@ cv::Mat ReadRgb(const std::string& path) {
   return image;
 }
 
+std::uint64_t TimeOf(int index) {
+  return static_cast<std::uint64_t>(index) * 1'000'000 / kNominalFps;
+}
+
 OniVideoMode Mode(OniPixelFormat format, const cv::Size& size, int fps) {
   return {format, size.width, size.height, fps};
 }
@@ -144,7 +148,12 @@ void DriverDevice::Serve() {
     // Unlocked: OpenNI2 calls us with its locks held, and takes them when it gets a frame.
     serving_ = true;
     lock.unlock();
-    ServeFrame(index);
+    if (const int owed = std::exchange(owed_color_, 0)) {
+      DeliverColor(owed, ImageOf(owed).color);
+      --index;  // it has not had its turn
+    } else {
+      ServeFrame(index);
+    }
     lock.lock();
     serving_ = false;
     // Who asked meanwhile waits for the second of the two images.
@@ -154,23 +163,33 @@ void DriverDevice::Serve() {
 }
 
 void DriverDevice::ServeFrame(int index) {
-  const auto number = static_cast<std::size_t>(index - 1);
-  const auto time_us = static_cast<std::uint64_t>(index) * 1'000'000 / kNominalFps;
-  const std::uint64_t before_us = time_us - 1'000'000 / kNominalFps;
-  const Image& image = images_[number % images_.size()];
+  const Image& image = ImageOf(index);
   cv::Mat color = image.color, depth = image.depth;
   if (options_.Has("wrong-size")) {
     cv::resize(color, color, {}, 0.5, 0.5, cv::INTER_NEAREST);
     cv::resize(depth, depth, {}, 0.5, 0.5, cv::INTER_NEAREST);
   }
-  depth_->Deliver(depth, index, time_us);
-  const bool late = options_.Has("late-color");
-  if (late && index > 1 && (index - 1) % 4 == 0) {
-    color_->Deliver(images_[(number - 1) % images_.size()].color, index - 1, before_us);
-  }
+  depth_->Deliver(depth, index, TimeOf(index));
   const bool fourth = index % 4 == 0;
-  if (fourth && (late || options_.Has("drop-color"))) return;
-  color_->Deliver(color, index, time_us + 500);  // cameras are never exact
+  if (fourth && options_.Has("drop-color")) return;
+  if (options_.Has("late-color")) {
+    if (fourth) return;
+    if (index > 1 && (index - 1) % 4 == 0) {
+      // OpenNI2 keeps the newest image only, so each has a turn of its own.
+      owed_color_ = index;
+      DeliverColor(index - 1, ImageOf(index - 1).color);
+      return;
+    }
+  }
+  DeliverColor(index, color);
+}
+
+void DriverDevice::DeliverColor(int index, const cv::Mat& color) {
+  color_->Deliver(color, index, TimeOf(index) + 500);  // cameras are never exact
+}
+
+const DriverDevice::Image& DriverDevice::ImageOf(int index) const {
+  return images_[static_cast<std::size_t>(index - 1) % images_.size()];
 }
 
 }  // namespace fovea::testing

@@ -40,6 +40,8 @@ class DriverDevice : public oni::driver::DeviceBase {
   bool BothRun() const;
   void Serve();
   void ServeFrame(int index);
+  void DeliverColor(int index, const cv::Mat& color);
+  const Image& ImageOf(int index) const;
 
   const DriverOptions options_;
   std::vector<Image> images_;
@@ -51,6 +53,7 @@ class DriverDevice : public oni::driver::DeviceBase {
   std::condition_variable changed_;
   DriverStream *color_ = nullptr, *depth_ = nullptr;
   bool wanted_ = false, serving_ = false, closing_ = false;
+  int owed_color_ = 0;  // index of a colour image that comes late; only of the thread
   std::jthread thread_;
 };
 

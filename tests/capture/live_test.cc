@@ -110,7 +110,7 @@ TEST_F(CaptureTest, GoesOnWhenItsServerComesBack) {
   EXPECT_THAT(again.ReadLine(), HasSubstr("listening on " + server_.address()));
   for (std::string line;
        (line = capture.ReadLine()).find("lost with the connection") == std::string::npos;) {
-    ASSERT_NE(line, "") << "it ended";
+    ASSERT_NE(line, "") << "it ended: " << capture.Wait().err;
   }
   capture.Signal(SIGINT);
   const Finished finished = capture.Wait();

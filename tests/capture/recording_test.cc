@@ -106,8 +106,9 @@ TEST_F(RecordingTest, SaysWhatIsNoRecording) {
   ExpectOneLineError(Capture(Replay(At("none.oni"))), "there is no recording " + At("none.oni"));
   ExpectOneLineError(Capture(Replay(folder_.Write("text.oni", "not a recording"))),
                      "text.oni is not a recording of OpenNI2");
-  ExpectOneLineError(Capture(Replay(folder_.Write("damaged.oni", "NI10 and no more"))),
-                     "damaged.oni is damaged");
+  ExpectOneLineError(
+      Capture(Replay(folder_.Write("damaged.oni", "NI10 and not much more than that"))),
+      "damaged.oni is damaged");
   ExpectOneLineError(Capture(Record(At("a.avi"))), "a recording's name ends in .oni");
   ExpectOneLineError(Capture(Record(At("text.oni"))), "text.oni is there already");
   ExpectOneLineError(Capture(Record(At("no/folder.oni"))), "cannot record to");
