@@ -46,11 +46,13 @@ Camera::Camera(const CameraOptions& options, std::ostream& notes)
 }
 
 Camera::~Camera() {
-  for (openni::VideoStream* stream : both_) {
-    stream->stop();
-    stream->destroy();
-  }
+  Stop();
+  for (openni::VideoStream* stream : both_) stream->destroy();
   device_.close();
+}
+
+void Camera::Stop() {
+  for (openni::VideoStream* stream : both_) stream->stop();
 }
 
 void Camera::StartRecording(std::ostream& notes) {

@@ -39,6 +39,9 @@ class Camera {
   // unplugged or fell silent, CameraError where it never delivered.
   std::optional<Picture> Next(std::chrono::milliseconds patience);
 
+  // No more frames come.
+  void Stop();
+
   // Of a recording: all its frames were delivered.
   bool AtEnd() const;
 

@@ -8,18 +8,14 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <regex>
+
+#include "client/capture/recording_file.h"
 
 namespace fovea::capture {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A recording starts with a header of 24 bytes, and each record in it with a magic number.
-constexpr char kFileMagic[] = {'N', 'I', '1', '0'};
-constexpr char kRecordMagic[] = {'N', 'I', 'R', '\0'};
-constexpr std::size_t kFirstRecord = 24;
 
 // OpenNI2 names USB cameras "1d27/0609@1/3": vendor, product, bus, device.
 bool IsForbidden(const std::string& uri) {
@@ -64,15 +60,11 @@ void CheckRecording(const std::string& path) {
   if (access(path.c_str(), R_OK) != 0) {
     throw CameraError("cannot read " + path + ": " + std::strerror(errno));
   }
-  char start[kFirstRecord + sizeof kRecordMagic] = {};
-  std::ifstream(path, std::ios::binary).read(start, sizeof start);
-  if (!IsRecording(path) || std::memcmp(start, kFileMagic, sizeof kFileMagic) != 0) {
+  if (!IsRecording(path) || !IsRecordingFile(path)) {
     throw CameraError(path + " is not a recording of OpenNI2 (.oni)");
   }
-  // OpenNI2 itself crashes on a file that ends here.
-  if (std::memcmp(start + kFirstRecord, kRecordMagic, sizeof kRecordMagic) != 0) {
-    throw CameraError(path + " is damaged: it holds no records");
-  }
+  // OpenNI2 itself crashes on a file without any.
+  if (!HasRecords(path)) throw CameraError(path + " is damaged: it holds no records");
 }
 
 }  // namespace fovea::capture

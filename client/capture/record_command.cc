@@ -3,16 +3,22 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
+#include <thread>
+#include <utility>
 
 #include "client/capture/camera_error.h"
+#include "client/capture/recording_file.h"
 #include "client/capture/stop_signal.h"
 
 namespace fovea::capture {
 namespace {
+
+constexpr std::size_t kNumStreams = 2;
 
 // Writes from construction to destruction, which completes the file.
 class Recording {
@@ -53,16 +59,27 @@ void CheckPath(const std::string& path) {
   if (std::filesystem::exists(path)) throw std::runtime_error(path + " is there already");
 }
 
-// Returns the number of pictures taken. Their images are written behind our back, by OpenNI2.
-std::uint64_t Watch(Camera& camera, const LimitFlags& limits) {
+// Until the limits. OpenNI2 writes in a thread of its own, which begins a little later, so only
+// what is in the file counts.
+void Watch(Camera& camera, const LimitFlags& limits, RecordingFile& file) {
   const auto end = EndOf(limits);
   const std::uint64_t max_frames = MaxFramesOf(limits);
-  std::uint64_t num_pictures = 0;
-  while (!StopAsked() && num_pictures < max_frames && std::chrono::steady_clock::now() < end) {
+  while (!StopAsked() && std::chrono::steady_clock::now() < end) {
     constexpr std::chrono::milliseconds kMoment{100};
-    if (camera.Next(kMoment)) ++num_pictures;
+    if (camera.Next(kMoment) && file.CountFrames(kNumStreams) >= max_frames) return;
   }
-  return num_pictures;
+}
+
+// OpenNI2 forgets what it has not written when it is stopped: returns once nothing more gets into
+// the file.
+void AwaitWritten(RecordingFile& file) {
+  constexpr std::chrono::milliseconds kQuiet{300};
+  std::uint64_t before = file.CountFrames(kNumStreams);
+  while (true) {
+    std::this_thread::sleep_for(kQuiet);
+    const std::uint64_t now = file.CountFrames(kNumStreams);
+    if (now == std::exchange(before, now)) return;
+  }
 }
 
 }  // namespace
@@ -74,16 +91,25 @@ int RunRecord(const RecordFlags& flags) {
   }
   const OpenNiRuntime runtime;
   Camera camera(CameraOptionsOf(flags.camera), std::cerr);
-  std::uint64_t num_pictures = 0;
+  RecordingFile file(flags.path);
+  std::exception_ptr error;
   {
     const Recording recording(flags.path, camera.streams());
     std::cout << "recording " << camera.uri() << " to " << flags.path << "; Ctrl-C ends it"
               << std::endl;
-    num_pictures = Watch(camera, flags.limits);
+    try {
+      Watch(camera, flags.limits, file);
+    } catch (const CameraError&) {  // what was recorded until then stays
+      error = std::current_exception();
+    }
+    camera.Stop();
+    AwaitWritten(file);
   }
-  std::cout << num_pictures << " frames in " << flags.path << ", "
+  const std::uint64_t num_frames = file.CountFrames(kNumStreams);
+  std::cout << num_frames << " frames in " << flags.path << ", "
             << std::filesystem::file_size(flags.path) / 1000 << " kB" << std::endl;
-  return EXIT_SUCCESS;
+  if (error) std::rethrow_exception(error);
+  return num_frames > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 }  // namespace fovea::capture
