@@ -12,10 +12,11 @@ using std::chrono::steady_clock;
 // Asks again while the server is away.
 v1::DetectResponse Ask(const SessionOptions& options, const Session& session,
                        const v1::DetectRequest& request) {
+  constexpr std::chrono::minutes kLongestAnswer{1};
   const steady_clock::time_point start = steady_clock::now();
   for (bool said = false;; said = true) {
     try {
-      return session.client.Detect(request, options.patience);
+      return session.client.Detect(request, kLongestAnswer);
     } catch (const client::RpcError& error) {
       const bool too_late = steady_clock::now() - start >= options.patience;
       if (error.code() != grpc::StatusCode::UNAVAILABLE || too_late || StopAsked()) throw;

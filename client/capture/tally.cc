@@ -111,7 +111,12 @@ std::string CpuUse(double seconds) {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   const double used = Seconds(usage.ru_utime) + Seconds(usage.ru_stime);
-  return Format("this client took %.0f %% of one core in %.1f s\n", 100 * used / seconds, seconds);
+  std::string text = Format("processor time of this client: %.1f s", used);
+  constexpr double kTellingSeconds = 1;  // starting takes more than its share of a short run
+  if (seconds >= kTellingSeconds) {
+    text += Format(" in %.1f s, %.0f %% of one core", seconds, 100 * used / seconds);
+  }
+  return text + "\n";
 }
 
 }  // namespace fovea::capture
