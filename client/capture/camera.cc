@@ -1,8 +1,6 @@
 #include "client/capture/camera.h"
 
-#include <algorithm>
 #include <cstdio>
-#include <ostream>
 #include <utility>
 
 #include "client/capture/camera_error.h"
@@ -11,9 +9,6 @@ namespace fovea::capture {
 namespace {
 
 using std::chrono::steady_clock;
-
-// The speed of a recording that goes on when the last frame was read.
-constexpr double kAsRead = -1;
 
 // Without the padding of its rows; the pixels are the caller's.
 cv::Mat Copy(const openni::VideoFrameRef& frame, int type) {
@@ -30,75 +25,8 @@ std::string Seconds(double seconds) {
 
 }  // namespace
 
-Camera::Camera(const CameraOptions& options, std::ostream& notes)
-    : options_(options), uri_(FindDevice(options.device)), watch_(uri_) {
-  if (device_.open(uri_.c_str()) != openni::STATUS_OK) {
-    if (IsRecording(uri_)) throw CameraError(uri_ + " is damaged: " + OpenNiReason());
-    throw CannotOpen(uri_, OpenNiReason());
-  }
-  CreateStreams(device_, streams_);
-  device_.isFile() ? StartRecording(notes) : StartCamera(notes);
-  const openni::VideoMode mode = streams_.depth.getVideoMode();
-  depth_unit_m_ = mode.getPixelFormat() == openni::PIXEL_FORMAT_DEPTH_100_UM ? 1e-4 : 1e-3;
-  const int fps = std::max(mode.getFps(), 1);
-  pairing_.emplace(static_cast<std::uint64_t>(500'000 / fps));  // half the time between frames
-  last_arrival_ = steady_clock::now();
-}
-
-Camera::~Camera() {
-  Stop();
-  for (openni::VideoStream* stream : both_) stream->destroy();
-  device_.close();
-}
-
-void Camera::Stop() {
-  for (openni::VideoStream* stream : both_) stream->stop();
-}
-
-void Camera::StartRecording(std::ostream& notes) {
-  const openni::VideoMode color = streams_.color.getVideoMode();
-  const openni::VideoMode depth = streams_.depth.getVideoMode();
-  options_.size = {color.getResolutionX(), color.getResolutionY()};
-  if (cv::Size(depth.getResolutionX(), depth.getResolutionY()) != options_.size) {
-    throw CameraError(uri_ + ": colour and depth differ in size, so depth is not registered");
-  }
-  notes << "note: a recording does not say whether depth was registered to colour; it is taken as "
-           "registered\n";
-  device_.getPlaybackControl()->setRepeatEnabled(false);
-  SetSpeed(kAsRead);  // until somebody reads, lest the start is missed
-  Start();
-}
-
-void Camera::SetSpeed(double speed) {
-  if (device_.getPlaybackControl()->setSpeed(static_cast<float>(speed)) == openni::STATUS_OK)
-    return;
-  throw CameraError(uri_ + " cannot be played at that speed: " + OpenNiReason());
-}
-
-void Camera::StartCamera(std::ostream& notes) {
-  SetModes(options_, streams_);
-  bool registered = SetRegistration(device_);
-  SetSyncAndMirror(device_, streams_, notes);
-  Start();
-  CheckModes(options_, streams_);
-  if (!registered) registered = SetRegistration(device_);  // some want to run first
-  if (registered) return;
-  const std::string problem = "the camera " + uri_ + " does not register depth to colour";
-  if (!options_.allow_unregistered) {
-    throw CameraError(problem + ", which detection needs (--allow-unregistered sends it anyway)");
-  }
-  notes << "note: " << problem << "; masks and positions will be off\n";
-}
-
-void Camera::Start() {
-  for (openni::VideoStream* stream : both_) {
-    if (stream->start() == openni::STATUS_OK) continue;
-    throw CameraError("the camera " + uri_ + " does not start: " + OpenNiReason());
-  }
-}
-
 std::optional<Picture> Camera::Next(std::chrono::milliseconds patience) {
-  if (watch_.unplugged()) throw CameraLost("the camera " + uri_ + " was unplugged");
+  if (watch_.Unplugged()) throw CameraLost("the camera " + uri_ + " was unplugged");
   if (!read_ && device_.isFile()) SetSpeed(options_.speed);
   read_ = true;
   int ready = 0;
@@ -162,13 +90,13 @@ void Camera::CheckSilence() const {
                     "a smaller --resolution or --fps");
 }
 
-FieldOfView Camera::field_of_view() const {
+FieldOfView Camera::StatedFieldOfView() const {
   return {streams_.color.getHorizontalFieldOfView(), streams_.color.getVerticalFieldOfView()};
 }
 
-CameraLosses Camera::losses() const {
+CameraLosses Camera::Losses() const {
   CameraLosses losses = losses_;
-  losses.unpaired = pairing_->num_unpaired();
+  losses.unpaired = pairing_->NumUnpaired();
   return losses;
 }
 

@@ -45,11 +45,11 @@ class Camera {
   // Of a recording: all its frames were delivered.
   bool AtEnd() const;
 
-  const std::string& uri() const { return uri_; }
+  const std::string& Uri() const { return uri_; }
   cv::Size size() const { return options_.size; }
-  FieldOfView field_of_view() const;
-  CameraLosses losses() const;
-  Streams& streams() { return streams_; }
+  FieldOfView StatedFieldOfView() const;
+  CameraLosses Losses() const;
+  Streams& BothStreams() { return streams_; }
 
  private:
   void StartRecording(std::ostream& notes);

@@ -43,7 +43,7 @@ std::string OpenNiReason() {
   return text.empty() ? "OpenNI2 gives no reason" : text;
 }
 
-CameraError CannotOpen(const std::string& uri, std::string reason) {
+CameraError CannotOpen(const std::string& uri, const std::string& reason) {
   if (IsForbidden(uri) || SpeaksOfPermission(reason)) {
     return CameraError("no permission to open the camera " + uri +
                        ": the udev rule 60-libopenni2-0.rules of the package libopenni2-0 gives "

@@ -18,7 +18,7 @@ class CameraLost : public CameraError {
 };
 
 // The camera `uri` could not be opened; `reason` is what OpenNI2 says.
-CameraError CannotOpen(const std::string& uri, std::string reason);
+CameraError CannotOpen(const std::string& uri, const std::string& reason);
 
 // Throws where `path` is no file that OpenNI2 can have recorded.
 void CheckRecording(const std::string& path);

@@ -23,7 +23,7 @@ CameraSource::CameraSource(const CameraOptions& options, std::chrono::millisecon
       patience_(patience),
       notes_(notes),
       camera_(std::make_unique<Camera>(options, notes)) {
-  options_.device = KindOf(camera_->uri());
+  options_.device = KindOf(camera_->Uri());
 }
 
 std::optional<Picture> CameraSource::Next() {
@@ -41,7 +41,7 @@ std::optional<Picture> CameraSource::Next() {
 }
 
 void CameraSource::Close() {
-  earlier_losses_ = losses();
+  earlier_losses_ = Losses();
   camera_.reset();
   away_since_ = std::chrono::steady_clock::now();
 }
@@ -50,7 +50,7 @@ void CameraSource::TryToReopen() {
   try {
     camera_ = std::make_unique<Camera>(options_, notes_);
     ++num_reopened_;
-    notes_ << "the camera " << camera_->uri() << " is back" << std::endl;
+    notes_ << "the camera " << camera_->Uri() << " is back" << std::endl;
   } catch (const CameraError& error) {
     if (std::chrono::steady_clock::now() - away_since_ >= patience_) {
       throw CameraError(std::string("the camera did not come back: ") + error.what());
@@ -59,8 +59,8 @@ void CameraSource::TryToReopen() {
   }
 }
 
-CameraLosses CameraSource::losses() const {
-  return camera_ ? Sum(earlier_losses_, camera_->losses()) : earlier_losses_;
+CameraLosses CameraSource::Losses() const {
+  return camera_ ? Sum(earlier_losses_, camera_->Losses()) : earlier_losses_;
 }
 
 }  // namespace fovea::capture

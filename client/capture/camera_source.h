@@ -21,10 +21,10 @@ class CameraSource {
   std::optional<Picture> Next();
 
   bool AtEnd() const { return camera_ && camera_->AtEnd(); }
-  const Camera& camera() const { return *camera_; }  // as it was when opened
-  std::uint64_t num_pictures() const { return num_pictures_; }
-  std::uint64_t num_reopened() const { return num_reopened_; }
-  CameraLosses losses() const;
+  const Camera& CurrentCamera() const { return *camera_; }  // as it was when opened
+  std::uint64_t NumPictures() const { return num_pictures_; }
+  std::uint64_t NumReopened() const { return num_reopened_; }
+  CameraLosses Losses() const;
 
  private:
   void Close();

@@ -32,7 +32,7 @@ class UnplugWatch : public openni::OpenNI::DeviceDisconnectedListener {
   explicit UnplugWatch(std::string uri);
   ~UnplugWatch() override;
 
-  bool unplugged() const { return unplugged_; }
+  bool Unplugged() const { return unplugged_; }
   void onDeviceDisconnected(const openni::DeviceInfo* info) override;  // NOLINT: OpenNI2's name
 
  private:

@@ -54,7 +54,7 @@ void RunEveryFrame(const SessionOptions& options, const Session& session) {
     *request.mutable_frame() = MakeFrame(options, *picture, encoder);
     session.tally.Sent(*picture);
     const v1::DetectStreamResponse response = Answer(options, session, request);
-    session.tally.Answered(session.tally.counts().sent - 1);
+    session.tally.Answered(session.tally.Snapshot().sent - 1);
     session.results.Take({*picture, response, 0}, session.tally);
   }
 }

@@ -29,7 +29,7 @@ class FirstError {
       failed_ = true;
     }
   }
-  bool failed() const { return failed_; }
+  bool Failed() const { return failed_; }
   void Rethrow() const {
     if (error_) std::rethrow_exception(error_);
   }
@@ -82,7 +82,7 @@ void ReceiveAll(Line& line) {
 
 void TakePictures(Line& line) {
   const Session& session = line.session;
-  while (GoesOn(line.options, session) && !line.error.failed()) {
+  while (GoesOn(line.options, session) && !line.error.Failed()) {
     std::optional<Picture> picture = session.source.Next();
     if (session.viewer != nullptr && !session.viewer->Refresh(picture)) return;
     if (picture && line.outbox.Put(std::move(*picture))) session.tally.Replaced();
@@ -100,9 +100,9 @@ void RunLive(const SessionOptions& options, const Session& session) {
   const auto receiving = std::async(std::launch::async, guarded(ReceiveAll));
   guarded(TakePictures)();
   line.outbox.Close();
-  if (line.error.failed()) line.stream->Cancel();
+  if (line.error.Failed()) line.stream->Cancel();
   const bool in_time = receiving.wait_for(kLastAnswers) == std::future_status::ready;
-  const bool failed = line.error.failed();
+  const bool failed = line.error.Failed();
   if (!in_time) {
     session.notes << "the last answers did not come in time" << std::endl;
     line.stream->Cancel();

@@ -36,7 +36,7 @@ class Pairing {
   }
 
   // Frames that were given up because their partner never came.
-  std::uint64_t num_unpaired() const { return num_unpaired_; }
+  std::uint64_t NumUnpaired() const { return num_unpaired_; }
 
  private:
   // How many wait for a partner: more is no delay any more but a loss.

@@ -94,8 +94,8 @@ int RunRecord(const RecordFlags& flags) {
   RecordingFile file(flags.path);
   std::exception_ptr error;
   {
-    const Recording recording(flags.path, camera.streams());
-    std::cout << "recording " << camera.uri() << " to " << flags.path << "; Ctrl-C ends it"
+    const Recording recording(flags.path, camera.BothStreams());
+    std::cout << "recording " << camera.Uri() << " to " << flags.path << "; Ctrl-C ends it"
               << std::endl;
     try {
       Watch(camera, flags.limits, file);

@@ -5,7 +5,7 @@
 namespace fovea::capture {
 
 bool GoesOn(const SessionOptions& options, const Session& session) {
-  return !StopAsked() && session.source.num_pictures() < options.max_frames &&
+  return !StopAsked() && session.source.NumPictures() < options.max_frames &&
          std::chrono::steady_clock::now() < options.end && !session.source.AtEnd();
 }
 

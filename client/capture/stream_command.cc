@@ -29,7 +29,7 @@ client::Client ConnectTo(const StreamFlags& flags) {
 
 ChosenIntrinsics Choose(const StreamFlags& flags, const Camera& camera) {
   ChosenIntrinsics chosen =
-      ChooseIntrinsics(flags.intrinsics, camera.field_of_view(), camera.size());
+      ChooseIntrinsics(flags.intrinsics, camera.StatedFieldOfView(), camera.size());
   std::cerr << "intrinsics: " << Describe(chosen) << '\n';
   if (!chosen.warning.empty()) std::cerr << "note: " << chosen.warning << '\n';
   return chosen;
@@ -47,8 +47,8 @@ void PrintSummary(const Session& session, steady_clock::time_point start) {
   session.tally.Finish();
   const std::chrono::duration<double> took = steady_clock::now() - start;
   if (session.source.AtEnd()) std::cout << "end of the recording\n";
-  std::cout << Summary(session.tally, session.source.num_pictures(), session.source.losses(),
-                       session.source.num_reopened())
+  std::cout << Summary(session.tally, session.source.NumPictures(), session.source.Losses(),
+                       session.source.NumReopened())
             << CpuUse(took.count()) << std::flush;
 }
 
@@ -64,7 +64,7 @@ int RunStream(const StreamFlags& flags) {
   const client::Client client = ConnectTo(flags);
   const OpenNiRuntime runtime;
   CameraSource source(camera_options, options.patience, std::cerr);
-  options.intrinsics = Choose(flags, source.camera()).values;
+  options.intrinsics = Choose(flags, source.CurrentCamera()).values;
   Viewer* const window = viewer ? &*viewer : nullptr;
   const Results results(flags.save_folder, options.intrinsics, window, std::cout);
   Tally tally;
@@ -77,7 +77,7 @@ int RunStream(const StreamFlags& flags) {
   }
   PrintSummary(session, start);
   if (error) std::rethrow_exception(error);
-  return tally.counts().failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return tally.Snapshot().failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 }  // namespace fovea::capture

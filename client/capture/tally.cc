@@ -66,12 +66,12 @@ void Tally::Finish() {
   counts_.lost = c.sent - std::min(c.sent, c.answered + c.failed + c.dropped);
 }
 
-Tally::Counts Tally::counts() const {
+Tally::Counts Tally::Snapshot() const {
   const std::lock_guard lock(mutex_);
   return counts_;
 }
 
-std::vector<double> Tally::latencies_ms() const {
+std::vector<double> Tally::Latencies_ms() const {
   const std::lock_guard lock(mutex_);
   return latencies_ms_;
 }
@@ -84,7 +84,7 @@ double Percentile(const std::vector<double>& sorted, double share) {
 
 std::string Summary(const Tally& tally, std::uint64_t num_captured, const CameraLosses& losses,
                     std::uint64_t num_reopened) {
-  const Tally::Counts c = tally.counts();
+  const Tally::Counts c = tally.Snapshot();
   std::string text =
       Format("%llu frames captured, %llu sent, %llu answered, %llu failed; %llu objects\n",
              Long(num_captured), Long(c.sent), Long(c.answered), Long(c.failed), Long(c.objects));
@@ -97,7 +97,7 @@ std::string Summary(const Tally& tally, std::uint64_t num_captured, const Camera
         "times\n",
         Long(losses.unpaired), Long(losses.wrong_size), Long(num_reopened));
   }
-  std::vector<double> times = tally.latencies_ms();
+  std::vector<double> times = tally.Latencies_ms();
   if (times.empty()) return text;
   std::sort(times.begin(), times.end());
   return text + Format(

@@ -33,8 +33,8 @@ class Tally {
   // No more answers will come.
   void Finish();
 
-  Counts counts() const;
-  std::vector<double> latencies_ms() const;
+  Counts Snapshot() const;
+  std::vector<double> Latencies_ms() const;
 
  private:
   mutable std::mutex mutex_;

@@ -125,7 +125,7 @@ OniStatus DriverDevice::tryManualTrigger() {
 }
 
 bool DriverDevice::BothRun() const {
-  return color_ != nullptr && depth_ != nullptr && color_->running() && depth_->running();
+  return color_ != nullptr && depth_ != nullptr && color_->Running() && depth_->Running();
 }
 
 void DriverDevice::Serve() {

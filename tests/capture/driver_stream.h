@@ -20,8 +20,7 @@ class DriverStream : public oni::driver::StreamBase {
   OniStatus setProperty(int id, const void* data, int size) override;
   OniBool isPropertySupported(int id) override;
 
-  bool running() const { return running_; }
-  OniVideoMode mode() const { return mode_; }
+  bool Running() const { return running_; }
   // Hands out one image: CV_8UC3, R first, or CV_16UC1.
   void Deliver(const cv::Mat& image, int index, std::uint64_t time_us);
 

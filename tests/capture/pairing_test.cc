@@ -20,7 +20,7 @@ TEST(Pairing, MatchesInEitherOrderWithinTheTolerance) {
   ASSERT_TRUE(second);
   EXPECT_EQ(second->color, 3);
   EXPECT_EQ(second->depth_time_us, 184'000U);
-  EXPECT_EQ(pairing.num_unpaired(), 0U);
+  EXPECT_EQ(pairing.NumUnpaired(), 0U);
 }
 
 TEST(Pairing, LeavesApartWhatIsOfDifferentMoments) {
@@ -36,7 +36,7 @@ TEST(Pairing, GivesUpWhatIsOlderThanAPair) {
   const auto pair = pairing.AddColor(33'000, 3);
   ASSERT_TRUE(pair);
   EXPECT_EQ(pair->depth, 2);
-  EXPECT_EQ(pairing.num_unpaired(), 1U);
+  EXPECT_EQ(pairing.NumUnpaired(), 1U);
   EXPECT_FALSE(pairing.AddColor(0, 4)) << "its partner was given up";
 }
 
@@ -46,13 +46,13 @@ TEST(Pairing, WaitsForALateImage) {
   EXPECT_FALSE(pairing.AddDepth(33'000, 2));
   EXPECT_EQ(pairing.AddColor(0, 3)->depth, 1);
   EXPECT_EQ(pairing.AddColor(33'000, 4)->depth, 2);
-  EXPECT_EQ(pairing.num_unpaired(), 0U);
+  EXPECT_EQ(pairing.NumUnpaired(), 0U);
 }
 
 TEST(Pairing, DoesNotWaitForever) {
   Pairing<int> pairing(kTolerance_us);
   for (int i = 0; i < 10; ++i) pairing.AddDepth(static_cast<std::uint64_t>(i) * 33'000, i);
-  EXPECT_EQ(pairing.num_unpaired(), 6U);
+  EXPECT_EQ(pairing.NumUnpaired(), 6U);
   EXPECT_FALSE(pairing.AddColor(5 * 33'000, 5)) << "given up";
   EXPECT_EQ(pairing.AddColor(6 * 33'000, 6)->depth, 6);
 }

@@ -30,7 +30,7 @@ TEST(Tally, CallsLostWhatHasNoOtherFate) {
   for (int i = 0; i < 4; ++i) tally.Count(/*failed=*/i == 0, 2, 5);
   tally.Gone(3, 1);
   tally.Finish();
-  const Tally::Counts counts = tally.counts();
+  const Tally::Counts counts = tally.Snapshot();
   EXPECT_EQ(counts.answered, 3U);
   EXPECT_EQ(counts.failed, 1U);
   EXPECT_EQ(counts.lost, 3U);
