@@ -26,7 +26,7 @@ v1::DetectResponse Ask(const SessionOptions& options, const Session& session,
 }
 
 v1::DetectStreamResponse Answer(const SessionOptions& options, const Session& session,
-                                v1::DetectRequest request) {
+                                const v1::DetectRequest& request) {
   v1::DetectStreamResponse response;
   response.set_frame_id(request.frame().id());
   try {
