@@ -34,6 +34,12 @@ void ResumingStream::DoneSending() {
   stream_->DoneSending();
 }
 
+void ResumingStream::Cancel() {
+  const std::lock_guard lock(mutex_);
+  canceled_ = true;
+  stream_->Cancel();
+}
+
 std::optional<ResumingStream::Answer> ResumingStream::Receive() {
   while (true) {
     const std::shared_ptr<DetectStream> current = stream();
@@ -69,6 +75,7 @@ void ResumingStream::Resume(const DetectStream& broken) {
   std::this_thread::sleep_for(wait);
 
   const std::lock_guard lock(mutex_);
+  if (canceled_) throw;
   num_lost_ += num_sent_ - next_expected_;
   next_expected_ = first_of_stream_ = num_sent_;
   stream_ = Open();

@@ -31,6 +31,9 @@ class ResumingStream {
   void Send(const v1::DetectStreamRequest& request);
   void DoneSending();
 
+  // Ends the stream, connected or not; Receive() then throws. From any thread.
+  void Cancel();
+
   // The next answer. Empty at the end, after DoneSending(). Throws RpcError where trying again
   // would bring nothing, where no frame has been answered for ClientOptions::timeout since the
   // stream broke, and where its time is over.
@@ -53,7 +56,7 @@ class ResumingStream {
   std::shared_ptr<DetectStream> stream_;
   v1::DetectOptions last_options_;
   bool repeat_options_ = false;  // the new stream does not know them yet
-  bool done_ = false;
+  bool done_ = false, canceled_ = false;
   std::uint64_t num_sent_ = 0, first_of_stream_ = 0;
 
   // Only of the receiving thread.

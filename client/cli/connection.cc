@@ -32,8 +32,7 @@ void AddConnectionFlags(CLI::App& command, ConnectionFlags& flags) {
   command.add_option("--robot", flags.robot, "Name of this robot")->type_name("NAME")->group(group);
 }
 
-client::Client Connect(const ConnectionFlags& flags) {
-  client::ClientOptions options;
+client::Client Connect(const ConnectionFlags& flags, client::ClientOptions options) {
   options.token = FirstLine(ReadIfGiven(flags.token_file));
   options.robot = flags.robot;
   if (!flags.tls_ca.empty()) {
@@ -42,6 +41,13 @@ client::Client Connect(const ConnectionFlags& flags) {
                                      .private_key = ReadIfGiven(flags.tls_key)};
   }
   return client::Client(flags.server, options);
+}
+
+// gRPC's text about a server that is away names neither the cause nor a remedy.
+std::string Explain(const client::RpcError& error, const std::string& server) {
+  if (error.code() != grpc::StatusCode::UNAVAILABLE) return error.what();
+  return "no server answers at " + server + "; is fovea-server running there? (" + error.message() +
+         ")";
 }
 
 }  // namespace fovea::cli

@@ -15,7 +15,11 @@ struct ConnectionFlags {
 
 void AddConnectionFlags(CLI::App& command, ConnectionFlags& flags);
 
-// Throws std::runtime_error for files that cannot be read.
-client::Client Connect(const ConnectionFlags& flags);
+// Throws std::runtime_error for files that cannot be read. Token, robot and TLS of `options` come
+// from the flags.
+client::Client Connect(const ConnectionFlags& flags, client::ClientOptions options = {});
+
+// What a person should read about a call to `server` that failed.
+std::string Explain(const client::RpcError& error, const std::string& server);
 
 }  // namespace fovea::cli

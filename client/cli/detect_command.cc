@@ -26,18 +26,8 @@ FrameSettings SettingsOf(const DetectFlags& flags) {
   const auto k = ParseNumbers(flags.intrinsics, 4, "--intrinsics", "FX,FY,CX,CY");
   settings.intrinsics = client::MakeIntrinsics(k[0], k[1], k[2], k[3]);
   settings.depth_unit_m = flags.depth_unit_m;
-  if (!flags.gravity.empty()) {
-    const auto g = ParseNumbers(flags.gravity, 3, "--gravity", "X,Y,Z");
-    settings.gravity.emplace();
-    settings.gravity->set_x(g[0]);
-    settings.gravity->set_y(g[1]);
-    settings.gravity->set_z(g[2]);
-  }
-  settings.options.set_profile(flags.profile);
-  for (const std::string& text : flags.settings) {
-    const auto [name, value] = ParseSetting(text);
-    (*settings.options.mutable_parameters())[name] = value;
-  }
+  settings.gravity = ParseGravity(flags.gravity);
+  settings.options = ParseOptions(flags.profile, flags.settings);
   return settings;
 }
 

@@ -15,13 +15,6 @@ namespace {
 
 using fovea::cli::ConnectionFlags;
 
-// gRPC's text about a server that is away names neither the cause nor a remedy.
-std::string Explain(const fovea::client::RpcError& error, const std::string& server) {
-  if (error.code() != grpc::StatusCode::UNAVAILABLE) return error.what();
-  return "no server answers at " + server + "; is fovea-server running there? (" + error.message() +
-         ")";
-}
-
 int CheckHealth(const ConnectionFlags& flags) {
   if (!fovea::cli::Connect(flags).IsServing()) {
     throw std::runtime_error(flags.server + " answers, but does not serve (it is stopping)");
@@ -68,7 +61,7 @@ int Run(int argc, char** argv) {
     if (*info) return PrintInfo(connection);
     return fovea::cli::RunDetect(detect_flags);
   } catch (const fovea::client::RpcError& error) {
-    throw std::runtime_error(Explain(error, asked.server));
+    throw std::runtime_error(fovea::cli::Explain(error, asked.server));
   }
 }
 

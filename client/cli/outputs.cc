@@ -12,16 +12,6 @@
 namespace fovea::cli {
 namespace {
 
-std::string ToJson(const v1::Detections& detections) {
-  google::protobuf::util::JsonPrintOptions options;
-  options.add_whitespace = true;
-  options.preserve_proto_field_names = true;
-  std::string json;
-  const auto status = google::protobuf::util::MessageToJsonString(detections, &json, options);
-  if (!status.ok()) throw std::runtime_error("the answer cannot be written as JSON");
-  return json;
-}
-
 void WriteSaliency(const std::string& prefix, const v1::Detections& detections) {
   for (const v1::SaliencyMap& map : detections.saliency_maps()) {
     if (map.data().size() != std::size_t{map.width()} * map.height()) {
@@ -34,6 +24,16 @@ void WriteSaliency(const std::string& prefix, const v1::Detections& detections) 
 }
 
 }  // namespace
+
+std::string ToJson(const v1::Detections& detections) {
+  google::protobuf::util::JsonPrintOptions options;
+  options.add_whitespace = true;
+  options.preserve_proto_field_names = true;
+  std::string json;
+  const auto status = google::protobuf::util::MessageToJsonString(detections, &json, options);
+  if (!status.ok()) throw std::runtime_error("the answer cannot be written as JSON");
+  return json;
+}
 
 void RequestFor(const OutputPaths& paths, v1::DetectOptions* options) {
   const bool draws = !paths.overlay.empty();

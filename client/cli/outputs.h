@@ -11,6 +11,9 @@ struct OutputPaths {
   std::string labels, json, overlay, cloud, saliency_prefix;
 };
 
+// The whole answer as the command line writes it.
+std::string ToJson(const v1::Detections& detections);
+
 // Asks for what these outputs need.
 void RequestFor(const OutputPaths& paths, v1::DetectOptions* options);
 

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "client/cli/files.h"
+#include "client/cli/parsing.h"
 #include "client/images.h"
 
 namespace fovea::cli {
@@ -18,6 +19,27 @@ auto FromFile(const std::string& path, Make make) {
 }
 
 }  // namespace
+
+std::optional<v1::Vector3> ParseGravity(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const auto g = ParseNumbers(text, 3, "--gravity", "X,Y,Z");
+  v1::Vector3 gravity;
+  gravity.set_x(g[0]);
+  gravity.set_y(g[1]);
+  gravity.set_z(g[2]);
+  return gravity;
+}
+
+v1::DetectOptions ParseOptions(const std::string& profile,
+                               const std::vector<std::string>& changes) {
+  v1::DetectOptions options;
+  options.set_profile(profile);
+  for (const std::string& text : changes) {
+    const auto [name, value] = ParseSetting(text);
+    (*options.mutable_parameters())[name] = value;
+  }
+  return options;
+}
 
 v1::DetectRequest MakeRequest(const FrameFiles& files, const FrameSettings& settings) {
   v1::DetectRequest request;

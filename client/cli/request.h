@@ -23,6 +23,10 @@ struct FrameFiles {
   std::string depth_path;
 };
 
+// The values of --gravity, --profile and --set. Throw std::invalid_argument that names the flag.
+std::optional<v1::Vector3> ParseGravity(const std::string& text);  // empty = none
+v1::DetectOptions ParseOptions(const std::string& profile, const std::vector<std::string>& changes);
+
 // The bytes of the files travel as they are. Throws std::exception with one line of text.
 v1::DetectRequest MakeRequest(const FrameFiles& files, const FrameSettings& settings);
 

@@ -1,0 +1,42 @@
+// The steps between opening a device and its first frame, in the order that drivers want.
+#pragma once
+
+#include <OpenNI.h>
+
+#include <iosfwd>
+#include <opencv2/core/types.hpp>
+#include <string>
+
+namespace fovea::capture {
+
+struct CameraOptions {
+  std::string device;  // URI or FILE.oni; empty = the first camera found
+  cv::Size size{640, 480};
+  int fps = 30;
+  bool allow_unregistered = false;
+  double frame_timeout_s = 5;  // longest time without a frame
+  double speed = -1;           // of a recording: 1 = as recorded, -1 = as fast as it is read
+};
+
+// "640x480", 1 to 5 digits each. Throws std::invalid_argument that names --resolution.
+cv::Size ParseResolution(const std::string& text);
+
+struct Streams {
+  openni::VideoStream color, depth;
+};
+
+// Creates both streams. Throws CameraError for devices without colour or depth.
+void CreateStreams(openni::Device& device, Streams& streams);
+
+// Colour and depth of the size and rate asked. Throws CameraError that lists the modes.
+void SetModes(const CameraOptions& options, Streams& streams);
+
+// Depth as seen by the colour camera; frames of one moment; as seen, not as in a mirror. True
+// where depth is registered.
+bool SetRegistration(openni::Device& device);
+void SetSyncAndMirror(openni::Device& device, Streams& streams, std::ostream& notes);
+
+// Throws CameraError unless the streams have the size asked.
+void CheckModes(const CameraOptions& options, const Streams& streams);
+
+}  // namespace fovea::capture

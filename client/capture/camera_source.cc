@@ -1,0 +1,66 @@
+#include "client/capture/camera_source.h"
+
+#include <ostream>
+#include <thread>
+
+#include "client/capture/camera_error.h"
+
+namespace fovea::capture {
+namespace {
+
+// How soon Ctrl-C is noticed, and how often a camera that is away is looked for.
+constexpr std::chrono::milliseconds kMoment{100};
+
+CameraLosses Sum(const CameraLosses& a, const CameraLosses& b) {
+  return {a.missed + b.missed, a.unpaired + b.unpaired, a.wrong_size + b.wrong_size};
+}
+
+}  // namespace
+
+CameraSource::CameraSource(const CameraOptions& options, std::chrono::milliseconds patience,
+                           std::ostream& notes)
+    : options_(options),
+      patience_(patience),
+      notes_(notes),
+      camera_(std::make_unique<Camera>(options, notes)) {
+  options_.device = KindOf(camera_->Uri());
+}
+
+std::optional<Picture> CameraSource::Next() {
+  if (!camera_) TryToReopen();
+  if (!camera_) return std::nullopt;
+  try {
+    auto picture = camera_->Next(kMoment);
+    if (picture) picture->number = ++num_pictures_;
+    return picture;
+  } catch (const CameraLost& lost) {
+    notes_ << lost.what() << "; waiting for it to come back" << std::endl;
+    Close();
+    return std::nullopt;
+  }
+}
+
+void CameraSource::Close() {
+  earlier_losses_ = Losses();
+  camera_.reset();
+  away_since_ = std::chrono::steady_clock::now();
+}
+
+void CameraSource::TryToReopen() {
+  try {
+    camera_ = std::make_unique<Camera>(options_, notes_);
+    ++num_reopened_;
+    notes_ << "the camera " << camera_->Uri() << " is back" << std::endl;
+  } catch (const CameraError& error) {
+    if (std::chrono::steady_clock::now() - away_since_ >= patience_) {
+      throw CameraError(std::string("the camera did not come back: ") + error.what());
+    }
+    std::this_thread::sleep_for(kMoment);
+  }
+}
+
+CameraLosses CameraSource::Losses() const {
+  return camera_ ? Sum(earlier_losses_, camera_->Losses()) : earlier_losses_;
+}
+
+}  // namespace fovea::capture

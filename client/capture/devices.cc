@@ -1,0 +1,67 @@
+#include "client/capture/devices.h"
+
+#include <utility>
+#include <vector>
+
+#include "client/capture/camera_error.h"
+
+namespace fovea::capture {
+namespace {
+
+std::vector<std::string> Cameras() {
+  openni::Array<openni::DeviceInfo> devices;
+  openni::OpenNI::enumerateDevices(&devices);
+  std::vector<std::string> uris;
+  for (int i = 0; i < devices.getSize(); ++i) {
+    const std::string uri = devices[i].getUri();
+    // OpenNI2 brings a driver without a camera, whose pictures are empty, and lists the recordings
+    // that were opened.
+    if (!uri.starts_with("Dummy") && !IsRecording(uri)) uris.push_back(uri);
+  }
+  return uris;
+}
+
+}  // namespace
+
+OpenNiRuntime::OpenNiRuntime() {
+  if (openni::OpenNI::initialize() != openni::STATUS_OK) {
+    throw CameraError("OpenNI2 does not start: " + OpenNiReason());
+  }
+}
+
+OpenNiRuntime::~OpenNiRuntime() { openni::OpenNI::shutdown(); }
+
+std::string FindDevice(const std::string& wanted) {
+  if (IsRecording(wanted)) {
+    CheckRecording(wanted);
+    return wanted;
+  }
+  const std::vector<std::string> cameras = Cameras();
+  if (cameras.empty()) {
+    throw CameraError("no camera found: OpenNI2 sees none; is it plugged in, and listed by lsusb?");
+  }
+  if (wanted.empty()) return cameras.front();
+  std::string known;
+  for (const std::string& uri : cameras) {
+    if (uri == wanted || (wanted.back() == '@' && uri.starts_with(wanted))) return uri;
+    known += (known.empty() ? "" : ", ") + uri;
+  }
+  throw CameraError("no camera " + wanted + " found; plugged in: " + known);
+}
+
+std::string KindOf(const std::string& uri) {
+  const std::size_t at = uri.find('@');
+  return at == std::string::npos ? uri : uri.substr(0, at + 1);
+}
+
+UnplugWatch::UnplugWatch(std::string uri) : uri_(std::move(uri)) {
+  openni::OpenNI::addDeviceDisconnectedListener(this);
+}
+
+UnplugWatch::~UnplugWatch() { openni::OpenNI::removeDeviceDisconnectedListener(this); }
+
+void UnplugWatch::onDeviceDisconnected(const openni::DeviceInfo* info) {
+  if (info->getUri() == uri_) unplugged_ = true;
+}
+
+}  // namespace fovea::capture

@@ -1,0 +1,43 @@
+// Which devices OpenNI2 sees.
+#pragma once
+
+#include <OpenNI.h>
+
+#include <atomic>
+#include <string>
+
+namespace fovea::capture {
+
+// OpenNI2 and its drivers, from construction to destruction. One at a time.
+class OpenNiRuntime {
+ public:
+  OpenNiRuntime();  // throws CameraError
+  ~OpenNiRuntime();
+
+  OpenNiRuntime(const OpenNiRuntime&) = delete;
+  OpenNiRuntime& operator=(const OpenNiRuntime&) = delete;
+};
+
+// The URI to open: `wanted` where it is a recording or plugged in, or the first camera for "". A
+// name that ends in "@" stands for that kind of camera at any place. Throws CameraError that names
+// what is there.
+std::string FindDevice(const std::string& wanted);
+
+// How to find the device again: a USB camera gets another URI each time that it is plugged in.
+std::string KindOf(const std::string& uri);
+
+// Notices that a device was unplugged.
+class UnplugWatch : public openni::OpenNI::DeviceDisconnectedListener {
+ public:
+  explicit UnplugWatch(std::string uri);
+  ~UnplugWatch() override;
+
+  bool Unplugged() const { return unplugged_; }
+  void onDeviceDisconnected(const openni::DeviceInfo* info) override;  // NOLINT: OpenNI2's name
+
+ private:
+  const std::string uri_;
+  std::atomic<bool> unplugged_ = false;
+};
+
+}  // namespace fovea::capture

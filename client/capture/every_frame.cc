@@ -1,0 +1,62 @@
+#include <ostream>
+#include <utility>
+
+#include "client/capture/session.h"
+#include "client/capture/stop_signal.h"
+
+namespace fovea::capture {
+namespace {
+
+using std::chrono::steady_clock;
+
+// Asks again while the server is away.
+v1::DetectResponse Ask(const SessionOptions& options, const Session& session,
+                       const v1::DetectRequest& request) {
+  constexpr std::chrono::minutes kLongestAnswer{1};
+  const steady_clock::time_point start = steady_clock::now();
+  for (bool said = false;; said = true) {
+    try {
+      return session.client.Detect(request, kLongestAnswer);
+    } catch (const client::RpcError& error) {
+      const bool too_late = steady_clock::now() - start >= options.patience;
+      if (error.code() != grpc::StatusCode::UNAVAILABLE || too_late || StopAsked()) throw;
+      if (!said) session.notes << "the server is away; waiting for it to come back" << std::endl;
+    }
+  }
+}
+
+v1::DetectStreamResponse Answer(const SessionOptions& options, const Session& session,
+                                const v1::DetectRequest& request) {
+  v1::DetectStreamResponse response;
+  response.set_frame_id(request.frame().id());
+  try {
+    *response.mutable_detections() =
+        std::move(*Ask(options, session, request).mutable_detections());
+  } catch (const client::RpcError& error) {
+    if (error.code() == grpc::StatusCode::UNAVAILABLE) throw;
+    response.mutable_error()->set_code(error.code());
+    response.mutable_error()->set_message(error.message());
+  }
+  return response;
+}
+
+}  // namespace
+
+void RunEveryFrame(const SessionOptions& options, const Session& session) {
+  Encoder encoder(options.encoding);
+  v1::DetectRequest request;
+  *request.mutable_options() = options.detection;
+  session.results.RequestFor(request.mutable_options());
+  while (GoesOn(options, session)) {
+    const std::optional<Picture> picture = session.source.Next();
+    if (session.viewer != nullptr && !session.viewer->Refresh(picture)) return;
+    if (!picture) continue;
+    *request.mutable_frame() = MakeFrame(options, *picture, encoder);
+    session.tally.Sent(*picture);
+    const v1::DetectStreamResponse response = Answer(options, session, request);
+    session.tally.Answered(session.tally.Snapshot().sent - 1);
+    session.results.Take({*picture, response, 0}, session.tally);
+  }
+}
+
+}  // namespace fovea::capture

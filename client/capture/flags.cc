@@ -1,0 +1,147 @@
+#include "client/capture/flags.h"
+
+#include <CLI/CLI.hpp>
+
+namespace fovea::capture {
+namespace {
+
+constexpr const char* kCamera = "Camera";
+constexpr const char* kCalibration = "Calibration";
+constexpr const char* kSending = "Detection";
+constexpr const char* kOutput = "Output";
+constexpr const char* kLimits = "When to stop";
+
+void AddCameraFlags(CLI::App& command, CameraFlags& flags) {
+  command
+      .add_option("--device", flags.device, "URI of the camera, or FILE.oni; else the first one")
+      ->type_name("URI|FILE.oni")
+      ->group(kCamera);
+  command.add_option("--resolution", flags.resolution, "Of colour and depth")
+      ->type_name("WIDTHxHEIGHT")
+      ->capture_default_str()
+      ->group(kCamera);
+  command.add_option("--fps", flags.fps, "Frames a second")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str()
+      ->group(kCamera);
+  command
+      .add_flag("--allow-unregistered", flags.allow_unregistered,
+                "Go on where depth cannot be registered to colour")
+      ->group(kCamera);
+}
+
+void AddFrameTimeout(CLI::App& command, CameraFlags& flags) {
+  command.add_option("--frame-timeout", flags.frame_timeout_s, "Longest time without a frame")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str()
+      ->group(kCamera);
+}
+
+void AddLimitFlags(CLI::App& command, LimitFlags& flags) {
+  command.add_option("--frames", flags.frames, "After so many frames")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber)
+      ->group(kLimits);
+  command.add_option("--seconds", flags.seconds, "After this time")
+      ->type_name("N")
+      ->check(CLI::Range(1e-3, 1e9))
+      ->group(kLimits);
+}
+
+void AddCalibrationFlags(CLI::App& command, IntrinsicsFlags& flags) {
+  CLI::Option* file = command.add_option("--calibration", flags.calibration_path,
+                                         "ROS camera_info YAML, or JSON with fx, fy, cx, cy, "
+                                         "width, height; else --intrinsics, else what the camera "
+                                         "states");
+  file->type_name("FILE")->group(kCalibration);
+  command
+      .add_option("--intrinsics", flags.numbers,
+                  "Of the colour camera in pixels, for example 525,525,319.5,239.5")
+      ->type_name("FX,FY,CX,CY")
+      ->excludes(file)
+      ->group(kCalibration);
+}
+
+void AddDetectionFlags(CLI::App& command, StreamFlags& flags) {
+  command.add_option("--profile", flags.profile, "Settings to start from: default or paper")
+      ->type_name("NAME")
+      ->group(kSending);
+  command.add_option("--set", flags.settings, "Changes one option; may be repeated")
+      ->type_name("NAME=NUMBER")
+      ->allow_extra_args(false)
+      ->group(kSending);
+  command.add_option("--gravity", flags.gravity, "Unit vector that points down; else estimated")
+      ->type_name("X,Y,Z")
+      ->group(kSending);
+  command.add_option("--color-encoding", flags.color_encoding, "jpeg, or rgb8 without loss")
+      ->type_name("NAME")
+      ->capture_default_str()
+      ->group(kSending);
+  command.add_option("--jpeg-quality", flags.jpeg_quality, "Of colour")
+      ->type_name("1-100")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str()
+      ->group(kSending);
+}
+
+void AddStreamFlags(CLI::App& command, StreamFlags& flags) {
+  cli::AddConnectionFlags(command, flags.connection);
+  command.add_flag("--any-version", flags.any_version, "Try servers of other versions, too")
+      ->group("Server");
+  command
+      .add_option("--patience", flags.patience_s,
+                  "How long to wait for a server or a camera that went away")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str()
+      ->group("Server");
+  AddFrameTimeout(command, flags.camera);
+  AddLimitFlags(command, flags.limits);
+  AddCalibrationFlags(command, flags.intrinsics);
+  AddDetectionFlags(command, flags);
+  command.add_flag("--view", flags.view, "Show a window: colour, objects, depth")->group(kOutput);
+  command
+      .add_option("--save", flags.save_folder,
+                  "Write NAME_color.png, NAME_depth.png, NAME.png (labels), NAME.json and "
+                  "NAME_overlay.png of each answer")
+      ->type_name("FOLDER")
+      ->group(kOutput);
+}
+
+}  // namespace
+
+void AddLiveFlags(CLI::App& command, StreamFlags& flags) {
+  AddCameraFlags(command, flags.camera);
+  AddStreamFlags(command, flags);
+  command
+      .add_flag("--every-frame", flags.every_frame,
+                "Take the next frame after the answer; drop none")
+      ->group(kSending);
+}
+
+void AddReplayFlags(CLI::App& command, StreamFlags& flags) {
+  command.add_option("recording", flags.camera.device, "The recording")
+      ->type_name("FILE.oni")
+      ->required();
+  AddStreamFlags(command, flags);
+  command
+      .add_option("--speed", flags.speed,
+                  "Play at this multiple of the recorded speed and drop frames like a camera; "
+                  "else each frame waits for its answer")
+      ->type_name("X")
+      ->check(CLI::Range(0.01, 100.0))
+      ->group(kSending);
+}
+
+void AddRecordFlags(CLI::App& command, RecordFlags& flags) {
+  command.add_option("recording", flags.path, "The recording to make")
+      ->type_name("FILE.oni")
+      ->required();
+  AddCameraFlags(command, flags.camera);
+  AddFrameTimeout(command, flags.camera);
+  AddLimitFlags(command, flags.limits);
+}
+
+}  // namespace fovea::capture

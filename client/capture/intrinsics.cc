@@ -1,0 +1,63 @@
+#include "client/capture/intrinsics.h"
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <stdexcept>
+
+#include "client/capture/calibration_file.h"
+#include "client/cli/parsing.h"
+#include "client/images.h"
+
+namespace fovea::capture {
+namespace {
+
+std::string Text(int width, int height) {
+  return std::to_string(width) + "x" + std::to_string(height);
+}
+
+ChosenIntrinsics FromFile(const std::string& path, const cv::Size& size) {
+  const Calibration c = ReadCalibration(path);
+  if (cv::Size(c.width, c.height) != size) {
+    throw std::runtime_error("calibration file " + path + ": it is for " + Text(c.width, c.height) +
+                             ", the camera sends " + Text(size.width, size.height));
+  }
+  return {client::MakeIntrinsics(c.fx, c.fy, c.cx, c.cy), "from the calibration file " + path,
+          c.distorted ? "the calibration has lens distortion, which is not corrected" : ""};
+}
+
+bool IsAngle(double rad) { return rad > 0 && rad < std::numbers::pi; }
+
+}  // namespace
+
+v1::CameraIntrinsics FromFieldOfView(const FieldOfView& view, const cv::Size& size) {
+  // The centre of the first pixel is 0, so the image reaches from -0.5 to width - 0.5.
+  return client::MakeIntrinsics(size.width / 2.0 / std::tan(view.horizontal_rad / 2),
+                                size.height / 2.0 / std::tan(view.vertical_rad / 2),
+                                (size.width - 1) / 2.0, (size.height - 1) / 2.0);
+}
+
+ChosenIntrinsics ChooseIntrinsics(const IntrinsicsFlags& flags, const FieldOfView& view,
+                                  const cv::Size& size) {
+  if (!flags.calibration_path.empty()) return FromFile(flags.calibration_path, size);
+  if (!flags.numbers.empty()) {
+    const auto k = cli::ParseNumbers(flags.numbers, 4, "--intrinsics", "FX,FY,CX,CY");
+    return {client::MakeIntrinsics(k[0], k[1], k[2], k[3]), "as given by --intrinsics", ""};
+  }
+  if (!IsAngle(view.horizontal_rad) || !IsAngle(view.vertical_rad)) {
+    throw std::runtime_error(
+        "the camera does not state its field of view: give --calibration or --intrinsics");
+  }
+  return {FromFieldOfView(view, size), "from the field of view that the camera states",
+          "a calibration is more exact than the field of view: --calibration FILE"};
+}
+
+std::string Describe(const ChosenIntrinsics& intrinsics) {
+  const v1::CameraIntrinsics& k = intrinsics.values;
+  char numbers[128];
+  std::snprintf(numbers, sizeof numbers, "fx %.1f, fy %.1f, cx %.1f, cy %.1f, ", k.fx(), k.fy(),
+                k.cx(), k.cy());
+  return numbers + intrinsics.source;
+}
+
+}  // namespace fovea::capture

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <opencv2/core/types.hpp>
+#include <string>
+
+#include "fovea/v1/frame.pb.h"
+
+namespace fovea::capture {
+
+// Where the intrinsics come from, best first; empty = not given.
+struct IntrinsicsFlags {
+  std::string calibration_path;
+  std::string numbers;  // FX,FY,CX,CY
+};
+
+// What the camera states about its colour stream; 0 where it states nothing.
+struct FieldOfView {
+  double horizontal_rad = 0, vertical_rad = 0;
+};
+
+struct ChosenIntrinsics {
+  v1::CameraIntrinsics values;
+  std::string source;   // for people: "from the calibration file cam.yaml"
+  std::string warning;  // empty = none
+};
+
+// A pinhole in the middle of the image. Angles must be in (0, π).
+v1::CameraIntrinsics FromFieldOfView(const FieldOfView& view, const cv::Size& size);
+
+// Throws std::exception with one line of text where a file is for another image size, or nothing
+// is known.
+ChosenIntrinsics ChooseIntrinsics(const IntrinsicsFlags& flags, const FieldOfView& view,
+                                  const cv::Size& size);
+
+// "fx 525.0, fy 525.0, cx 319.5, cy 239.5, from the calibration file cam.yaml".
+std::string Describe(const ChosenIntrinsics& intrinsics);
+
+}  // namespace fovea::capture

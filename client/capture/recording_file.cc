@@ -1,0 +1,61 @@
+#include "client/capture/recording_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <fstream>
+#include <string_view>
+#include <utility>
+
+namespace fovea::capture {
+namespace {
+
+using std::string_view_literals::operator""sv;
+
+constexpr std::string_view kFileMagic = "NI10";
+constexpr std::string_view kRecordMagic = "NIR\0"sv;
+constexpr std::uint64_t kFirstRecord = 24;
+constexpr std::uint32_t kImage = 10;  // the kind of record that holds one
+
+// How each record starts; little-endian, like all machines that this is built for.
+struct RecordHeader {
+  std::array<char, 4> magic;
+  std::uint32_t kind, stream, header_bytes, payload_bytes;
+};
+static_assert(sizeof(RecordHeader) == 20);
+
+bool HasText(const std::string& path, std::uint64_t position, std::string_view text) {
+  std::ifstream file(path, std::ios::binary);
+  std::string found(text.size(), '\0');
+  file.seekg(static_cast<std::streamoff>(position));
+  file.read(found.data(), static_cast<std::streamsize>(found.size()));
+  return file && found == text;
+}
+
+}  // namespace
+
+RecordingFile::RecordingFile(std::string path) : path_(std::move(path)), position_(kFirstRecord) {}
+
+std::uint64_t RecordingFile::CountFrames(std::size_t num_streams) {
+  std::ifstream file(path_, std::ios::binary | std::ios::ate);
+  const auto size = static_cast<std::uint64_t>(std::max<std::streamoff>(file.tellg(), 0));
+  RecordHeader header{};
+  while (position_ + sizeof header <= size) {
+    file.seekg(static_cast<std::streamoff>(position_));
+    file.read(reinterpret_cast<char*>(&header), sizeof header);
+    if (!file || std::string_view(header.magic.data(), header.magic.size()) != kRecordMagic) break;
+    const std::uint64_t end = position_ + header.header_bytes + header.payload_bytes;
+    if (end <= position_ || end > size) break;  // not written to its end yet
+    if (header.kind == kImage) ++num_images_[header.stream];
+    position_ = end;
+  }
+  if (num_images_.size() < num_streams) return 0;
+  return std::min_element(num_images_.begin(), num_images_.end(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->second;
+}
+
+bool IsRecordingFile(const std::string& path) { return HasText(path, 0, kFileMagic); }
+bool HasRecords(const std::string& path) { return HasText(path, kFirstRecord, kRecordMagic); }
+
+}  // namespace fovea::capture

@@ -1,0 +1,76 @@
+#include "client/capture/results.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <opencv2/imgproc.hpp>
+#include <ostream>
+#include <utility>
+
+#include "client/capture/encoding.h"
+#include "client/cli/files.h"
+#include "client/cli/labels.h"
+#include "client/cli/outputs.h"
+#include "client/cli/overlay.h"
+
+namespace fovea::capture {
+namespace {
+
+// "000012  5 objects  143 ms, 3 dropped by the server".
+std::string Line(const Result& result, double latency_ms) {
+  const v1::DetectStreamResponse& response = result.response;
+  char time[48];
+  std::snprintf(time, sizeof time, "  %.0f ms", latency_ms);
+  std::string line = response.frame_id() + "  ";
+  line += response.has_error() ? "failed: " + response.error().message()
+                               : std::to_string(response.detections().objects_size()) + " objects";
+  line += time;
+  if (response.dropped() > 0) {
+    line += ", " + std::to_string(response.dropped()) + " dropped by the server";
+  }
+  if (result.lost > 0) {
+    line += ", " + std::to_string(result.lost) + " lost with the connection";
+  }
+  return line;
+}
+
+}  // namespace
+
+Results::Results(std::string save_folder, const v1::CameraIntrinsics& intrinsics, Viewer* viewer,
+                 std::ostream& out)
+    : save_folder_(std::move(save_folder)), intrinsics_(intrinsics), viewer_(viewer), out_(out) {
+  if (!save_folder_.empty()) std::filesystem::create_directories(save_folder_);
+}
+
+void Results::RequestFor(v1::DetectOptions* options) const {
+  options->set_return_masks(Draws());
+  options->set_return_seeds(Draws());
+}
+
+void Results::Take(const Result& result, Tally& tally) const {
+  const v1::DetectStreamResponse& response = result.response;
+  const std::chrono::duration<double, std::milli> latency =
+      std::chrono::steady_clock::now() - result.picture.arrived;
+  tally.Gone(response.dropped(), result.lost);
+  tally.Count(response.has_error(),
+              static_cast<std::uint64_t>(response.detections().objects_size()), latency.count());
+  out_ << Line(result, latency.count()) << std::endl;
+  if (response.has_error() || !Draws()) return;
+
+  cv::Mat color;
+  cv::cvtColor(result.picture.color, color, cv::COLOR_RGB2BGR);
+  const cv::Mat overlay = cli::DrawOverlay(color, intrinsics_, response.detections());
+  if (!save_folder_.empty()) Save(result.picture, response.detections(), color, overlay);
+  if (viewer_ != nullptr) viewer_->SetOverlay(overlay);
+}
+
+void Results::Save(const Picture& picture, const v1::Detections& detections, const cv::Mat& color,
+                   const cv::Mat& overlay) const {
+  const std::string prefix = save_folder_ + "/" + FrameName(picture.number);
+  cli::WriteImage(prefix + "_color.png", color);
+  cli::WriteImage(prefix + "_depth.png", picture.depth);
+  cli::WriteImage(prefix + "_overlay.png", overlay);
+  cli::WriteImage(prefix + ".png", cli::LabelImage(detections));
+  cli::WriteFile(prefix + ".json", cli::ToJson(detections));
+}
+
+}  // namespace fovea::capture

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+#include "client/capture/picture.h"
+#include "client/capture/tally.h"
+#include "client/capture/viewer.h"
+#include "fovea/v1/detection_service.pb.h"
+
+namespace fovea::capture {
+
+// An answer and the picture that it is about.
+struct Result {
+  Picture picture;
+  v1::DetectStreamResponse response;
+  std::uint64_t lost = 0;  // before it, with a connection that broke
+};
+
+// What a person gets to see of the answers: a line each, files, the window.
+class Results {
+ public:
+  // `save_folder` is made where it is missing; empty = no files. `viewer` may be null.
+  Results(std::string save_folder, const v1::CameraIntrinsics& intrinsics, Viewer* viewer,
+          std::ostream& out);
+
+  // Masks and seeds are needed for drawing only.
+  void RequestFor(v1::DetectOptions* options) const;
+
+  // Counts, prints and saves. Throws std::runtime_error for files that cannot be written.
+  void Take(const Result& result, Tally& tally) const;
+
+ private:
+  bool Draws() const { return viewer_ != nullptr || !save_folder_.empty(); }
+  void Save(const Picture& picture, const v1::Detections& detections, const cv::Mat& color,
+            const cv::Mat& overlay) const;
+
+  const std::string save_folder_;
+  const v1::CameraIntrinsics intrinsics_;
+  Viewer* const viewer_;
+  std::ostream& out_;
+};
+
+}  // namespace fovea::capture

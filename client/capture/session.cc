@@ -1,0 +1,19 @@
+#include "client/capture/session.h"
+
+#include "client/capture/stop_signal.h"
+
+namespace fovea::capture {
+
+bool GoesOn(const SessionOptions& options, const Session& session) {
+  return !StopAsked() && session.source.NumPictures() < options.max_frames &&
+         std::chrono::steady_clock::now() < options.end && !session.source.AtEnd();
+}
+
+v1::Frame MakeFrame(const SessionOptions& options, const Picture& picture, Encoder& encoder) {
+  v1::Frame frame = encoder.Encode(picture);
+  *frame.mutable_intrinsics() = options.intrinsics;
+  if (options.gravity) *frame.mutable_gravity() = *options.gravity;
+  return frame;
+}
+
+}  // namespace fovea::capture

@@ -1,0 +1,27 @@
+#include "client/capture/stop_signal.h"
+
+#include <signal.h>
+
+#include <atomic>
+
+namespace fovea::capture {
+namespace {
+
+std::atomic<bool> stop_asked = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+void AskForStop(int) { stop_asked = true; }
+
+}  // namespace
+
+void CatchStopSignals() {
+  struct sigaction action {};
+  action.sa_handler = AskForStop;
+  action.sa_flags = SA_RESTART;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+bool StopAsked() { return stop_asked; }
+
+}  // namespace fovea::capture

@@ -1,0 +1,83 @@
+#include "client/capture/stream_command.h"
+
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <optional>
+
+#include "client/capture/camera_error.h"
+#include "client/capture/server_check.h"
+
+namespace fovea::capture {
+namespace {
+
+using std::chrono::steady_clock;
+
+// A recording is played frame by frame, unless a speed is given.
+bool TakesEveryFrame(const StreamFlags& flags) {
+  return flags.every_frame || (IsRecording(flags.camera.device) && flags.speed == 0);
+}
+
+client::Client ConnectTo(const StreamFlags& flags) {
+  client::ClientOptions options;
+  client::Client client = cli::Connect(flags.connection, options);
+  if (!flags.any_version) std::cerr << CheckServer(client, flags.connection.server) << '\n';
+  // A stream that broke is taken up again for as long.
+  options.timeout = std::chrono::milliseconds(static_cast<int>(flags.patience_s * 1000) + 1);
+  return cli::Connect(flags.connection, options);
+}
+
+ChosenIntrinsics Choose(const StreamFlags& flags, const Camera& camera) {
+  ChosenIntrinsics chosen =
+      ChooseIntrinsics(flags.intrinsics, camera.StatedFieldOfView(), camera.size());
+  std::cerr << "intrinsics: " << Describe(chosen) << '\n';
+  if (!chosen.warning.empty()) std::cerr << "note: " << chosen.warning << '\n';
+  return chosen;
+}
+
+void Run(const StreamFlags& flags, const SessionOptions& options, const Session& session) {
+  try {
+    TakesEveryFrame(flags) ? RunEveryFrame(options, session) : RunLive(options, session);
+  } catch (const client::RpcError& error) {
+    throw std::runtime_error(cli::Explain(error, flags.connection.server));
+  }
+}
+
+void PrintSummary(const Session& session, steady_clock::time_point start) {
+  session.tally.Finish();
+  const std::chrono::duration<double> took = steady_clock::now() - start;
+  if (session.source.AtEnd()) std::cout << "end of the recording\n";
+  std::cout << Summary(session.tally, session.source.NumPictures(), session.source.Losses(),
+                       session.source.NumReopened())
+            << CpuUse(took.count()) << std::flush;
+}
+
+}  // namespace
+
+int RunStream(const StreamFlags& flags) {
+  const steady_clock::time_point start = steady_clock::now();
+  SessionOptions options = SessionOptionsOf(flags);
+  CameraOptions camera_options = CameraOptionsOf(flags.camera);
+  if (flags.speed > 0) camera_options.speed = flags.speed;
+  std::optional<Viewer> viewer;
+  if (flags.view) viewer.emplace();
+  const client::Client client = ConnectTo(flags);
+  const OpenNiRuntime runtime;
+  CameraSource source(camera_options, options.patience, std::cerr);
+  options.intrinsics = Choose(flags, source.CurrentCamera()).values;
+  Viewer* const window = viewer ? &*viewer : nullptr;
+  const Results results(flags.save_folder, options.intrinsics, window, std::cout);
+  Tally tally;
+  const Session session{client, source, results, window, tally, std::cerr};
+  std::exception_ptr error;
+  try {
+    Run(flags, options, session);
+  } catch (const std::exception&) {
+    error = std::current_exception();
+  }
+  PrintSummary(session, start);
+  if (error) std::rethrow_exception(error);
+  return tally.Snapshot().failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+}  // namespace fovea::capture

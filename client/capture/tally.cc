@@ -1,0 +1,122 @@
+#include "client/capture/tally.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace fovea::capture {
+namespace {
+
+template <typename... Values>
+std::string Format(const char* format, Values... values) {
+  char line[256];
+  std::snprintf(line, sizeof line, format, values...);
+  return line;
+}
+
+unsigned long long Long(std::uint64_t value) { return value; }
+
+double Seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
+}
+
+}  // namespace
+
+void Tally::Replaced() {
+  const std::lock_guard lock(mutex_);
+  ++counts_.replaced;
+}
+
+void Tally::Sent(Picture picture) {
+  const std::lock_guard lock(mutex_);
+  ++counts_.sent;
+  waiting_.push_back(std::move(picture));
+}
+
+std::optional<Picture> Tally::Answered(std::uint64_t sequence) {
+  const std::lock_guard lock(mutex_);
+  // Those before it were dropped or lost, and get no answer.
+  for (; first_waiting_ < sequence && !waiting_.empty(); ++first_waiting_) waiting_.pop_front();
+  if (waiting_.empty() || first_waiting_ != sequence) return std::nullopt;
+  Picture picture = std::move(waiting_.front());
+  waiting_.pop_front();
+  ++first_waiting_;
+  return picture;
+}
+
+void Tally::Count(bool failed, std::uint64_t objects, double latency_ms) {
+  const std::lock_guard lock(mutex_);
+  failed ? ++counts_.failed : ++counts_.answered;
+  counts_.objects += objects;
+  latencies_ms_.push_back(latency_ms);
+}
+
+void Tally::Gone(std::uint64_t dropped, std::uint64_t lost) {
+  const std::lock_guard lock(mutex_);
+  counts_.dropped += dropped;
+  counts_.lost += lost;
+}
+
+void Tally::Finish() {
+  const std::lock_guard lock(mutex_);
+  const Counts& c = counts_;
+  counts_.lost = c.sent - std::min(c.sent, c.answered + c.failed + c.dropped);
+}
+
+Tally::Counts Tally::Snapshot() const {
+  const std::lock_guard lock(mutex_);
+  return counts_;
+}
+
+std::vector<double> Tally::Latencies_ms() const {
+  const std::lock_guard lock(mutex_);
+  return latencies_ms_;
+}
+
+double Percentile(const std::vector<double>& sorted, double share) {
+  if (sorted.empty()) return 0;
+  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
+  return sorted[std::min(std::max<std::size_t>(rank, 1), sorted.size()) - 1];
+}
+
+std::string Summary(const Tally& tally, std::uint64_t num_captured, const CameraLosses& losses,
+                    std::uint64_t num_reopened) {
+  const Tally::Counts c = tally.Snapshot();
+  std::string text =
+      Format("%llu frames captured, %llu sent, %llu answered, %llu failed; %llu objects\n",
+             Long(num_captured), Long(c.sent), Long(c.answered), Long(c.failed), Long(c.objects));
+  text +=
+      Format("dropped: %llu by the camera, %llu by this client, %llu by the server; %llu lost\n",
+             Long(losses.missed), Long(c.replaced), Long(c.dropped), Long(c.lost));
+  if (losses.unpaired + losses.wrong_size + num_reopened > 0) {
+    text += Format(
+        "camera: %llu images without a partner, %llu of a wrong size, reopened %llu "
+        "times\n",
+        Long(losses.unpaired), Long(losses.wrong_size), Long(num_reopened));
+  }
+  std::vector<double> times = tally.Latencies_ms();
+  if (times.empty()) return text;
+  std::sort(times.begin(), times.end());
+  return text + Format(
+                    "latency from frame to result: median %.0f ms, 90 %% %.0f ms, 99 %% %.0f "
+                    "ms, longest %.0f ms\n",
+                    Percentile(times, 0.5), Percentile(times, 0.9), Percentile(times, 0.99),
+                    times.back());
+}
+
+std::string CpuUse(double seconds) {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const double used = Seconds(usage.ru_utime) + Seconds(usage.ru_stime);
+  std::string text = Format("processor time of this client: %.1f s", used);
+  constexpr double kTellingSeconds = 1;  // starting takes more than its share of a short run
+  if (seconds >= kTellingSeconds) {
+    text += Format(" in %.1f s, %.0f %% of one core", seconds, 100 * used / seconds);
+  }
+  return text + "\n";
+}
+
+}  // namespace fovea::capture

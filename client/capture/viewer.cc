@@ -1,0 +1,62 @@
+#include "client/capture/viewer.h"
+
+#include <cstdlib>
+#include <opencv2/highgui.hpp>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+
+namespace fovea::capture {
+namespace {
+
+constexpr const char* kTitle = "fovea-capture (q closes)";
+
+bool HasDisplay() {
+  for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
+    const char* value = std::getenv(name);
+    if (value != nullptr && *value != '\0') return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Viewer::Viewer() {
+  if (!HasDisplay()) {
+    throw std::runtime_error(
+        "--view needs a display, and neither DISPLAY nor WAYLAND_DISPLAY is set; --save DIR writes "
+        "pictures instead");
+  }
+  cv::namedWindow(kTitle, cv::WINDOW_NORMAL | cv::WINDOW_KEEPRATIO);
+}
+
+Viewer::~Viewer() { cv::destroyAllWindows(); }
+
+bool Viewer::Refresh(const std::optional<Picture>& picture) {
+  if (picture) {
+    cv::cvtColor(picture->color, color_, cv::COLOR_RGB2BGR);
+    depth_ = DrawDepth(picture->depth, picture->depth_unit_m);
+  }
+  if (auto overlay = overlays_.TryTake()) cv::resize(*overlay, overlay_, color_.size());
+  if (!color_.empty()) {
+    cv::Mat panels;
+    cv::hconcat(
+        std::vector<cv::Mat>{color_, overlay_.size() == color_.size() ? overlay_ : color_, depth_},
+        panels);
+    cv::imshow(kTitle, panels);
+  }
+  const int key = cv::waitKey(1);
+  constexpr int kEscape = 27;
+  return key != 'q' && key != kEscape &&
+         (color_.empty() || cv::getWindowProperty(kTitle, cv::WND_PROP_VISIBLE) != 0);
+}
+
+cv::Mat DrawDepth(const cv::Mat& depth, double unit_m) {
+  constexpr double kFar_m = 4;
+  cv::Mat near, drawn;
+  depth.convertTo(near, CV_8U, -255 * unit_m / kFar_m, 255);
+  cv::applyColorMap(near, drawn, cv::COLORMAP_TURBO);
+  drawn.setTo(cv::Scalar::all(0), depth == 0);
+  return drawn;
+}
+
+}  // namespace fovea::capture

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <optional>
+
+#include "client/capture/latest.h"
+#include "client/capture/picture.h"
+
+namespace fovea::capture {
+
+// The live window: colour, the last answer drawn on its own frame, depth.
+class Viewer {
+ public:
+  // Throws std::runtime_error where there is no display.
+  Viewer();
+  ~Viewer();
+
+  Viewer(const Viewer&) = delete;
+  Viewer& operator=(const Viewer&) = delete;
+
+  // From any thread.
+  void SetOverlay(cv::Mat overlay) { overlays_.Put(std::move(overlay)); }
+
+  // From the thread that made the viewer, often: draws, and serves the window. False once a person
+  // closed it (q or Escape).
+  bool Refresh(const std::optional<Picture>& picture);
+
+ private:
+  Latest<cv::Mat> overlays_;
+  cv::Mat overlay_, color_, depth_;
+};
+
+// Near = warm, far (4 m) = cold, not measured = black; CV_8UC3, B first.
+cv::Mat DrawDepth(const cv::Mat& depth, double unit_m);
+
+}  // namespace fovea::capture

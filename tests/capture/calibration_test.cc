@@ -1,0 +1,108 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "client/capture/calibration_file.h"
+#include "client/capture/intrinsics.h"
+#include "tests/support/temporary_folder.h"
+
+namespace fovea::capture {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr const char* kRos = R"(image_width: 640
+image_height: 480
+camera_name: head
+camera_matrix:
+  rows: 3
+  cols: 3
+  data: [540.5, 0, 315.25, 0, 541.5, 238.75, 0, 0, 1]
+distortion_model: plumb_bob
+distortion_coefficients:
+  rows: 1
+  cols: 5
+  data: [0.04, -0.1, 0, 0, 0]
+)";
+
+class CalibrationTest : public ::testing::Test {
+ protected:
+  void ExpectRefused(const std::string& text, const std::string& reason) {
+    const std::string path = folder_.Write("c.yaml", text);
+    try {
+      ReadCalibration(path);
+      FAIL() << text;
+    } catch (const std::runtime_error& error) {
+      EXPECT_THAT(error.what(), HasSubstr("calibration file " + path + ": "));
+      EXPECT_THAT(error.what(), HasSubstr(reason));
+    }
+  }
+
+  testing::TemporaryFolder folder_;
+};
+
+TEST_F(CalibrationTest, ReadsCameraInfo) {
+  const Calibration c = ReadCalibration(folder_.Write("c.yaml", kRos));
+  EXPECT_EQ(c.fx, 540.5);
+  EXPECT_EQ(c.fy, 541.5);
+  EXPECT_EQ(c.cx, 315.25);
+  EXPECT_EQ(c.cy, 238.75);
+  EXPECT_EQ(c.width, 640);
+  EXPECT_EQ(c.height, 480);
+  EXPECT_TRUE(c.distorted);
+}
+
+TEST_F(CalibrationTest, ReadsJson) {
+  const Calibration c = ReadCalibration(folder_.Write(
+      "c.json", R"( {"fx": 500, "fy": 501, "cx": 320, "cy": 240.5, "width": 640, "height": 480})"));
+  EXPECT_EQ(c.fx, 500);
+  EXPECT_EQ(c.fy, 501);
+  EXPECT_EQ(c.cx, 320);
+  EXPECT_EQ(c.cy, 240.5);
+  EXPECT_EQ(c.width, 640);
+  EXPECT_EQ(c.height, 480);
+  EXPECT_FALSE(c.distorted);
+}
+
+TEST_F(CalibrationTest, SaysWhatIsMissing) {
+  ExpectRefused("image_width: 640\n", "it has no camera_matrix");
+  ExpectRefused("just text", "it has no camera_matrix");
+  ExpectRefused("a: [", "c.yaml");
+  ExpectRefused("{\"fx\": 1}", "fy");
+  ExpectRefused("camera_matrix: {data: [1, 2]}", "camera_matrix must have 9 numbers");
+  ExpectRefused(
+      "camera_matrix: {data: [0, 0, 1, 0, 1, 1, 0, 0, 1]}\nimage_width: 4\n"
+      "image_height: 3\n",
+      "focal lengths must be above 0");
+  ExpectRefused(
+      "camera_matrix: {data: [1, 0, 1, 0, 1, 1, 0, 0, 1]}\nimage_width: 0\n"
+      "image_height: 3\n",
+      "width and height must be above 0");
+  EXPECT_THROW(ReadCalibration(folder_.At("none")), std::runtime_error);
+}
+
+TEST_F(CalibrationTest, ChoosesTheBestThatIsKnown) {
+  const std::string path = folder_.Write("c.yaml", kRos);
+  const FieldOfView view{1.0, 0.8};
+  const ChosenIntrinsics from_file = ChooseIntrinsics({path, ""}, view, {640, 480});
+  EXPECT_EQ(from_file.values.fx(), 540.5);
+  EXPECT_THAT(from_file.warning, HasSubstr("distortion"));
+  EXPECT_EQ(ChooseIntrinsics({"", "1,2,3,4"}, view, {640, 480}).values.cy(), 4);
+  EXPECT_THAT(ChooseIntrinsics({}, view, {640, 480}).source, HasSubstr("field of view"));
+  EXPECT_THROW(ChooseIntrinsics({path, ""}, view, {320, 240}), std::runtime_error);
+  EXPECT_THROW(ChooseIntrinsics({"", "1,2"}, view, {640, 480}), std::invalid_argument);
+  EXPECT_THROW(ChooseIntrinsics({}, {0, 0}, {640, 480}), std::runtime_error);
+}
+
+TEST(FieldOfView, GivesTheFocalLengthWhoseRaysMeetTheImageBorder) {
+  const FieldOfView view{2 * std::atan(320 / 525.0), 2 * std::atan(240 / 530.0)};
+  const v1::CameraIntrinsics k = FromFieldOfView(view, {640, 480});
+  EXPECT_NEAR(k.fx(), 525, 1e-9);
+  EXPECT_NEAR(k.fy(), 530, 1e-9);
+  EXPECT_EQ(k.cx(), 319.5);
+  EXPECT_EQ(k.cy(), 239.5);
+}
+
+}  // namespace
+}  // namespace fovea::capture

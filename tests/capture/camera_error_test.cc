@@ -1,0 +1,34 @@
+#include "client/capture/camera_error.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "client/capture/camera_setup.h"
+#include "client/capture/devices.h"
+
+namespace fovea::capture {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST(CannotOpen, NamesTheUdevRuleOnlyWherePermissionIsMissing) {
+  EXPECT_THAT(CannotOpen("a@b", "USB: Access denied").what(), HasSubstr("60-libopenni2-0.rules"));
+  EXPECT_THAT(CannotOpen("a@b", "firmware timeout").what(), Not(HasSubstr("rules")));
+  EXPECT_THAT(CannotOpen("a@b", "firmware timeout").what(), HasSubstr("firmware timeout"));
+}
+
+TEST(KindOf, LeavesThePlaceOut) {
+  EXPECT_EQ(KindOf("1d27/0609@1/3"), "1d27/0609@");
+  EXPECT_EQ(KindOf("camera"), "camera");
+}
+
+TEST(ParseResolution, TakesWidthAndHeight) {
+  EXPECT_EQ(ParseResolution("640x480"), cv::Size(640, 480));
+  for (const char* text : {"", "640", "640x", "640x480x3", "-1x2", "123456x2"}) {
+    EXPECT_THROW(ParseResolution(text), std::invalid_argument) << text;
+  }
+}
+
+}  // namespace
+}  // namespace fovea::capture

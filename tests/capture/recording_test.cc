@@ -1,0 +1,140 @@
+// Recordings: made from the test camera, played by OpenNI2's own driver for files.
+#include <gmock/gmock.h>
+#include <signal.h>
+
+#include <chrono>
+#include <filesystem>
+#include <opencv2/core.hpp>
+#include <set>
+#include <thread>
+
+#include "tests/capture/capture_process.h"
+
+namespace fovea::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+// Waits until the file has grown to this size; false where it does not in a minute.
+bool Holds(const std::string& path, std::uintmax_t num_bytes) {
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (std::chrono::steady_clock::now() < deadline) {
+    std::error_code missing;
+    const std::uintmax_t size = fs::file_size(path, missing);
+    if (!missing && size >= num_bytes) return true;
+    std::this_thread::yield();
+  }
+  return false;
+}
+
+class RecordingTest : public CaptureTest {
+ protected:
+  // A recording of at least seven frames.
+  std::string Recorded() const {
+    const Finished finished = Capture(Record(At("a.oni"), {"--frames", "7"}));
+    EXPECT_EQ(finished.exit_code, 0) << finished.err;
+    EXPECT_GE(CountOf(finished.out, "frames in"), 7) << finished.out;
+    return At("a.oni");
+  }
+
+  std::vector<SavedFrame> SavedByReplay(const std::string& recording, const std::string& folder,
+                                        std::vector<std::string> flags = {}) const {
+    flags.insert(flags.begin(), {"--color-encoding", "rgb8", "--save", folder});
+    const Finished finished = Capture(Replay(recording, flags));
+    EXPECT_EQ(finished.exit_code, 0) << finished.err;
+    EXPECT_THAT(finished.out, HasSubstr("end of the recording\n"));
+    EXPECT_EQ(CountOf(finished.out, "frames captured"), CountOf(finished.out, "answered"));
+    EXPECT_EQ(CountOf(finished.out, "by the camera"), 0) << finished.out;
+    return Saved(folder);
+  }
+};
+
+TEST_F(RecordingTest, ReplayGivesExactlyWhatTheLiveRunGave) {
+  const Finished live =
+      Capture(Live({"--color-encoding", "rgb8", "--frames", "12", "--save", At("live")}),
+              {{"FOVEA_CAMERA_FPS", "30"}});
+  ASSERT_EQ(live.exit_code, 0) << live.err;
+  std::vector<SavedFrame> live_frames(frames_.size());
+  for (const SavedFrame& frame : Saved(At("live"))) live_frames[frame.generated] = frame;
+
+  std::set<std::size_t> compared;
+  for (const SavedFrame& frame : SavedByReplay(Recorded(), At("replay"))) {
+    const SavedFrame& expected = live_frames[frame.generated];
+    if (expected.name.empty()) continue;  // the live run dropped it
+    compared.insert(frame.generated);
+    EXPECT_EQ(frame.label_file, expected.label_file) << frame.name;
+    EXPECT_EQ(frame.json, expected.json) << frame.name;
+    EXPECT_EQ(cv::norm(frame.color, expected.color, cv::NORM_INF), 0) << frame.name;
+  }
+  EXPECT_FALSE(compared.empty());
+}
+
+TEST_F(RecordingTest, ReplaysAllFramesInOrderEachTime) {
+  const std::string recording = Recorded();
+  const auto first = SavedByReplay(recording, At("first"));
+  const auto second = SavedByReplay(recording, At("second"));
+  ASSERT_GE(first.size(), 7U);
+  ASSERT_EQ(first.size(), second.size());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    EXPECT_EQ(first[i].generated, (first[0].generated + i) % frames_.size());
+    EXPECT_EQ(first[i].label_file, second[i].label_file);
+    EXPECT_EQ(first[i].json, second[i].json);
+  }
+}
+
+TEST_F(RecordingTest, PlaysAtASpeedLikeACamera) {
+  const Finished finished = Capture(Replay(Recorded(), {"--speed", "1"}));
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_THAT(finished.out, HasSubstr("end of the recording\n"));
+  EXPECT_GE(CountOf(finished.out, "answered"), 1);
+}
+
+TEST_F(RecordingTest, HoldsAllFramesThatWereTaken) {
+  // Frames come faster than they are written.
+  const Finished finished = Capture(Record(At("a.oni"), {"--frames", "40"}));
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  const int num_recorded = CountOf(finished.out, "frames in");
+  EXPECT_GE(num_recorded, 40);
+  const Finished replay = Capture(Replay(At("a.oni")));
+  EXPECT_GE(CountOf(replay.out, "frames captured"), num_recorded) << replay.err;
+}
+
+TEST_F(RecordingTest, SignalsLeaveARecordingThatPlays) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const std::string path = At(std::to_string(signal) + ".oni");
+    Process record(CommandLine(Record(path), {{"FOVEA_CAMERA_FPS", "30"}}));
+    EXPECT_THAT(record.ReadLine(), HasSubstr("recording fovea/test@0/1 to " + path));
+    ASSERT_TRUE(Holds(path, 1'000'000));
+    record.Signal(signal);
+    const Finished finished = record.Wait();
+    EXPECT_EQ(finished.exit_code, 0) << finished.err;
+    EXPECT_GE(SavedByReplay(path, At("out" + std::to_string(signal))).size(), 2U);
+  }
+}
+
+TEST_F(RecordingTest, UnpluggingLeavesARecordingThatPlays) {
+  const Environment environment{{"FOVEA_CAMERA_CONTROL", At("unplugged")},
+                                {"FOVEA_CAMERA_FPS", "30"}};
+  Process record(CommandLine(Record(At("a.oni")), environment));
+  record.ReadLine();
+  ASSERT_TRUE(Holds(At("a.oni"), 1'000'000));
+  folder_.Write("unplugged", "");
+  ExpectOneLineError(record.Wait(), "fovea/test@0/1 was unplugged");
+  EXPECT_GE(SavedByReplay(At("a.oni"), At("out")).size(), 2U);
+}
+
+TEST_F(RecordingTest, SaysWhatIsNoRecording) {
+  ExpectOneLineError(Capture(Replay(At("none.oni"))), "there is no recording " + At("none.oni"));
+  ExpectOneLineError(Capture(Replay(folder_.Write("text.oni", "not a recording"))),
+                     "text.oni is not a recording of OpenNI2");
+  ExpectOneLineError(
+      Capture(Replay(folder_.Write("damaged.oni", "NI10 and not much more than that"))),
+      "damaged.oni is damaged");
+  ExpectOneLineError(Capture(Record(At("a.avi"))), "a recording's name ends in .oni");
+  ExpectOneLineError(Capture(Record(At("text.oni"))), "text.oni is there already");
+  ExpectOneLineError(Capture(Record(At("no/folder.oni"))), "cannot record to");
+}
+
+}  // namespace
+}  // namespace fovea::testing
