@@ -32,7 +32,7 @@ address=${address#listening on }
 inside fovea health --server "$address"
 if [ -e "$root/usr/bin/fovea-capture" ]; then inside fovea-capture --help >/dev/null && echo "fovea-capture runs"; fi
 if [ -d "$root/usr/lib/python3/dist-packages/fovea" ]; then
-  inside python3 -c "import fovea; print('python:', fovea.Client('$address').server_info().version)"
+  inside python3 -c "import fovea; print('python:', fovea.Client('$address').get_server_info().version)"
 fi
 kill "$server"
 wait "$server" || { echo "try_packages: the server ended with $?" >&2; exit 1; }
