@@ -17,9 +17,9 @@ set(CPACK_DEBIAN_SERVER_PACKAGE_NAME fovea-server)
 set(CPACK_COMPONENT_SERVER_DESCRIPTION "The service that detects unknown objects in RGB-D frames.")
 set(CPACK_DEBIAN_SERVER_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_SERVER_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_SERVER_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/deploy/debian/conffiles
-                                              ${PROJECT_SOURCE_DIR}/deploy/debian/postinst
-                                              ${PROJECT_SOURCE_DIR}/deploy/debian/prerm)
+set(CPACK_DEBIAN_SERVER_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/deploy/debian/server/conffiles
+                                              ${PROJECT_SOURCE_DIR}/deploy/debian/server/postinst
+                                              ${PROJECT_SOURCE_DIR}/deploy/debian/server/prerm)
 
 set(CPACK_DEBIAN_CLIENT_PACKAGE_NAME fovea-client)
 set(CPACK_COMPONENT_CLIENT_DESCRIPTION
@@ -36,6 +36,8 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
     "python3:any, python3-grpcio, python3-protobuf, python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/deploy/debian/python/postinst
+                                              ${PROJECT_SOURCE_DIR}/deploy/debian/python/prerm)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-pil, python3-zstandard")
 
 install(FILES deploy/fovea-server.service DESTINATION lib/systemd/system COMPONENT server)
