@@ -11,6 +11,7 @@
 #include <grpc/grpc.h>
 #include <sanitizer/tsan_interface.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <opencv2/core/utility.hpp>
@@ -28,6 +29,16 @@ Function* Real(const char* name) {
   }
   return reinterpret_cast<Function*>(function);
 }
+
+// gRPC 1.51 looks at connect's errno only after it has taken locks and allocated memory, so what
+// stands in for a lock must leave errno alone; finding the real function does not.
+class KeepErrno {
+ public:
+  ~KeepErrno() { errno = errno_; }
+
+ private:
+  const int errno_ = errno;
+};
 
 // What a part of a loop did comes after what its caller did before, and before what it does next.
 class OrderedBody : public cv::ParallelLoopBody {
@@ -54,12 +65,14 @@ namespace absl {
 ABSL_NAMESPACE_BEGIN
 
 void Mutex::Lock() {
+  const KeepErrno keep;
   static auto* const real = Real<void(Mutex*)>("_ZN4absl7debian35Mutex4LockEv");
   real(this);
   __tsan_acquire(this);
 }
 
 bool Mutex::TryLock() {
+  const KeepErrno keep;
   static auto* const real = Real<bool(Mutex*)>("_ZN4absl7debian35Mutex7TryLockEv");
   const bool locked = real(this);
   if (locked) __tsan_acquire(this);
@@ -67,6 +80,7 @@ bool Mutex::TryLock() {
 }
 
 void Mutex::Unlock() {
+  const KeepErrno keep;
   static auto* const real = Real<void(Mutex*)>("_ZN4absl7debian35Mutex6UnlockEv");
   __tsan_release(this);
   real(this);
