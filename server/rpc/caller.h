@@ -38,7 +38,7 @@ class Caller {
  private:
   grpc::ServerContext* const context_;
   std::atomic<bool> gone_ = false;
-  Event done_;
+  CallEvent done_;
   std::string robot_, request_id_;
 };
 

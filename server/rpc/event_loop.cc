@@ -13,7 +13,7 @@ void EventLoop::Run() {
   void* tag = nullptr;
   bool ok = false;
   while (queue_->Next(&tag, &ok)) {
-    auto* event = static_cast<Event*>(tag);
+    auto* event = static_cast<CallEvent*>(tag);
     event->started.load(std::memory_order_acquire);
     // Moved out, since it may hold the last reference to the call that the event is part of.
     const auto then = std::move(event->then);

@@ -1,5 +1,5 @@
-// Asynchronous gRPC: operations are started with an Event as their tag, and what follows from them
-// runs on the event loop's thread.
+// Asynchronous gRPC: operations are started with a CallEvent as their tag, and what follows from
+// them runs on the event loop's thread.
 #pragma once
 
 #include <grpcpp/completion_queue.h>
@@ -13,7 +13,7 @@
 namespace fovea::server {
 
 // `then` is called once, with what gRPC says of the operation: whether it did what it should.
-struct Event {
+struct CallEvent {
   std::function<void(bool ok)> then;
   bool owned_by_loop = false;
   // Orders what the starting thread did before what follows. gRPC's queue does so too, but not
@@ -23,7 +23,7 @@ struct Event {
 
 // A tag for an operation that is sure to complete once started.
 inline void* Then(std::function<void(bool ok)> then) {
-  auto* event = new Event{.then = std::move(then), .owned_by_loop = true};
+  auto* event = new CallEvent{.then = std::move(then), .owned_by_loop = true};
   event->started.store(true, std::memory_order_release);
   return event;
 }

@@ -71,13 +71,13 @@ void Print(const std::map<std::string, std::uint64_t>& deeds) {
 
 // Lets the time pass, with a bar and, where a process is watched, a line a minute.
 void Wait(const Flags& flags) {
-  constexpr int kMinute_s = 60;
+  constexpr int kSecondsPerMinute = 60;
   fovea::cli::Progress progress(static_cast<std::size_t>(flags.seconds),
                                 fovea::cli::Progress::Stream::kError);
   for (int second = 0; second < flags.seconds; ++second) {
-    if (flags.pid > 0 && second % kMinute_s == 0) {
-      std::cout << second / kMinute_s << " min: " << fovea::load::SizeOfProcess(flags.pid).Text()
-                << std::endl;
+    if (flags.pid > 0 && second % kSecondsPerMinute == 0) {
+      std::cout << second / kSecondsPerMinute
+                << " min: " << fovea::load::SizeOfProcess(flags.pid).Text() << std::endl;
     }
     std::this_thread::sleep_for(std::chrono::seconds(1));
     progress.Advance(std::to_string(flags.robots) + " robots");
@@ -85,17 +85,25 @@ void Wait(const Flags& flags) {
   progress.Finish();
 }
 
-std::vector<fovea::load::Outcome> RunAll(const Flags& flags) {
-  const fovea::v1::Frame frame = MakeFrame(flags.kind);
-  std::stop_source stop;
-  std::vector<std::future<std::map<std::string, std::uint64_t>>> saboteurs;
+using Deeds = std::map<std::string, std::uint64_t>;
+
+std::vector<std::future<Deeds>> StartSaboteurs(const Flags& flags, const fovea::v1::Frame& frame,
+                                               const std::stop_token& stop) {
+  std::vector<std::future<Deeds>> saboteurs;
+  saboteurs.reserve(static_cast<std::size_t>(flags.saboteurs));
   for (int i = 0; i < flags.saboteurs; ++i) {
-    saboteurs.push_back(std::async(std::launch::async, [&, i] {
-      return fovea::load::RunSaboteur(flags.server, frame, static_cast<unsigned>(i) + 1,
-                                      stop.get_token());
+    saboteurs.push_back(std::async(std::launch::async, [&, stop, i] {
+      return fovea::load::RunSaboteur(flags.server, frame, static_cast<unsigned>(i) + 1, stop);
     }));
   }
+  return saboteurs;
+}
+
+std::vector<std::future<fovea::load::Outcome>> StartRobots(const Flags& flags,
+                                                           const fovea::v1::Frame& frame,
+                                                           const std::stop_token& stop) {
   std::vector<std::future<fovea::load::Outcome>> robots;
+  robots.reserve(static_cast<std::size_t>(flags.robots));
   for (int i = 0; i < flags.robots; ++i) {
     fovea::load::RobotPlan plan{.server = flags.server,
                                 .name = "robot-" + std::to_string(i),
@@ -104,13 +112,27 @@ std::vector<fovea::load::Outcome> RunAll(const Flags& flags) {
                                 .stream = flags.stream,
                                 .frame = frame};
     plan.frame.set_id(plan.name);
-    robots.push_back(std::async(std::launch::async, [plan = std::move(plan), &stop] {
-      return fovea::load::RunRobot(plan, stop.get_token());
+    robots.push_back(std::async(std::launch::async, [plan = std::move(plan), stop] {
+      return fovea::load::RunRobot(plan, stop);
     }));
   }
-  Wait(flags);
+  return robots;
+}
+
+std::vector<fovea::load::Outcome> RunAll(const Flags& flags) {
+  const fovea::v1::Frame frame = MakeFrame(flags.kind);
+  std::stop_source stop;
+  auto saboteurs = StartSaboteurs(flags, frame, stop.get_token());
+  auto robots = StartRobots(flags, frame, stop.get_token());
+  try {
+    Wait(flags);
+  } catch (...) {  // the futures wait for their robots, whatever happens
+    stop.request_stop();
+    throw;
+  }
   stop.request_stop();
   std::vector<fovea::load::Outcome> outcomes;
+  outcomes.reserve(robots.size());
   for (auto& robot : robots) outcomes.push_back(robot.get());
   for (auto& saboteur : saboteurs) Print(saboteur.get());
   return outcomes;
@@ -118,17 +140,15 @@ std::vector<fovea::load::Outcome> RunAll(const Flags& flags) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   CLI::App app("Simulates robots that send frames to a fovea server.", "fovea-load");
   Flags flags;
   AddFlags(app, flags);
   CLI11_PARSE(app, argc, argv);
-  try {
-    const auto outcomes = RunAll(flags);
-    std::cout << fovea::load::Report(outcomes, flags.seconds);
-  } catch (const std::exception& error) {
-    std::cerr << "fovea-load: " << error.what() << '\n';
-    return EXIT_FAILURE;
-  }
+  const auto outcomes = RunAll(flags);
+  std::cout << fovea::load::Report(outcomes, flags.seconds);
   return EXIT_SUCCESS;
+} catch (const std::exception& error) {
+  std::cerr << "fovea-load: " << error.what() << '\n';
+  return EXIT_FAILURE;
 }
