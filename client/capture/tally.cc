@@ -1,23 +1,14 @@
 #include "client/capture/tally.h"
 
+#include <fmt/printf.h>
 #include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace fovea::capture {
 namespace {
-
-template <typename... Values>
-std::string Format(const char* format, Values... values) {
-  char line[256];
-  std::snprintf(line, sizeof line, format, values...);
-  return line;
-}
-
-unsigned long long Long(std::uint64_t value) { return value; }
 
 double Seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
@@ -86,21 +77,21 @@ std::string Summary(const Tally& tally, std::uint64_t num_captured, const Camera
                     std::uint64_t num_reopened) {
   const Tally::Counts c = tally.Snapshot();
   std::string text =
-      Format("%llu frames captured, %llu sent, %llu answered, %llu failed; %llu objects\n",
-             Long(num_captured), Long(c.sent), Long(c.answered), Long(c.failed), Long(c.objects));
-  text +=
-      Format("dropped: %llu by the camera, %llu by this client, %llu by the server; %llu lost\n",
-             Long(losses.missed), Long(c.replaced), Long(c.dropped), Long(c.lost));
+      fmt::sprintf("%llu frames captured, %llu sent, %llu answered, %llu failed; %llu objects\n",
+                   num_captured, c.sent, c.answered, c.failed, c.objects);
+  text += fmt::sprintf(
+      "dropped: %llu by the camera, %llu by this client, %llu by the server; %llu lost\n",
+      losses.missed, c.replaced, c.dropped, c.lost);
   if (losses.unpaired + losses.wrong_size + num_reopened > 0) {
-    text += Format(
+    text += fmt::sprintf(
         "camera: %llu images without a partner, %llu of a wrong size, reopened %llu "
         "times\n",
-        Long(losses.unpaired), Long(losses.wrong_size), Long(num_reopened));
+        losses.unpaired, losses.wrong_size, num_reopened);
   }
   std::vector<double> times = tally.Latencies_ms();
   if (times.empty()) return text;
   std::sort(times.begin(), times.end());
-  return text + Format(
+  return text + fmt::sprintf(
                     "latency from frame to result: median %.0f ms, 90 %% %.0f ms, 99 %% %.0f "
                     "ms, longest %.0f ms\n",
                     Percentile(times, 0.5), Percentile(times, 0.9), Percentile(times, 0.99),
@@ -111,10 +102,10 @@ std::string CpuUse(double seconds) {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   const double used = Seconds(usage.ru_utime) + Seconds(usage.ru_stime);
-  std::string text = Format("processor time of this client: %.1f s", used);
+  std::string text = fmt::sprintf("processor time of this client: %.1f s", used);
   constexpr double kTellingSeconds = 1;  // starting takes more than its share of a short run
   if (seconds >= kTellingSeconds) {
-    text += Format(" in %.1f s, %.0f %% of one core", seconds, 100 * used / seconds);
+    text += fmt::sprintf(" in %.1f s, %.0f %% of one core", seconds, 100 * used / seconds);
   }
   return text + "\n";
 }

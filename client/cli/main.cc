@@ -1,14 +1,14 @@
 // fovea: command-line client of a fovea server.
 #include <google/protobuf/util/json_util.h>
-#include <grpc/support/log.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdlib>
-#include <exception>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 
 #include "client/cli/detect_command.h"
+#include "client/cli/program.h"
 #include "client/client.h"
 
 namespace {
@@ -34,7 +34,9 @@ int PrintInfo(const ConnectionFlags& flags) {
   return EXIT_SUCCESS;
 }
 
-int Run(int argc, char** argv) {
+}  // namespace
+
+int main(int argc, char** argv) {
   CLI::App app("Finds unknown objects in RGB-D frames by asking a fovea server.", "fovea");
   app.set_version_flag("--version", "fovea " FOVEA_VERSION);
   app.require_subcommand(1);
@@ -48,32 +50,14 @@ int Run(int argc, char** argv) {
   CLI::App* info = app.add_subcommand("info", "Print the server's limits and statistics as JSON");
   for (CLI::App* command : {health, info}) fovea::cli::AddConnectionFlags(*command, connection);
 
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& wants_text) {  // --help, --version
-    return app.exit(wants_text);
-  } catch (const CLI::ParseError& error) {
-    throw std::invalid_argument(std::string(error.what()) + " (--help lists the flags)");
-  }
-  const ConnectionFlags& asked = *detect ? detect_flags.connection : connection;
-  try {
-    if (*health) return CheckHealth(connection);
-    if (*info) return PrintInfo(connection);
-    return fovea::cli::RunDetect(detect_flags);
-  } catch (const fovea::client::RpcError& error) {
-    throw std::runtime_error(fovea::cli::Explain(error, asked.server));
-  }
-}
-
-}  // namespace
-
-int main(int argc, char** argv) {
-  // What matters of gRPC's own messages comes back as the status of the call.
-  gpr_set_log_function([](gpr_log_func_args*) {});
-  try {
-    return Run(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << "fovea: " << error.what() << '\n';
-    return EXIT_FAILURE;
-  }
+  return fovea::cli::RunProgram(app, argc, argv, [&] {
+    const ConnectionFlags& asked = *detect ? detect_flags.connection : connection;
+    try {
+      if (*health) return CheckHealth(connection);
+      if (*info) return PrintInfo(connection);
+      return fovea::cli::RunDetect(detect_flags);
+    } catch (const fovea::client::RpcError& error) {
+      throw std::runtime_error(fovea::cli::Explain(error, asked.server));
+    }
+  });
 }

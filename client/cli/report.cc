@@ -1,17 +1,11 @@
 #include "client/cli/report.h"
 
+#include <fmt/printf.h>
+
 #include <cmath>
-#include <cstdio>
 
 namespace fovea::cli {
 namespace {
-
-template <typename... Values>
-std::string Format(const char* format, Values... values) {
-  char line[256];
-  std::snprintf(line, sizeof line, format, values...);
-  return line;
-}
 
 double Norm(const v1::Vector3& v) { return std::hypot(v.x(), v.y(), v.z()); }
 
@@ -27,34 +21,34 @@ std::string ObjectLine(const v1::Object& object) {
   const auto& size = object.oriented_box().size();
   const auto& at = object.oriented_box().pose().position();
   const std::string opening =
-      object.grasps().empty() ? "-" : Format("%.1f", object.grasps(0).opening_m() * 100);
-  return Format("%3u  %4.0f%%  %5.1f x %5.1f x %5.1f  %6.3f %6.3f %6.3f  %6.3f  %7u  %7s%s\n",
-                object.label(), object.confidence() * 100, size.x() * 100, size.y() * 100,
-                size.z() * 100, at.x(), at.y(), at.z(), Norm(at), object.num_pixels(),
-                opening.c_str(), object.truncated() ? "  cut by the image border" : "");
+      object.grasps().empty() ? "-" : fmt::sprintf("%.1f", object.grasps(0).opening_m() * 100);
+  return fmt::sprintf("%3u  %4.0f%%  %5.1f x %5.1f x %5.1f  %6.3f %6.3f %6.3f  %6.3f  %7u  %7s%s\n",
+                      object.label(), object.confidence() * 100, size.x() * 100, size.y() * 100,
+                      size.z() * 100, at.x(), at.y(), at.z(), Norm(at), object.num_pixels(),
+                      opening.c_str(), object.truncated() ? "  cut by the image border" : "");
 }
 
 std::string GravityLine(const v1::Gravity& gravity) {
   const auto& g = gravity.direction();
   const char* source =
       gravity.source() == v1::GRAVITY_SOURCE_REQUEST ? "as given" : "estimated from the scene";
-  return Format("gravity (%.3f, %.3f, %.3f), %s\n", g.x(), g.y(), g.z(), source);
+  return fmt::sprintf("gravity (%.3f, %.3f, %.3f), %s\n", g.x(), g.y(), g.z(), source);
 }
 
 std::string SupportLine(const v1::Detections& detections) {
   if (!detections.has_support_surface()) return "no support surface was found\n";
   const v1::SupportSurface& support = detections.support_surface();
   // The camera is the origin, so the plane's offset is its height.
-  return Format("support surface %.3f m below the camera, %llu points\n", support.plane().offset(),
-                static_cast<unsigned long long>(support.num_points()));
+  return fmt::sprintf("support surface %.3f m below the camera, %llu points\n",
+                      support.plane().offset(), support.num_points());
 }
 
 }  // namespace
 
 std::string Report(const v1::Detections& detections, double round_trip_ms) {
   constexpr int kFew = 3;
-  std::string text = Format("%d objects in %.0f ms (server: %.0f ms)\n", detections.objects_size(),
-                            round_trip_ms, ServerMs(detections));
+  std::string text = fmt::sprintf("%d objects in %.0f ms (server: %.0f ms)\n",
+                                  detections.objects_size(), round_trip_ms, ServerMs(detections));
   if (!detections.objects().empty()) {
     text += "  #  conf.  size L x W x H, cm     centre x, y, z, m     dist.m   pixels  open.cm\n";
   }

@@ -11,7 +11,7 @@ namespace fovea {
 // between. Pixels without depth count as hidden.
 //
 // `labels`: CV_16UC1; `points`: CV_32FC3 of the same size, NaN = none. Both labels must occur at
-// three points that are not on a line. Cost: proportional to the bounding box of both.
+// three points that are not on a line. Cost: proportional to the image.
 double ShareSeenThrough(const cv::Mat& labels, const cv::Mat& points, int a, int b);
 
 }  // namespace fovea

@@ -73,6 +73,8 @@ class Scheduler {
     bool counted = false;  // against the limits
   };
 
+  static constexpr std::size_t kMaxTurnedAway = 1000;  // bounds what robots cost that never return
+
   void RequireRoom(const std::string& robot);
   std::chrono::milliseconds RetryAfter(std::size_t ahead) const;
   Ticket Enqueue(const std::string& robot, Work work, bool counted);
@@ -85,7 +87,7 @@ class Scheduler {
   FairQueue<Job> queue_;
   std::map<std::string, int> counted_by_robot_;  // waiting or computed
   int num_counted_ = 0;
-  WaitingLine turned_away_{1000};
+  WaitingLine turned_away_{kMaxTurnedAway};
   std::size_t num_waiting_ = 0;
   Ticket last_ticket_ = 0;
   double mean_work_ms_ = 100;  // a guess until there is something to go by

@@ -1,6 +1,7 @@
 #include "tests/evaluation/report.h"
 
-#include <cstdio>
+#include <fmt/printf.h>
+
 #include <nlohmann/json.hpp>
 #include <opencv2/imgproc.hpp>
 #include <set>
@@ -9,13 +10,6 @@
 
 namespace fovea::evaluation {
 namespace {
-
-template <typename... Arguments>
-std::string Format(const char* format, Arguments... arguments) {
-  char line[256];
-  std::snprintf(line, sizeof line, format, arguments...);
-  return line;
-}
 
 nlohmann::json ToJson(const Score& score) {
   return {{"precision", score.precision}, {"recall", score.recall}, {"f", score.f}};
@@ -37,31 +31,32 @@ cv::Mat Outline(const cv::Mat& labels) {
 }  // namespace
 
 void PrintScenes(std::ostream& out, const std::vector<SceneResult>& results) {
-  out << Format("%-24s %5s %5s %5s %5s %9s %9s %8s\n", "scene", "true", "found", "boxes", "obj75",
-                "overlapF", "boundF", "ms");
+  out << fmt::sprintf("%-24s %5s %5s %5s %5s %9s %9s %8s\n", "scene", "true", "found", "boxes",
+                      "obj75", "overlapF", "boundF", "ms");
   for (const SceneResult& result : results) {
     const ObjectCounts& counts = result.scores.counts;
-    out << Format("%-24s %5d %5d %5d %5d %9.1f %9.1f %8.1f\n", result.name.c_str(), counts.truth,
-                  counts.predicted, counts.matched_boxes, counts.matched_75,
-                  100 * result.scores.overlap.f, 100 * result.scores.boundary.f, result.total_ms);
+    out << fmt::sprintf("%-24s %5d %5d %5d %5d %9.1f %9.1f %8.1f\n", result.name.c_str(),
+                        counts.truth, counts.predicted, counts.matched_boxes, counts.matched_75,
+                        100 * result.scores.overlap.f, 100 * result.scores.boundary.f,
+                        result.total_ms);
   }
   out << '\n';
 }
 
 void PrintSummaryHeader(std::ostream& out) {
-  out << Format("%-28s %6s %6s %6s  %6s %6s %6s  %6s  %6s %6s %6s  %8s  %s\n", "", "boxP", "boxR",
-                "boxF1", "overP", "overR", "overF", "obj75", "boundP", "boundR", "boundF", "ms",
-                "F1 folds");
+  out << fmt::sprintf("%-28s %6s %6s %6s  %6s %6s %6s  %6s  %6s %6s %6s  %8s  %s\n", "", "boxP",
+                      "boxR", "boxF1", "overP", "overR", "overF", "obj75", "boundP", "boundR",
+                      "boundF", "ms", "F1 folds");
 }
 
 void PrintSummaryRow(std::ostream& out, const std::string& title, const Summary& summary) {
   const auto score = [](const Score& s) {
-    return Format("%6.1f %6.1f %6.1f", 100 * s.precision, 100 * s.recall, 100 * s.f);
+    return fmt::sprintf("%6.1f %6.1f %6.1f", 100 * s.precision, 100 * s.recall, 100 * s.f);
   };
-  out << Format("%-28s %s  %s  %6.1f  %s  %8.1f  %.1f±%.1f\n", title.c_str(),
-                score(summary.boxes).c_str(), score(summary.overlap).c_str(),
-                100 * summary.share_75, score(summary.boundary).c_str(), summary.median_ms,
-                100 * summary.fold_mean, 100 * summary.fold_deviation)
+  out << fmt::sprintf("%-28s %s  %s  %6.1f  %s  %8.1f  %.1f±%.1f\n", title.c_str(),
+                      score(summary.boxes).c_str(), score(summary.overlap).c_str(),
+                      100 * summary.share_75, score(summary.boundary).c_str(), summary.median_ms,
+                      100 * summary.fold_mean, 100 * summary.fold_deviation)
       << std::flush;
 }
 
@@ -70,12 +65,12 @@ void PrintStages(std::ostream& out, const Summary& summary) {
   double fixation_ms = 0, segmentation_ms = 0;
   out << "\nmedian time per stage\n";
   for (const StageTime& time : summary.median_stage_ms) {
-    out << Format("  %-28s %8.2f ms\n", time.stage.c_str(), time.duration_ms);
+    out << fmt::sprintf("  %-28s %8.2f ms\n", time.stage.c_str(), time.duration_ms);
     (fixation_stages.contains(time.stage) ? fixation_ms : segmentation_ms) += time.duration_ms;
   }
-  out << Format("  %-28s %8.2f ms\n", "detecting fixation points", fixation_ms);
-  out << Format("  %-28s %8.2f ms\n", "segmentation", segmentation_ms);
-  out << Format("  %-28s %8.2f ms\n", "whole frame", summary.median_ms);
+  out << fmt::sprintf("  %-28s %8.2f ms\n", "detecting fixation points", fixation_ms);
+  out << fmt::sprintf("  %-28s %8.2f ms\n", "segmentation", segmentation_ms);
+  out << fmt::sprintf("  %-28s %8.2f ms\n", "whole frame", summary.median_ms);
 }
 
 nlohmann::json ToJson(const Summary& summary) {

@@ -1,0 +1,28 @@
+#include "client/cli/program.h"
+
+#include <grpc/support/log.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+
+namespace fovea::cli {
+
+int RunProgram(CLI::App& app, int argc, char** argv, const std::function<int()>& run) {
+  // What matters of gRPC's own messages comes back as the status of the call.
+  gpr_set_log_function([](gpr_log_func_args*) {});
+  try {
+    app.parse(argc, argv);
+    return run();
+  } catch (const CLI::Success& wants_text) {  // --help, --version
+    return app.exit(wants_text);
+  } catch (const CLI::ParseError& error) {
+    std::cerr << app.get_name() << ": " << error.what() << " (--help lists the flags)\n";
+  } catch (const std::exception& error) {
+    std::cerr << app.get_name() << ": " << error.what() << '\n';
+  }
+  return EXIT_FAILURE;
+}
+
+}  // namespace fovea::cli
