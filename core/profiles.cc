@@ -44,17 +44,20 @@ DetectorOptions Default() {
   options.voxels.neighbor_axes = 1;
   options.voxels.normal_smoothing = 1;
   options.mrf.gamma_per_m2 = 30;
-  options.mrf.lambda = 8;
+  options.mrf.lambda = 7;
   options.mrf.reach_m = 0.15;
   options.mrf.max_sweeps = 1;
   options.mrf.cluster_voxels = 4;
   options.mrf.cluster_min_share = 0.97;
   options.mrf.concave_angle_deg = 12;
+  options.mrf.step_weight = 0.5;
   // Shape joins the parts of an object; textures would part them, so colour only adds to it.
   options.color_merge.min_correlation = 1;
   options.shape_merge.max_concavity_deg = 15;
   options.shape_merge.color_weight_deg = 0.5;
   options.shape_merge.reach_cells = 1;
+  options.shape_merge.min_contact = 1.8;
+  options.shape_merge.plane_noise_per_m = 0.006;
   options.occlusion_merge.min_shared_surface = 0.3;
   options.occlusion_merge.max_color_distance = 60;
   options.occlusion_merge.min_hollow_curvature_per_m = 3;

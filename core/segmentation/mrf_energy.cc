@@ -111,8 +111,10 @@ std::vector<PottsEnergy::Choice> ChoicesOfSeed(const VoxelGrid& grid,
 
 float PairwiseWeight(const Voxel& a, const Voxel& b, const MrfOptions& options) {
   if (options.concave_angle_deg > 0) {
-    const double concavity = std::max(0.0F, -ConvexityDeg(a, b));
-    return static_cast<float>(options.lambda * std::exp(-concavity / options.concave_angle_deg));
+    const double groove = std::max(0.0F, -ConvexityDeg(a, b));
+    const double step = options.step_weight > 0 ? std::abs(StepDeg(a, b)) : 0;
+    const double angle = groove + options.step_weight * step;
+    return static_cast<float>(options.lambda * std::exp(-angle / options.concave_angle_deg));
   }
   const Eigen::Vector3f difference = a.normal - b.normal;
   const bool convex = difference.dot(a.mean - b.mean) > 0;  // Eq. 8

@@ -21,6 +21,9 @@ struct MrfOptions {
   // the concave angle a as exp(−a / concave_angle); degrees. Eq. 7 leaves flat surfaces, where the
   // sign of Eq. 8 is noise, to chance.
   double concave_angle_deg = 0;
+  // With concave_angle: how much of the angle of a step between surfaces that look the same way,
+  // one in front of the other, is added to a.
+  double step_weight = 0;
   // Probabilities below this count as this, since Eq. 6 is 0 at a seed; a hypothesis is no choice
   // for voxels where Eq. 5 is below it.
   double min_probability = 1e-6;

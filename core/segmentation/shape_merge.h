@@ -20,6 +20,12 @@ struct ShapeMergeOptions {
   int reach_cells = 2;
   // Boundaries with fewer pairs of voxels do not join anything.
   int min_pairs = 5;
+  // Nor do those with fewer than this times the square root of the smaller segment's number of
+  // voxels, about its width: things that merely touch.
+  double min_contact = 0;
+  // Segments that together are a plane of this thickness (times z², in metres) or less count as
+  // flat where they meet, whatever noise makes of their normals; 1/m, 0: normals decide.
+  double plane_noise_per_m = 0;
 };
 
 // Joins the pair of segments that speaks most for being one object, again and again, until no

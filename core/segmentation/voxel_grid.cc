@@ -146,4 +146,13 @@ float ConvexityDeg(const Voxel& a, const Voxel& b) {
   return (a.normal - b.normal).dot(a.mean - b.mean) >= 0 ? angle : -angle;
 }
 
+float StepDeg(const Voxel& a, const Voxel& b) {
+  const Eigen::Vector3f normal = a.normal + b.normal;
+  const Eigen::Vector3f way = b.mean - a.mean;
+  const float lengths = normal.norm() * way.norm();
+  if (lengths == 0) return 0;
+  const float sine = std::clamp(normal.dot(way) / lengths, -1.0F, 1.0F);
+  return std::asin(sine) * 180 / std::numbers::pi_v<float>;
+}
+
 }  // namespace fovea

@@ -51,4 +51,9 @@ std::vector<VoxelEdge> PairsWithin(const VoxelGrid& grid, const std::vector<int>
 // from one to the other (convex), negative where it makes a groove; the sign of Eq. 8.
 float ConvexityDeg(const Voxel& a, const Voxel& b);
 
+// Signed angle in degrees between the way from a to b and the mean of the surfaces at both: 0 along
+// one surface, also where it bends; positive where b lies in front of the surface at a, negative
+// where it lies behind.
+float StepDeg(const Voxel& a, const Voxel& b);
+
 }  // namespace fovea

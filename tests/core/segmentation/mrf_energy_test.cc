@@ -101,6 +101,22 @@ TEST(PairwiseWeight, IsEquation7) {
   EXPECT_NEAR(PairwiseWeight(At(0, left), At(0.01F, left), options), 4 / 0.1 * 0.1, 1e-5);
 }
 
+TEST(PairwiseWeight, FallsWithGroovesAndSteps) {
+  MrfOptions options{.lambda = 7, .concave_angle_deg = 12};
+  const Eigen::Vector3f left(-1, 0, -1);
+  const Eigen::Vector3f right(1, 0, -1);
+  const Eigen::Vector3f front(0, 0, -1);
+  EXPECT_NEAR(PairwiseWeight(At(0, left), At(0.01F, right), options), 7, 1e-5);
+  EXPECT_NEAR(PairwiseWeight(At(0, right), At(0.01F, left), options), 7 * std::exp(-90 / 12.0),
+              1e-5);
+  Voxel behind = At(0.01F, front);
+  behind.mean.z() += 0.01F;  // a step of 45°
+  EXPECT_NEAR(PairwiseWeight(At(0, front), behind, options), 7, 1e-5);
+  options.step_weight = 0.5;
+  EXPECT_NEAR(PairwiseWeight(At(0, front), behind, options), 7 * std::exp(-22.5 / 12), 1e-4);
+  EXPECT_NEAR(PairwiseWeight(At(0, left), At(0.01F, right), options), 7, 1e-5);
+}
+
 TEST(PairwiseWeight, DoesNotDependOnTheOrder) {
   const Voxel a = At(0, {-0.2F, 0.1F, -1});
   const Voxel b = At(0.01F, {0.3F, 0.2F, -1});

@@ -75,6 +75,41 @@ TEST(MergeByShape, DoesNotTouchTheBackground) {
   EXPECT_EQ(MergeByShape(scene.grid, scene.labels, scene.color, kOptions), scene.labels);
 }
 
+// The left face reaches the right one in its first rows only.
+Scene WithContactOf(int rows) {
+  Scene scene = TwoFaces(0, kGrey);
+  for (std::size_t v = 0; v < scene.labels.size(); ++v) {
+    const Voxel& voxel = scene.grid.voxels[v];
+    const bool at_edge = voxel.mean.x() < 0 && voxel.mean.x() > -0.02F;
+    if (at_edge && voxel.mean.y() > 0.01F * static_cast<float>(rows)) scene.labels[v] = 0;
+  }
+  return scene;
+}
+
+TEST(MergeByShape, KeepsApartWhatMerelyTouches) {
+  ShapeMergeOptions options = kOptions;
+  options.reach_cells = 1;
+  EXPECT_EQ(SegmentsLeft(WithContactOf(2), options), 1U);
+  options.min_contact = 1.8;  // of 20 voxels; each voxel of contact makes about three pairs
+  EXPECT_EQ(SegmentsLeft(WithContactOf(2), options), 2U);
+  EXPECT_EQ(SegmentsLeft(WithContactOf(18), options), 1U);
+}
+
+TEST(MergeByShape, JoinsAPlaneWhoseNormalsAreNoise) {
+  Scene scene = TwoFaces(0, kGrey);
+  for (Voxel& voxel : scene.grid.voxels) {  // as at a groove
+    voxel.normal = Eigen::Vector3f(voxel.mean.x() < 0 ? 0.5F : -0.5F, 0, -1).normalized();
+    voxel.mean.z() += 0.002F * static_cast<float>(voxel.cell.x() % 2);
+  }
+  ShapeMergeOptions options = kOptions;
+  EXPECT_EQ(SegmentsLeft(scene, options), 2U);
+  options.plane_noise_per_m = 0.0005;
+  EXPECT_EQ(SegmentsLeft(scene, options), 2U);
+  options.plane_noise_per_m = 0.006;
+  EXPECT_EQ(SegmentsLeft(scene, options), 1U);
+  EXPECT_EQ(SegmentsLeft(TwoFaces(-1, kGrey), options), 2U);
+}
+
 TEST(ConvexityDeg, IsTheSignedAngle) {
   const Voxel left{.mean = {0, 0, 1}, .normal = Eigen::Vector3f(-1, 0, -1).normalized()};
   const Voxel right{.mean = {0.01F, 0, 1}, .normal = Eigen::Vector3f(1, 0, -1).normalized()};
@@ -82,6 +117,24 @@ TEST(ConvexityDeg, IsTheSignedAngle) {
   const Voxel swapped_left{.mean = left.mean, .normal = right.normal};
   const Voxel swapped_right{.mean = right.mean, .normal = left.normal};
   EXPECT_NEAR(ConvexityDeg(swapped_left, swapped_right), -90, 1e-3);
+}
+
+TEST(StepDeg, TellsAStepFromABend) {
+  Voxel near;
+  near.mean = {0, 0, 1};
+  near.normal = {0, 0, -1};
+  Voxel far = near;
+  far.mean = {0.01F, 0, 1.01F};
+  EXPECT_NEAR(StepDeg(near, far), -45, 1e-3);
+  EXPECT_NEAR(StepDeg(far, near), 45, 1e-3);
+  far.mean = {0.01F, 0, 1};
+  EXPECT_NEAR(StepDeg(near, far), 0, 1e-3);
+  // Two faces of a box, at the same distance from their edge.
+  near.normal = Eigen::Vector3f(-1, 0, -1).normalized();
+  far.normal = Eigen::Vector3f(1, 0, -1).normalized();
+  EXPECT_NEAR(StepDeg(near, far), 0, 1e-3);
+  far.normal = -near.normal;
+  EXPECT_EQ(StepDeg(near, far), 0);
 }
 
 }  // namespace
