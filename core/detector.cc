@@ -133,10 +133,14 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   clock.Finish("depth_saliency");
 
   // Section 3.2: seeds at salient positions, except on the dominating support surface.
-  const SeedCandidates from_color =
-      FindSeeds(color_saliency, points, Seed::Source::kColorSaliency, options.seeds);
-  const SeedCandidates from_depth =
-      FindSeeds(depth_saliency, points, Seed::Source::kDepthSaliency, options.seeds);
+  SeedCandidates from_color;
+  if (options.seeds.from_color) {
+    from_color = FindSeeds(color_saliency, points, Seed::Source::kColorSaliency, options.seeds);
+  }
+  SeedCandidates from_depth;
+  if (options.seeds.from_depth) {
+    from_depth = FindSeeds(depth_saliency, points, Seed::Source::kDepthSaliency, options.seeds);
+  }
   counts.seeds_from_color = from_color.seeds.size() + from_color.without_depth;
   counts.seeds_from_depth = from_depth.seeds.size() + from_depth.without_depth;
   counts.seeds_without_depth = from_color.without_depth + from_depth.without_depth;

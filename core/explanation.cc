@@ -38,8 +38,10 @@ std::string SegmentLoss(const Diagnostics& d) {
                        d.segments_implausible, d.num_segments - d.num_merged);
   }
   if (d.segments_too_small == 0) return "";
-  return fmt::format("{} of {} segments have fewer pixels than objects.min_pixels",
-                     d.segments_too_small, d.num_segments - d.num_merged);
+  return fmt::format(
+      "{} of {} segments are smaller than objects.min_pixels or "
+      "objects.min_area_m2",
+      d.segments_too_small, d.num_segments - d.num_merged);
 }
 
 }  // namespace

@@ -61,8 +61,8 @@ DetectorOptions Default() {
   options.occlusion_merge.min_shared_surface = 0.3;
   options.occlusion_merge.max_color_distance = 60;
   options.occlusion_merge.min_hollow_curvature_per_m = 3;
-  options.objects.min_pixels = 120;
-  options.objects.min_area_m2 = 0.0018;
+  options.objects.selection.min_pixels = 120;
+  options.objects.selection.min_area_m2 = 0.0018;
   return options;
 }
 

@@ -1,12 +1,16 @@
 #include "core/objects/confidence.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace fovea {
 
-float Confidence(const DetectedObject& object, const cv::Size& image) {
-  const double typical_pixels = image.area() / 300.0;
-  return static_cast<float>(1 - std::exp(-static_cast<double>(object.num_pixels) / typical_pixels));
+float Confidence(double visible_area_m2, double distance_m) {
+  constexpr double kAmple_m2 = 0.005;  // more than this makes no difference
+  constexpr double kNear_m = 1;        // nor does being nearer
+  const double logit = 3.57 + 2.72 * std::min(0.0, std::log(visible_area_m2 / kAmple_m2)) -
+                       2.06 * std::max(0.0, distance_m - kNear_m);
+  return static_cast<float>(1 / (1 + std::exp(-logit)));
 }
 
 }  // namespace fovea

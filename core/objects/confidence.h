@@ -1,15 +1,12 @@
 // How sure a detection is.
 #pragma once
 
-#include <opencv2/core/types.hpp>
-
-#include "core/types/detections.h"
-
 namespace fovea {
 
-// 1 − exp(−n / n₀) of the number n of mask pixels, with n₀ = 1/300 of the image (1024 pixels of
-// 640×480): false detections are mostly fragments, so size ranks them last. A rank, not yet a
-// calibrated probability.
-float Confidence(const DetectedObject& object, const cv::Size& image);
+// The probability that a segment of `default` is an object with the right box (IoU above 0.5),
+// from its visible area and its distance: what shows little of itself is a fragment more often,
+// and what is far away is blurred by noise. Logistic regression over generated scenes of both
+// sensors; docs/quality.md has the reliability on others. 0 … 1.
+float Confidence(double visible_area_m2, double distance_m);
 
 }  // namespace fovea

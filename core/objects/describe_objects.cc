@@ -2,31 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <opencv2/imgproc.hpp>
 
-#include "core/objects/confidence.h"
+#include "core/objects/selection.h"
 
 namespace fovea {
 namespace {
-
-// Even of a tiny image, an object has more than noise does.
-constexpr double kFewestPixels = 20;
-
-using PixelsOfLabel = std::vector<std::vector<cv::Point>>;
-
-PixelsOfLabel CollectPixels(const cv::Mat& labels) {
-  double max_label = 0;
-  cv::minMaxLoc(labels, nullptr, &max_label);
-  PixelsOfLabel pixels(static_cast<std::size_t>(max_label) + 1);
-  for (int row = 0; row < labels.rows; ++row) {
-    const auto* label = labels.ptr<std::uint16_t>(row);
-    for (int col = 0; col < labels.cols; ++col) {
-      if (label[col] != 0) pixels[label[col]].emplace_back(col, row);
-    }
-  }
-  return pixels;
-}
 
 void SetColoredCloud(const RgbdFrame& frame, const cv::Mat& points,
                      const std::vector<cv::Point>& pixels, DetectedObject& object) {
@@ -77,10 +58,13 @@ std::optional<SupportSurface> OwnSupport(const std::vector<Support>& supports,
   return highest;
 }
 
-DetectedObject Describe(const RgbdFrame& frame, const cv::Mat& points,
-                        const std::vector<cv::Point>& pixels, const std::vector<Support>& supports,
-                        const Eigen::Vector3f& gravity, const ObjectOptions& options) {
+DetectedObject Describe(const RgbdFrame& frame, const cv::Mat& points, const Candidate& candidate,
+                        const std::vector<Support>& supports, const Eigen::Vector3f& gravity,
+                        const ObjectOptions& options) {
+  const std::vector<cv::Point>& pixels = candidate.pixels;
   DetectedObject object;
+  object.confidence = candidate.confidence;
+  object.saliency = candidate.saliency;
   object.bounds_px = cv::boundingRect(pixels);
   object.num_pixels = pixels.size();
   object.truncated = TouchesBorder(object.bounds_px, frame.depth_m.size());
@@ -92,59 +76,8 @@ DetectedObject Describe(const RgbdFrame& frame, const cv::Mat& points,
   object.box =
       FitOrientedBox(positions, support ? support->normal : -gravity, support, options.box);
   if (support) object.height_above_support_m = LowestHeight(positions, *support);
-  object.confidence = Confidence(object, frame.depth_m.size());
   object.grasps.push_back(GraspFromAbove(object.box, options.grasp));
   return object;
-}
-
-double VisibleArea_m2(const cv::Mat& points, const std::vector<cv::Point>& pixels,
-                      const CameraIntrinsics& intrinsics) {
-  double squares = 0;
-  for (const cv::Point& pixel : pixels) {
-    const double z = points.at<cv::Vec3f>(pixel)[2];
-    squares += z * z;
-  }
-  return squares / (intrinsics.fx_px * intrinsics.fy_px);
-}
-
-float MeanOf(const cv::Mat& map, const std::vector<cv::Point>& pixels) {
-  double sum = 0;
-  for (const cv::Point& pixel : pixels) sum += map.at<float>(pixel);
-  return static_cast<float>(sum / static_cast<double>(pixels.size()));
-}
-
-// Leaves the `max_objects` most salient of the labels, in their order; 0: all. `saliency`: one
-// entry a label. Returns how many it drops.
-std::size_t KeepMostSalient(const std::vector<float>& saliency, int max_objects,
-                            std::vector<int>& labels) {
-  const auto limit = static_cast<std::size_t>(max_objects);
-  if (limit == 0 || labels.size() <= limit) return 0;
-  std::vector<int> by_saliency = labels;
-  std::stable_sort(by_saliency.begin(), by_saliency.end(),
-                   [&](int a, int b) { return saliency[a] > saliency[b]; });
-  by_saliency.resize(limit);
-  return std::erase_if(labels, [&](int label) {
-    return std::find(by_saliency.begin(), by_saliency.end(), label) == by_saliency.end();
-  });
-}
-
-// Old labels of the objects to keep, in their new order: larger first, which is also the order of
-// confidence.
-template <typename IsLargeEnough>
-std::vector<int> LabelsToKeep(const PixelsOfLabel& pixels, IsLargeEnough is_large_enough,
-                              std::size_t& num_too_small) {
-  std::vector<int> kept;
-  for (int label = 1; label < static_cast<int>(pixels.size()); ++label) {
-    if (pixels[label].empty()) continue;
-    if (is_large_enough(pixels[label])) {
-      kept.push_back(label);
-    } else {
-      ++num_too_small;
-    }
-  }
-  std::stable_sort(kept.begin(), kept.end(),
-                   [&](int a, int b) { return pixels[a].size() > pixels[b].size(); });
-  return kept;
 }
 
 }  // namespace
@@ -152,27 +85,16 @@ std::vector<int> LabelsToKeep(const PixelsOfLabel& pixels, IsLargeEnough is_larg
 void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points, const cv::Mat& saliency,
                      const std::vector<Support>& supports, const ObjectOptions& options,
                      Detections& detections) {
-  const PixelsOfLabel pixels = CollectPixels(detections.labels);
-  const double area_scale = static_cast<double>(frame.depth_m.total()) / (640.0 * 480.0);
-  const auto min_pixels = static_cast<std::size_t>(
-      std::max(kFewestPixels, std::round(options.min_pixels * area_scale)));
-  const auto is_large_enough = [&](const std::vector<cv::Point>& mask) {
-    return mask.size() >= min_pixels &&
-           VisibleArea_m2(points, mask, frame.intrinsics) >= options.min_area_m2;
-  };
-  Diagnostics& counts = detections.diagnostics;
-  std::vector<int> kept = LabelsToKeep(pixels, is_large_enough, counts.segments_too_small);
-  std::vector<float> saliency_of_label(pixels.size(), 0);
-  for (const int label : kept) saliency_of_label[label] = MeanOf(saliency, pixels[label]);
-  counts.objects_less_salient = KeepMostSalient(saliency_of_label, options.max_objects, kept);
-
+  const Selection selection =
+      SelectObjects(detections.labels, points, saliency, frame.intrinsics, options.selection);
+  detections.diagnostics.segments_too_small = selection.num_too_small;
+  detections.diagnostics.objects_less_salient = selection.num_less_salient;
   detections.labels = cv::Mat::zeros(frame.depth_m.size(), CV_16UC1);
-  for (const int old_label : kept) {
+  for (const Candidate& candidate : selection.candidates) {
     DetectedObject object =
-        Describe(frame, points, pixels[old_label], supports, detections.gravity.direction, options);
-    object.saliency = saliency_of_label[old_label];
+        Describe(frame, points, candidate, supports, detections.gravity.direction, options);
     object.label = static_cast<int>(detections.objects.size()) + 1;
-    for (const cv::Point& pixel : pixels[old_label]) {
+    for (const cv::Point& pixel : candidate.pixels) {
       detections.labels.at<std::uint16_t>(pixel) = static_cast<std::uint16_t>(object.label);
     }
     detections.objects.push_back(std::move(object));

@@ -16,6 +16,9 @@ struct SeedOptions {
   // 1: a seed is the measured pixel of its flat peak nearest to the peak's centroid. 0: it is the
   // centroid itself and is lost where that has no depth.
   bool on_peak = true;
+  // Which of the maps give seeds, to see what each contributes. Paper: both.
+  bool from_color = true;
+  bool from_depth = true;
 };
 
 struct SeedCandidates {

@@ -24,7 +24,7 @@ std::vector<Spread> SpreadOfSegments(const VoxelGrid& grid, const std::vector<in
 }
 
 bool AreOnOnePlane(const Spread& a, const Spread& b, double noise_per_m) {
-  constexpr double kExtentPerThickness = 5;
+  constexpr double kExtentPerThickness = 3.5;
   Spread both = a;
   both.Add(b);
   const Eigen::Vector3d mean = both.sum / both.num_voxels;

@@ -98,8 +98,9 @@ TEST(ExplainLosses, SmallSegmentsAreCountedAfterMerging) {
   Detections detections = Usual();
   detections.objects.clear();
   detections.diagnostics.segments_too_small = 5;
-  EXPECT_THAT(ExplainLosses(detections),
-              ElementsAre("5 of 5 segments have fewer pixels than objects.min_pixels"));
+  EXPECT_THAT(
+      ExplainLosses(detections),
+      ElementsAre("5 of 5 segments are smaller than objects.min_pixels or objects.min_area_m2"));
 }
 
 TEST(ExplainLosses, SegmentsMayBeLostAsLongAsObjectsAreLeft) {

@@ -45,6 +45,19 @@ TEST(DescribeObjects, OrdersByConfidenceAndRenumbers) {
   EXPECT_EQ(cv::countNonZero(scene.detections.labels), 2400);
 }
 
+TEST(DescribeObjects, OrdersBySizeWhereConfidenceIsEqual) {
+  Scene scene;
+  scene.Label({100, 100, 60, 60}, 1);
+  scene.Label({200, 200, 80, 80}, 2);
+  scene.Label({400, 200, 60, 60}, 3);
+  scene.Describe();
+  ASSERT_EQ(scene.detections.objects.size(), 3U);
+  EXPECT_EQ(scene.detections.objects[0].confidence, scene.detections.objects[2].confidence);
+  EXPECT_EQ(scene.detections.objects[0].num_pixels, 6400U);
+  EXPECT_EQ(scene.detections.objects[1].bounds_px.x, 100);
+  EXPECT_EQ(scene.detections.objects[2].bounds_px.x, 400);
+}
+
 TEST(DescribeObjects, DropsAndCountsWhatIsTooSmall) {
   Scene scene;
   scene.Label({100, 100, 17, 17}, 1);  // 289
@@ -91,7 +104,7 @@ TEST(DescribeObjects, SaliencyIsTheMeanOverTheMaskAndTheMostSalientAreKept) {
   scene.saliency(cv::Rect(200, 200, 30, 30)).setTo(0.9F);
   scene.saliency(cv::Rect(300, 300, 20, 10)).setTo(0.7F);
   ObjectOptions options;
-  options.max_objects = 2;
+  options.selection.max_objects = 2;
   scene.Describe(options);
   ASSERT_EQ(scene.detections.objects.size(), 2U);
   EXPECT_NEAR(scene.detections.objects[0].saliency, 0.9F, 1e-6F);
@@ -106,7 +119,7 @@ TEST(DescribeObjects, AsksForTheSameVisibleAreaAtAnyDistance) {
   scene.Label({100, 100, 20, 20}, 1);  // 4 cm wide at 1 m
   scene.Label({400, 100, 20, 20}, 2);  // 8 cm wide at 2 m
   ObjectOptions options;
-  options.min_area_m2 = 0.003;
+  options.selection.min_area_m2 = 0.003;
   scene.Describe(options);
   ASSERT_EQ(scene.detections.objects.size(), 1U);
   EXPECT_EQ(scene.detections.objects[0].bounds_px.x, 400);

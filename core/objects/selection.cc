@@ -1,0 +1,94 @@
+#include "core/objects/selection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/core.hpp>
+#include <tuple>
+#include <utility>
+
+#include "core/objects/confidence.h"
+
+namespace fovea {
+namespace {
+
+// Even of a tiny image, an object has more than noise does.
+constexpr double kFewestPixels = 20;
+
+using PixelsOfLabel = std::vector<std::vector<cv::Point>>;
+
+PixelsOfLabel CollectPixels(const cv::Mat& labels) {
+  double max_label = 0;
+  cv::minMaxLoc(labels, nullptr, &max_label);
+  PixelsOfLabel pixels(static_cast<std::size_t>(max_label) + 1);
+  for (int row = 0; row < labels.rows; ++row) {
+    const auto* label = labels.ptr<std::uint16_t>(row);
+    for (int col = 0; col < labels.cols; ++col) {
+      if (label[col] != 0) pixels[label[col]].emplace_back(col, row);
+    }
+  }
+  return pixels;
+}
+
+double SumOfSquaredZ(const cv::Mat& points, const std::vector<cv::Point>& pixels) {
+  double squares = 0;
+  for (const cv::Point& pixel : pixels) {
+    const double z = points.at<cv::Vec3f>(pixel)[2];
+    squares += z * z;
+  }
+  return squares;
+}
+
+float MeanOf(const cv::Mat& map, const std::vector<cv::Point>& pixels) {
+  double sum = 0;
+  for (const cv::Point& pixel : pixels) sum += map.at<float>(pixel);
+  return static_cast<float>(sum / static_cast<double>(pixels.size()));
+}
+
+// Leaves the `max_objects` most salient candidates, in their order; 0: all. Returns how many it
+// drops.
+std::size_t KeepMostSalient(int max_objects, std::vector<Candidate>& candidates) {
+  const auto limit = static_cast<std::size_t>(max_objects);
+  if (limit == 0 || candidates.size() <= limit) return 0;
+  std::vector<std::pair<float, std::size_t>> ranks;  // −saliency, position
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    ranks.emplace_back(-candidates[i].saliency, i);
+  }
+  std::sort(ranks.begin(), ranks.end());
+  const std::size_t num_dropped = candidates.size() - limit;
+  for (std::size_t r = limit; r < ranks.size(); ++r) candidates[ranks[r].second].label = 0;
+  std::erase_if(candidates, [](const Candidate& candidate) { return candidate.label == 0; });
+  return num_dropped;
+}
+
+}  // namespace
+
+Selection SelectObjects(const cv::Mat& labels, const cv::Mat& points, const cv::Mat& saliency,
+                        const CameraIntrinsics& intrinsics, const SelectionOptions& options) {
+  const double scale = static_cast<double>(labels.total()) / (640.0 * 480.0);
+  const double min_pixels = std::max(kFewestPixels, std::round(options.min_pixels * scale));
+  PixelsOfLabel pixels_of_label = CollectPixels(labels);
+  Selection selection;
+  for (int label = 1; label < static_cast<int>(pixels_of_label.size()); ++label) {
+    std::vector<cv::Point>& pixels = pixels_of_label[label];
+    if (pixels.empty()) continue;
+    const double squares = SumOfSquaredZ(points, pixels);
+    const double area_m2 = squares / (intrinsics.fx_px * intrinsics.fy_px);
+    const auto count = static_cast<double>(pixels.size());
+    if (count < min_pixels || area_m2 < options.min_area_m2) {
+      ++selection.num_too_small;
+      continue;
+    }
+    const float confidence = Confidence(area_m2, std::sqrt(squares / count));
+    const float mean_saliency = MeanOf(saliency, pixels);
+    selection.candidates.push_back({label, std::move(pixels), confidence, mean_saliency});
+  }
+  std::stable_sort(selection.candidates.begin(), selection.candidates.end(),
+                   [](const Candidate& a, const Candidate& b) {
+                     return std::tuple(-a.confidence, b.pixels.size()) <
+                            std::tuple(-b.confidence, a.pixels.size());
+                   });
+  selection.num_less_salient = KeepMostSalient(options.max_objects, selection.candidates);
+  return selection;
+}
+
+}  // namespace fovea

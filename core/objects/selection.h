@@ -1,0 +1,41 @@
+// Which segments become objects, how sure that is, and in which order they are reported.
+#pragma once
+
+#include <cstddef>
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "core/types/rgbd_frame.h"
+
+namespace fovea {
+
+struct SelectionOptions {
+  // Segments with fewer mask pixels are dropped; at an image of 640×480 (scaled with its area, but
+  // never fewer than 20).
+  double min_pixels = 300;
+  // So are those with less visible area: pixels · z² / (fx · fy), the area of a facing surface;
+  // square metres. Unlike pixels, it asks the same of an object at any distance.
+  double min_area_m2 = 0;
+  // Only the most salient ones are kept, up to this many; 0: all.
+  int max_objects = 0;
+};
+
+struct Candidate {
+  int label = 0;
+  std::vector<cv::Point> pixels;  // in row-major order
+  float confidence = 0;           // see core/objects/confidence.h
+  float saliency = 0;             // mean over the pixels
+};
+
+struct Selection {
+  std::vector<Candidate> candidates;  // by falling confidence, then pixels, then by label
+  std::size_t num_too_small = 0;
+  std::size_t num_less_salient = 0;  // beyond max_objects
+};
+
+// `labels`: CV_16UC1, 0 = background; `points`: CV_32FC3 with a point wherever there is a label;
+// `saliency`: CV_32FC1 in [0, 1]. Cost: proportional to the image.
+Selection SelectObjects(const cv::Mat& labels, const cv::Mat& points, const cv::Mat& saliency,
+                        const CameraIntrinsics& intrinsics, const SelectionOptions& options = {});
+
+}  // namespace fovea
