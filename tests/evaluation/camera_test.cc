@@ -3,10 +3,11 @@
 // measured.
 #include <gtest/gtest.h>
 
-#include <array>
+#include <cstdlib>
 #include <numbers>
 #include <opencv2/core.hpp>
 #include <string>
+#include <vector>
 
 #include "core/detector.h"
 #include "tests/evaluation/scores.h"
@@ -46,8 +47,8 @@ class RolledCamera : public testing::TestWithParam<int> {};
 
 TEST_P(RolledCamera, FindsTheObjects) {
   const Score boxes = BoxesFound({"tabletop", "cluttered"}, 3, {320, 240}, GetParam());
-  EXPECT_GT(boxes.precision, 0.8);
-  EXPECT_GT(boxes.recall, 0.8);
+  EXPECT_GT(boxes.precision, 0.87);  // measured: 0.95 to 1; without roll 0.97
+  EXPECT_GT(boxes.recall, 0.75);     // measured: 0.84 to 0.88; without roll 0.86
 }
 
 INSTANTIATE_TEST_SUITE_P(Degrees, RolledCamera, testing::Values(-30, -15, 15, 30),
@@ -60,8 +61,8 @@ class CameraOfSize : public testing::TestWithParam<cv::Size> {};
 
 TEST_P(CameraOfSize, FindsTheObjects) {
   const Score boxes = BoxesFound({"tabletop", "cluttered"}, 1, GetParam(), 0);
-  EXPECT_GT(boxes.precision, 0.8);
-  EXPECT_GT(boxes.recall, 0.8);
+  EXPECT_GT(boxes.precision, 0.8);  // measured: 0.93 or more
+  EXPECT_GT(boxes.recall, 0.8);     // measured: 0.93 or more
 }
 
 INSTANTIATE_TEST_SUITE_P(Pixels, CameraOfSize,
