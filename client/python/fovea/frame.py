@@ -104,18 +104,20 @@ class Frame:
         if self.depth_intrinsics is None and self.color_from_depth is None:
             _require_same_size(self.color, self.depth)
             return
-        for name in ("depth_intrinsics", "color_from_depth"):
-            if getattr(self, name) is None:
-                raise InvalidArgument(
-                    f"frame.{name}", "is missing; depth_intrinsics and color_from_depth go together"
-                )
+        together = "is missing; depth_intrinsics and color_from_depth go together"
+        if self.depth_intrinsics is None:
+            raise InvalidArgument("frame.depth_intrinsics", together)
+        if self.color_from_depth is None:
+            raise InvalidArgument("frame.color_from_depth", together)
         intrinsics = _intrinsics_to_proto(self.depth_intrinsics, _DEPTH_INTRINSICS)
         proto.depth_intrinsics.CopyFrom(intrinsics)
         pose = pose_to_proto(self.color_from_depth, "frame.color_from_depth")
         proto.color_from_depth.CopyFrom(pose)
 
 
-def _intrinsics_to_proto(intrinsics: Any, field: str) -> frame_pb2.CameraIntrinsics:
+def _intrinsics_to_proto(
+    intrinsics: CameraIntrinsics | npt.ArrayLike, field: str
+) -> frame_pb2.CameraIntrinsics:
     if not isinstance(intrinsics, CameraIntrinsics):
         intrinsics = CameraIntrinsics.from_matrix(intrinsics, field)
     return intrinsics.to_proto(field)
