@@ -75,4 +75,16 @@ v1::CameraIntrinsics MakeIntrinsics(double fx, double fy, double cx, double cy) 
   return intrinsics;
 }
 
+v1::Pose MakePose(double x, double y, double z, double qx, double qy, double qz, double qw) {
+  v1::Pose pose;
+  pose.mutable_position()->set_x(x);
+  pose.mutable_position()->set_y(y);
+  pose.mutable_position()->set_z(z);
+  pose.mutable_orientation()->set_x(qx);
+  pose.mutable_orientation()->set_y(qy);
+  pose.mutable_orientation()->set_z(qz);
+  pose.mutable_orientation()->set_w(qw);
+  return pose;
+}
+
 }  // namespace fovea::client

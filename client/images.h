@@ -1,4 +1,5 @@
-// The images of a request from what a camera driver hands out. All copy; rows have no padding.
+// The images of a request, and where the cameras are, from what a camera driver hands out. All
+// copy; rows have no padding.
 #pragma once
 
 #include <cstdint>
@@ -26,5 +27,8 @@ v1::DepthImage MakeDepthImage(const float* meters, std::uint32_t width, std::uin
 v1::DepthImage MakeDepthImage(std::string png_file, double unit_m = 0.001);
 
 v1::CameraIntrinsics MakeIntrinsics(double fx, double fy, double cx, double cy);
+
+// Metres and a unit quaternion, for example for Frame.color_from_depth.
+v1::Pose MakePose(double x, double y, double z, double qx, double qy, double qz, double qw);
 
 }  // namespace fovea::client

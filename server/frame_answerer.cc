@@ -2,6 +2,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "server/conversion/detections.h"
 #include "server/conversion/field_error.h"
@@ -70,11 +71,14 @@ Detections FrameAnswerer::Compute(const FrameRequest& request, const Caller& cal
   const double queue_ms = MillisecondsSince(request.received);
   const DetectorOptions options = FromProto(*request.options);
   const Clock::time_point start = Clock::now();
-  const RgbdFrame frame = FromProto(*request.frame, max_pixels_);
+  std::vector<std::string> losses;
+  const RgbdFrame frame = FromProto(*request.frame, max_pixels_, &losses);
   const double decode_ms = MillisecondsSince(start);
   try {
     Detections detections = detect_(frame, options, WantsTrace(*request.options) ? trace : nullptr,
                                     [&caller] { return caller.IsGone(); });
+    std::vector<std::string>& messages = detections.diagnostics.messages;
+    messages.insert(messages.begin(), losses.begin(), losses.end());
     detections.stage_times.insert(detections.stage_times.begin(),
                                   {{"queue", queue_ms}, {"decode", decode_ms}});
     return detections;

@@ -12,7 +12,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the file is little-endian");
 
-std::string Header(int num_points) {
+std::string Header(std::size_t num_points) {
   return "ply\nformat binary_little_endian 1.0\n"
          "comment metres; camera frame: x right, y down, z forward\n"
          "element vertex " +
@@ -37,23 +37,16 @@ void AppendPoint(const std::array<float, 3>& position, const cv::Vec3b& bgr, std
 
 }  // namespace
 
-std::string MakePly(const cv::Mat& color, const cv::Mat& depth, double unit_m,
-                    const v1::CameraIntrinsics& intrinsics, const cv::Mat& labels) {
-  if (color.size() != depth.size() || labels.size() != depth.size()) {
-    throw std::runtime_error("colour, depth and labels differ in size");
-  }
+std::string MakePly(const cv::Mat& color, const std::vector<DepthPoint>& points,
+                    const cv::Mat& labels) {
+  if (color.size() != labels.size()) throw std::runtime_error("colour and labels differ in size");
   cv::Mat wide_labels;
   labels.convertTo(wide_labels, CV_16U);
-  std::string ply = Header(cv::countNonZero(depth));
-  for (int y = 0; y < depth.rows; ++y) {
-    for (int x = 0; x < depth.cols; ++x) {
-      const double z = depth.at<std::uint16_t>(y, x) * unit_m;
-      if (z == 0) continue;
-      AppendPoint(
-          {static_cast<float>((x - intrinsics.cx()) / intrinsics.fx() * z),
-           static_cast<float>((y - intrinsics.cy()) / intrinsics.fy() * z), static_cast<float>(z)},
-          Shade(color.at<cv::Vec3b>(y, x), wide_labels.at<std::uint16_t>(y, x)), &ply);
-    }
+  std::string ply = Header(points.size());
+  for (const auto& [position, pixel] : points) {
+    AppendPoint({static_cast<float>(position[0]), static_cast<float>(position[1]),
+                 static_cast<float>(position[2])},
+                Shade(color.at<cv::Vec3b>(pixel), wide_labels.at<std::uint16_t>(pixel)), &ply);
   }
   return ply;
 }

@@ -2,16 +2,16 @@
 
 #include <opencv2/core/mat.hpp>
 #include <string>
+#include <vector>
 
-#include "fovea/v1/frame.pb.h"
+#include "client/cli/depth_points.h"
 
 namespace fovea::cli {
 
-// A binary PLY file of every pixel with depth, in metres in the camera frame: objects tinted in
-// their palette colour, the background in dimmed true colour. `color` CV_8UC3 (B first), `depth`
-// CV_16UC1 in units of `unit_m`, `labels` as LabelImage; all of one size, else throws
-// std::runtime_error.
-std::string MakePly(const cv::Mat& color, const cv::Mat& depth, double unit_m,
-                    const v1::CameraIntrinsics& intrinsics, const cv::Mat& labels);
+// A binary PLY file of the points, in metres in the camera frame: objects tinted in their palette
+// colour, the background in dimmed true colour. `color` CV_8UC3 (B first), `labels` as LabelImage;
+// both of one size, else throws std::runtime_error, and with all pixels of the points.
+std::string MakePly(const cv::Mat& color, const std::vector<DepthPoint>& points,
+                    const cv::Mat& labels);
 
 }  // namespace fovea::cli

@@ -23,8 +23,8 @@ void Require(bool holds, const std::string& message) {
 
 FrameSettings SettingsOf(const DetectFlags& flags) {
   FrameSettings settings;
-  const auto k = ParseNumbers(flags.intrinsics, 4, "--intrinsics", "FX,FY,CX,CY");
-  settings.intrinsics = client::MakeIntrinsics(k[0], k[1], k[2], k[3]);
+  settings.intrinsics = ParseIntrinsics(flags.intrinsics, "--intrinsics");
+  settings.depth_camera = ParseDepthCamera(flags.depth_intrinsics, flags.color_from_depth);
   settings.depth_unit_m = flags.depth_unit_m;
   settings.gravity = ParseGravity(flags.gravity);
   settings.options = ParseOptions(flags.profile, flags.settings);
@@ -86,6 +86,12 @@ void AddCommonFlags(CLI::App& command, DetectFlags& flags) {
       ->capture_default_str();
   AddFlag(command, "--intrinsics", flags.intrinsics, "FX,FY,CX,CY",
           "Of the colour camera in pixels, for example 525,525,319.5,239.5; required");
+  AddFlag(command, "--depth-intrinsics", flags.depth_intrinsics, "FX,FY,CX,CY",
+          "Of the depth camera in pixels of the depth image, where depth is not registered to "
+          "colour");
+  AddFlag(command, "--color-from-depth", flags.color_from_depth, "X,Y,Z,QX,QY,QZ,QW",
+          "With it: position (metres) and orientation (unit quaternion) of the depth camera in "
+          "the colour camera's frame (x right, y down, z forward)");
   command.add_option("--depth-unit", flags.depth_unit_m, "Metres per unit of the depth image")
       ->type_name("METRES")
       ->capture_default_str();
@@ -103,7 +109,7 @@ void AddFrameFlags(CLI::App& command, DetectFlags& flags) {
   OutputPaths& outputs = flags.outputs;
   AddFlag(command, "--color", flags.color, "FILE", "Colour image, PNG or JPEG")->group(group);
   AddFlag(command, "--depth", flags.depth, "FILE",
-          "16-bit PNG, registered to colour, 0 = not measured")
+          "16-bit PNG, 0 = not measured; registered to colour unless --color-from-depth is given")
       ->group(group);
   AddFlag(command, "--id", flags.id, "NAME", "Name of the frame; else that of the colour file")
       ->group(group);

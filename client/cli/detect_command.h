@@ -13,7 +13,8 @@ namespace fovea::cli {
 struct DetectFlags {
   ConnectionFlags connection;
   double timeout_s = 30;
-  std::string color, depth, intrinsics, gravity, profile, id, input, output;
+  std::string color, depth, intrinsics, depth_intrinsics, color_from_depth, gravity, profile, id,
+      input, output;
   double depth_unit_m = 0.001;
   std::vector<std::string> settings;
   OutputPaths outputs;

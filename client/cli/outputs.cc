@@ -60,8 +60,8 @@ void WriteOutputs(const OutputPaths& paths, const FrameFiles& files, const Frame
   }
   if (!paths.cloud.empty()) {
     const cv::Mat depth = DecodeDepth(request.frame().depth().data(), files.depth_path);
-    WriteFile(paths.cloud, MakePly(color, depth, settings.depth_unit_m, settings.intrinsics,
-                                   LabelImage(detections)));
+    WriteFile(paths.cloud,
+              MakePly(color, PointsInColor(depth, settings, color.size()), LabelImage(detections)));
   }
 }
 

@@ -20,6 +20,22 @@ auto FromFile(const std::string& path, Make make) {
 
 }  // namespace
 
+v1::CameraIntrinsics ParseIntrinsics(const std::string& text, const std::string& flag) {
+  const auto k = ParseNumbers(text, 4, flag, "FX,FY,CX,CY");
+  return client::MakeIntrinsics(k[0], k[1], k[2], k[3]);
+}
+
+std::optional<DepthCamera> ParseDepthCamera(const std::string& intrinsics,
+                                            const std::string& pose) {
+  if (intrinsics.empty() && pose.empty()) return std::nullopt;
+  if (intrinsics.empty())
+    throw std::invalid_argument("--color-from-depth needs --depth-intrinsics");
+  if (pose.empty()) throw std::invalid_argument("--depth-intrinsics needs --color-from-depth");
+  const auto p = ParseNumbers(pose, 7, "--color-from-depth", "X,Y,Z,QX,QY,QZ,QW");
+  return DepthCamera{ParseIntrinsics(intrinsics, "--depth-intrinsics"),
+                     client::MakePose(p[0], p[1], p[2], p[3], p[4], p[5], p[6])};
+}
+
 std::optional<v1::Vector3> ParseGravity(const std::string& text) {
   if (text.empty()) return std::nullopt;
   const auto g = ParseNumbers(text, 3, "--gravity", "X,Y,Z");
@@ -51,6 +67,10 @@ v1::DetectRequest MakeRequest(const FrameFiles& files, const FrameSettings& sett
     return client::MakeDepthImage(std::move(bytes), settings.depth_unit_m);
   });
   *frame.mutable_intrinsics() = settings.intrinsics;
+  if (settings.depth_camera) {
+    *frame.mutable_depth_intrinsics() = settings.depth_camera->intrinsics;
+    *frame.mutable_color_from_depth() = settings.depth_camera->color_from_depth;
+  }
   if (settings.gravity) *frame.mutable_gravity() = *settings.gravity;
   *request.mutable_options() = settings.options;
   return request;

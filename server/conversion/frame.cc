@@ -2,9 +2,11 @@
 
 #include <cmath>
 
+#include "server/conversion/depth_camera.h"
 #include "server/conversion/field_error.h"
 #include "server/conversion/geometry.h"
 #include "server/conversion/image.h"
+#include "server/conversion/intrinsics.h"
 
 namespace fovea::server {
 namespace {
@@ -18,26 +20,9 @@ void RequireParts(const v1::Frame& frame) {
   RequireField(frame.has_color(), "frame.color",
                "is missing; send RGB8 or BGR8 rows, or a JPEG or PNG file");
   RequireField(frame.has_depth(), "frame.depth",
-               "is missing; send depth registered to colour, for example 16UC1 in millimetres");
+               "is missing; send for example 16UC1 in millimetres, registered to colour");
   RequireField(frame.has_intrinsics(), "frame.intrinsics",
                "is missing; send fx, fy, cx, cy of the colour camera in pixels");
-}
-
-CameraIntrinsics IntrinsicsFromProto(const v1::CameraIntrinsics& intrinsics) {
-  const auto positive = [](double value, const char* name) {
-    RequireField(std::isfinite(value) && value > 0, std::string("frame.intrinsics.") + name,
-                 std::to_string(value) + " is not a finite positive number of pixels");
-    return value;
-  };
-  const auto finite = [](double value, const char* name) {
-    RequireField(std::isfinite(value), std::string("frame.intrinsics.") + name,
-                 std::to_string(value) + " is not a finite number of pixels");
-    return value;
-  };
-  return {.fx_px = positive(intrinsics.fx(), "fx"),
-          .fy_px = positive(intrinsics.fy(), "fy"),
-          .cx_px = finite(intrinsics.cx(), "cx"),
-          .cy_px = finite(intrinsics.cy(), "cy")};
 }
 
 Eigen::Vector3f GravityFromProto(const v1::Vector3& proto) {
@@ -54,21 +39,28 @@ void RequireSameSize(const cv::Mat& color, const cv::Mat& depth) {
   };
   RequireField(color.size() == depth.size(), "frame.depth",
                "is " + text(depth) + ", colour is " + text(color) +
-                   "; depth must be registered to colour and have its size");
+                   "; depth must be registered to colour and have its size, or else "
+                   "frame.depth_intrinsics and frame.color_from_depth are needed");
 }
 
 }  // namespace
 
-RgbdFrame FromProto(const v1::Frame& frame, std::uint64_t max_pixels) {
+RgbdFrame FromProto(const v1::Frame& frame, std::uint64_t max_pixels,
+                    std::vector<std::string>* messages) {
   RequireParts(frame);
   RgbdFrame result;
   // What is cheap to check comes before the images.
-  result.intrinsics = IntrinsicsFromProto(frame.intrinsics());
+  result.intrinsics = FromProto(frame.intrinsics(), "frame.intrinsics");
   if (frame.has_gravity()) result.gravity = GravityFromProto(frame.gravity());
   if (frame.has_camera_pose()) FromProto(frame.camera_pose(), "frame.camera_pose");
+  const std::optional<DepthCamera> depth_camera = DepthCameraFromProto(frame);
 
   result.color_rgb = ColorFromProto(frame.color(), max_pixels);
   result.depth_m = DepthFromProto(frame.depth(), max_pixels);
+  if (depth_camera) {
+    result.depth_m = Register(result.depth_m, *depth_camera, result.intrinsics,
+                              result.color_rgb.size(), messages);
+  }
   RequireSameSize(result.color_rgb, result.depth_m);
   return result;
 }

@@ -92,6 +92,30 @@ TEST_F(CliTest, SendsJpegAsItIs) {
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
 }
 
+TEST_F(CliTest, SendsDepthThatIsNotRegistered) {
+  const std::vector<std::string> beside = {"--depth-intrinsics", "30,30,15.5,11.5",
+                                           "--color-from-depth", "-0.02,0,0,0,0,0,1"};
+  std::vector<std::string> flags = beside;
+  flags.insert(flags.end(), {"--labels", At("l.png"), "--cloud", At("c.ply")});
+  const Finished finished = DetectFrame(flags);
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_EQ(cv::imread(At("l.png"), cv::IMREAD_UNCHANGED).size(), cv::Size(kWidth, kHeight));
+  EXPECT_GT(fs::file_size(At("c.ply")), 15U * kWidth);
+
+  const Finished away = DetectFrame({beside[0], beside[1], beside[2], "0,0,0,0,1,0,0"});
+  EXPECT_THAT(away.out, HasSubstr("depth registered by color_from_depth covers 0 pixels"));
+  ExpectOneLineError(DetectFrame({beside[0], beside[1]}),
+                     "--depth-intrinsics needs --color-from-depth");
+  ExpectOneLineError(DetectFrame({beside[2], beside[3]}),
+                     "--color-from-depth needs --depth-intrinsics");
+  ExpectOneLineError(DetectFrame({beside[0], "30,30", beside[2], beside[3]}),
+                     "--depth-intrinsics: \"30,30\" is not FX,FY,CX,CY");
+  ExpectOneLineError(DetectFrame({beside[0], beside[1], beside[2], "0,0,0"}),
+                     "--color-from-depth: \"0,0,0\" is not X,Y,Z,QX,QY,QZ,QW");
+  ExpectOneLineError(DetectFrame({beside[0], beside[1], beside[2], "0,0,0,0,0,0,2"}),
+                     "INVALID_ARGUMENT: frame.color_from_depth.orientation: ");
+}
+
 TEST_F(CliTest, RunsOverAFolderAndGoesOnAfterAFrameThatFailed) {
   for (const char* name : {"b", "c", "d"}) WriteFrame(name);
   fs::remove(At("b_depth.png"));

@@ -28,6 +28,11 @@ void WriteRequests(const fs::path& folder) {
   request.mutable_frame()->mutable_camera_pose()->mutable_orientation()->set_w(1);
   (*request.mutable_options()->mutable_parameters())["max_depth_m"] = 5;
   Write(folder, "compressed", request.SerializeAsString());
+  request = TestRequest();
+  *request.mutable_frame()->mutable_depth_intrinsics() = request.frame().intrinsics();
+  request.mutable_frame()->mutable_color_from_depth()->mutable_position()->set_x(0.025);
+  request.mutable_frame()->mutable_color_from_depth()->mutable_orientation()->set_w(1);
+  Write(folder, "unregistered", request.SerializeAsString());
 }
 
 }  // namespace

@@ -92,6 +92,17 @@ Rendering Blank(const cv::Size& size) {
   return rendering;
 }
 
+template <typename Function>
+void ForEachHit(const Scene& scene, const Function& function) {
+  const RayCaster caster(scene);
+  for (int y = 0; y < scene.camera.size_px.height; ++y) {
+    for (int x = 0; x < scene.camera.size_px.width; ++x) {
+      const auto found = caster.Nearest(PixelRay(scene.camera, x, y));
+      if (found) function(x, y, *found);
+    }
+  }
+}
+
 }  // namespace
 
 Rendering Render(const Scene& scene, double baseline_m) {
@@ -128,16 +139,20 @@ Rendering Render(const Scene& scene, double baseline_m) {
 }
 
 cv::Mat RenderLabels(const Scene& scene) {
-  const RayCaster caster(scene);
   const std::vector<std::uint16_t> label_of_body = LabelOfEachBody(scene);
   cv::Mat labels = cv::Mat::zeros(scene.camera.size_px, CV_16UC1);
-  for (int y = 0; y < labels.rows; ++y) {
-    for (int x = 0; x < labels.cols; ++x) {
-      const auto found = caster.Nearest(PixelRay(scene.camera, x, y));
-      if (found) labels.at<std::uint16_t>(y, x) = label_of_body[found->body];
-    }
-  }
+  ForEachHit(scene, [&](int x, int y, const RayCaster::Result& found) {
+    labels.at<std::uint16_t>(y, x) = label_of_body[found.body];
+  });
   return labels;
+}
+
+cv::Mat RenderDepth(const Scene& scene) {
+  cv::Mat depth_m(scene.camera.size_px, CV_32FC1, cv::Scalar(std::nan("")));
+  ForEachHit(scene, [&](int x, int y, const RayCaster::Result& found) {
+    depth_m.at<float>(y, x) = static_cast<float>(found.hit.t);
+  });
+  return depth_m;
 }
 
 }  // namespace fovea::scenes

@@ -50,7 +50,8 @@ struct Rendering {
 // Renders in parallel; the same scene gives the same bytes.
 Rendering Render(const Scene& scene, double baseline_m = 0);
 
-// Labels alone, as Rendering::labels: many times faster.
+// Labels or depth alone, as Rendering::labels and depth_m: many times faster.
 cv::Mat RenderLabels(const Scene& scene);
+cv::Mat RenderDepth(const Scene& scene);
 
 }  // namespace fovea::scenes

@@ -64,6 +64,12 @@ Eigen::Isometry3d LookAt(const Eigen::Vector3d& target, double distance_m, doubl
   return pose;
 }
 
+Scene Rolled(const Scene& scene, double roll_rad) {
+  Scene rolled = scene;
+  rolled.camera.world_from_camera.rotate(Eigen::AngleAxisd(roll_rad, Eigen::Vector3d::UnitZ()));
+  return rolled;
+}
+
 std::pair<double, double> VerticalExtent(const Body& body) {
   const double z = body.world_from_body.translation().z();
   const Eigen::Vector3d up_in_body = body.world_from_body.linear().row(2).cwiseAbs();

@@ -60,6 +60,9 @@ Camera CameraOfSize(const cv::Size& size_px);
 Eigen::Isometry3d LookAt(const Eigen::Vector3d& target, double distance_m, double pitch_rad,
                          double yaw_rad, double roll_rad);
 
+// The scene, its camera turned about the optical axis by that much more.
+Scene Rolled(const Scene& scene, double roll_rad);
+
 // Lowest and highest z of a body whose frame has one axis vertical.
 std::pair<double, double> VerticalExtent(const Body& body);
 

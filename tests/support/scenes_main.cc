@@ -7,9 +7,13 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <numbers>
 #include <opencv2/imgcodecs.hpp>
+#include <optional>
 #include <regex>
+#include <sstream>
 
+#include "tests/support/depth_camera.h"
 #include "tests/support/preview.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/scene_files.h"
@@ -24,15 +28,40 @@ struct Flags {
   std::uint64_t seed = 1;
   SensorKind sensor = SensorKind::kKinect;
   std::string size = "640x480";
+  double roll_deg = 0;
+  std::string depth_size;  // of a depth camera of its own; empty = depth is registered
   bool preview = false;
 };
 
-cv::Size ParseSize(const std::string& text) {
+cv::Size ParseSize(const std::string& flag, const std::string& text) {
   std::smatch parts;
   if (!std::regex_match(text, parts, std::regex("([0-9]{2,4})x([0-9]{2,4})"))) {
-    throw std::invalid_argument("--size " + text + ": expected WIDTHxHEIGHT in pixels");
+    throw std::invalid_argument(flag + " " + text + ": expected WIDTHxHEIGHT in pixels");
   }
   return {std::stoi(parts[1]), std::stoi(parts[2])};
+}
+
+std::optional<DepthCamera> DepthCameraOf(const Flags& flags) {
+  constexpr double kBaseline_m = 0.025;
+  if (flags.depth_size.empty()) return std::nullopt;
+  return DepthCameraBeside(kBaseline_m, ParseSize("--depth-camera", flags.depth_size));
+}
+
+std::string Text(const CameraIntrinsics& k) {
+  std::ostringstream text;
+  text << k.fx_px << ',' << k.fy_px << ',' << k.cx_px << ',' << k.cy_px;
+  return text.str();
+}
+
+// As `fovea detect` takes them.
+std::string FlagsOf(const DepthCamera& camera) {
+  const Eigen::Vector3d p = camera.color_from_depth.translation();
+  const Eigen::Quaterniond q(camera.color_from_depth.linear());
+  std::ostringstream text;
+  text << " --depth-intrinsics " << Text(camera.intrinsics) << " --color-from-depth " << p.x()
+       << ',' << p.y() << ',' << p.z() << ',' << q.x() << ',' << q.y() << ',' << q.z() << ','
+       << q.w();
+  return text.str();
 }
 
 void ShowProgress(std::size_t done, std::size_t total, const std::string& name) {
@@ -42,7 +71,8 @@ void ShowProgress(std::size_t done, std::size_t total, const std::string& name) 
 }
 
 void WriteFrames(const Flags& flags) {
-  const cv::Size size_px = ParseSize(flags.size);
+  const cv::Size size_px = ParseSize("--size", flags.size);
+  const std::optional<DepthCamera> depth_camera = DepthCameraOf(flags);
   std::vector<std::string> kinds = {flags.kind};
   if (flags.kind == "all") kinds = SceneKinds();
   std::filesystem::create_directories(flags.output);
@@ -52,7 +82,12 @@ void WriteFrames(const Flags& flags) {
     for (int i = 0; i < flags.count; ++i) {
       const std::uint64_t seed = flags.seed + static_cast<std::uint64_t>(i);
       const std::string name = kind + "_" + std::to_string(seed);
-      const LabelledFrame frame = MakeFrame(RandomScene(kind, seed, size_px), flags.sensor, seed);
+      const Scene scene =
+          Rolled(RandomScene(kind, seed, size_px), flags.roll_deg * std::numbers::pi / 180);
+      LabelledFrame frame = MakeFrame(scene, flags.sensor, seed);
+      if (depth_camera) {
+        frame.frame.depth_m = MeasureDepth(scene, *depth_camera, flags.sensor, seed);
+      }
       WriteFrame(flags.output, name, frame);
       if (flags.preview) {
         cv::imwrite(flags.output + "/" + name + "_preview.png", DrawPreview(frame));
@@ -60,9 +95,10 @@ void WriteFrames(const Flags& flags) {
       ShowProgress(++done, total, name);
     }
   }
-  const CameraIntrinsics k = CameraOfSize(size_px).intrinsics;
-  std::cout << total << " frames in " << flags.output << ", intrinsics " << k.fx_px << ','
-            << k.fy_px << ',' << k.cx_px << ',' << k.cy_px << '\n';
+  std::cout << total << " frames in " << flags.output << ", intrinsics "
+            << Text(CameraOfSize(size_px).intrinsics);
+  if (depth_camera) std::cout << FlagsOf(*depth_camera);
+  std::cout << '\n';
 }
 
 int Run(int argc, char** argv) {
@@ -85,8 +121,15 @@ int Run(int argc, char** argv) {
   app.add_option("--sensor", flags.sensor, "ideal, kinect (the default) or realsense")
       ->transform(CLI::CheckedTransformer(sensors));
   app.add_option("--size", flags.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-  app.add_flag("--preview", flags.preview,
-               "Also write <name>_preview.png: colour, depth and labels side by side");
+  app.add_option("--roll", flags.roll_deg, "Turns the camera about its optical axis; degrees")
+      ->check(CLI::Range(-180, 180));
+  CLI::Option* preview =
+      app.add_flag("--preview", flags.preview,
+                   "Also write <name>_preview.png: colour, depth and labels side by side");
+  app.add_option("--depth-camera", flags.depth_size,
+                 "WIDTHxHEIGHT of a depth camera 25 mm to the left of colour, whose depth is "
+                 "written as it is, not registered")
+      ->excludes(preview);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -16,11 +16,12 @@ from fovea.images import make_color_image, make_depth_image
 from fovea.v1 import frame_pb2
 
 _INTRINSICS = "frame.intrinsics"
+_DEPTH_INTRINSICS = "frame.depth_intrinsics"
 
 
 @dataclass(frozen=True)
 class CameraIntrinsics:
-    """Pinhole model without distortion, in pixels of the colour image.
+    """Pinhole model without distortion, in pixels of the camera's image.
 
     The centre of the top left pixel is (0, 0).
     """
@@ -31,30 +32,31 @@ class CameraIntrinsics:
     cy: float
 
     @staticmethod
-    def from_matrix(matrix: npt.ArrayLike) -> CameraIntrinsics:
-        """From [[fx, 0, cx], [0, fy, cy], [0, 0, 1]]."""
-        k = numbers(matrix, (3, 3), _INTRINSICS)
+    def from_matrix(matrix: npt.ArrayLike, field: str = _INTRINSICS) -> CameraIntrinsics:
+        """From [[fx, 0, cx], [0, fy, cy], [0, 0, 1]]. Errors name `field`."""
+        k = numbers(matrix, (3, 3), field)
         if not np.array_equal(k[[0, 1, 2, 2, 2], [1, 0, 0, 1, 2]], [0, 0, 0, 0, 1]):
-            raise InvalidArgument(_INTRINSICS, "is not [[fx, 0, cx], [0, fy, cy], [0, 0, 1]]")
+            raise InvalidArgument(field, "is not [[fx, 0, cx], [0, fy, cy], [0, 0, 1]]")
         return CameraIntrinsics(k[0, 0], k[1, 1], k[0, 2], k[1, 2])
 
-    def to_proto(self) -> frame_pb2.CameraIntrinsics:
+    def to_proto(self, field: str = _INTRINSICS) -> frame_pb2.CameraIntrinsics:
         for name in ("fx", "fy", "cx", "cy"):
             value = getattr(self, name)
             if not (isinstance(value, (int, float, np.number)) and math.isfinite(value)):
-                raise InvalidArgument(f"{_INTRINSICS}.{name}", f"{value!r} is not a finite number")
+                raise InvalidArgument(f"{field}.{name}", f"{value!r} is not a finite number")
         return frame_pb2.CameraIntrinsics(fx=self.fx, fy=self.fy, cx=self.cx, cy=self.cy)
 
 
 @dataclass(frozen=True, eq=False)
 class Frame:
     """Colour and depth, registered: pixel (u, v) of both looks along the same ray, and both have
-    one size. Nothing is checked or copied before the frame is sent.
+    one size; or with depth_intrinsics and color_from_depth, after which the server registers depth.
+    Nothing is checked or copied before the frame is sent.
 
     color: HxWx3 uint8 in the order of color_encoding, or the bytes of a PNG or JPEG file.
     depth: HxW uint16 in units of depth_unit_m, 0 = not measured; or HxW float32 in metres, NaN or
         <= 0 = not measured; or the bytes of a 16-bit PNG file. Along the optical axis.
-    intrinsics: CameraIntrinsics or a 3x3 matrix.
+    intrinsics: of the colour camera; CameraIntrinsics or a 3x3 matrix.
     id: comes back with the answer, and stands in the ids of objects.
     captured_at_ns: when the camera took it, in nanoseconds since 1970 UTC as time.time_ns() says.
     gravity: unit vector that points down, in the camera frame (x right, y down, z forward).
@@ -63,6 +65,8 @@ class Frame:
         too, as pose_in_reference.
     color_encoding: "rgb8", "bgr8", "png" or "jpeg"; depth_encoding: "raw", "zstd" or "png". Of
         arrays; files are sent as they are.
+    depth_intrinsics: of the depth camera, in pixels of depth, where depth is not registered.
+    color_from_depth: with it, 4x4, the depth camera's pose in the colour camera's frame.
     """
 
     color: npt.NDArray[np.uint8] | bytes
@@ -75,19 +79,18 @@ class Frame:
     depth_unit_m: float = 0.001
     color_encoding: str = "rgb8"
     depth_encoding: str = "raw"
+    depth_intrinsics: CameraIntrinsics | npt.ArrayLike | None = None
+    color_from_depth: npt.ArrayLike | None = None
 
     def to_proto(self) -> frame_pb2.Frame:
         """Raises InvalidArgument that names the field."""
-        intrinsics = self.intrinsics
-        if not isinstance(intrinsics, CameraIntrinsics):
-            intrinsics = CameraIntrinsics.from_matrix(intrinsics)
         proto = frame_pb2.Frame(
             id=self.id,
-            intrinsics=intrinsics.to_proto(),
+            intrinsics=_intrinsics_to_proto(self.intrinsics, _INTRINSICS),
             color=make_color_image(self.color, self.color_encoding),
             depth=make_depth_image(self.depth, self.depth_encoding, self.depth_unit_m),
         )
-        _require_same_size(self.color, self.depth)
+        self._add_depth_camera(proto)
         if self.captured_at_ns is not None:
             seconds, nanos = divmod(self.captured_at_ns, 1_000_000_000)
             proto.captured_at.CopyFrom(Timestamp(seconds=seconds, nanos=nanos))
@@ -97,6 +100,28 @@ class Frame:
             proto.camera_pose.CopyFrom(pose_to_proto(self.camera_pose, "frame.camera_pose"))
         return proto
 
+    def _add_depth_camera(self, proto: frame_pb2.Frame) -> None:
+        if self.depth_intrinsics is None and self.color_from_depth is None:
+            _require_same_size(self.color, self.depth)
+            return
+        together = "is missing; depth_intrinsics and color_from_depth go together"
+        if self.depth_intrinsics is None:
+            raise InvalidArgument("frame.depth_intrinsics", together)
+        if self.color_from_depth is None:
+            raise InvalidArgument("frame.color_from_depth", together)
+        intrinsics = _intrinsics_to_proto(self.depth_intrinsics, _DEPTH_INTRINSICS)
+        proto.depth_intrinsics.CopyFrom(intrinsics)
+        pose = pose_to_proto(self.color_from_depth, "frame.color_from_depth")
+        proto.color_from_depth.CopyFrom(pose)
+
+
+def _intrinsics_to_proto(
+    intrinsics: CameraIntrinsics | npt.ArrayLike, field: str
+) -> frame_pb2.CameraIntrinsics:
+    if not isinstance(intrinsics, CameraIntrinsics):
+        intrinsics = CameraIntrinsics.from_matrix(intrinsics, field)
+    return intrinsics.to_proto(field)
+
 
 def _require_same_size(color: Any, depth: Any) -> None:
     """The sizes of files the server checks."""
@@ -105,5 +130,6 @@ def _require_same_size(color: Any, depth: Any) -> None:
             raise InvalidArgument(
                 "frame.depth",
                 f"is {depth.shape[1]}x{depth.shape[0]}, colour is "
-                f"{color.shape[1]}x{color.shape[0]}; depth must be registered to colour",
+                f"{color.shape[1]}x{color.shape[0]}; depth must be registered to colour, or "
+                "else depth_intrinsics and color_from_depth are needed",
             )

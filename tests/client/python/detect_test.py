@@ -46,6 +46,24 @@ def test_finds_the_objects_that_the_command_line_finds(
         ]
 
 
+def test_registers_depth_of_a_camera_of_its_own(client: fovea.Client, scene: Scene) -> None:
+    """Here every second pixel of each row and column: a camera in the same place."""
+    expected = client.detect_frame(scene.frame())
+    k = scene.intrinsics
+    coarse = fovea.CameraIntrinsics(k.fx / 2, k.fy / 2, k.cx / 2, k.cy / 2)
+    found = client.detect(
+        scene.color,
+        scene.depth[::2, ::2],
+        k,
+        depth_intrinsics=coarse,
+        color_from_depth=np.eye(4),
+    )
+    assert len(found.objects) == len(expected.objects)
+    for each in expected.objects:
+        overlaps = [(each.mask & o.mask).sum() / (each.mask | o.mask).sum() for o in found.objects]
+        assert max(overlaps) > 0.7
+
+
 def test_boxes_bound_the_masks_and_the_clouds(client: fovea.Client, scene: Scene) -> None:
     found = client.detect_frame(scene.frame(), EVERYTHING)
     for each in found.objects:

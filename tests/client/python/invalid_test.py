@@ -43,12 +43,40 @@ LOCAL: list[tuple[dict[str, Any], str, str]] = [
     ({"camera_pose": np.eye(3)}, "frame.camera_pose", "shape (3, 3), not (4, 4)"),
     ({"camera_pose": 2 * np.eye(4)}, "frame.camera_pose", "rotation"),
     ({"camera_pose": TURNED}, "frame.camera_pose", "rotation"),
+    ({"depth_intrinsics": np.eye(3)}, "frame.color_from_depth", "is missing"),
+    ({"color_from_depth": np.eye(4)}, "frame.depth_intrinsics", "is missing"),
+    (
+        {"depth_intrinsics": np.eye(4), "color_from_depth": np.eye(4)},
+        "frame.depth_intrinsics",
+        "shape (4, 4), not (3, 3)",
+    ),
+    (
+        {"depth_intrinsics": np.eye(3), "color_from_depth": TURNED},
+        "frame.color_from_depth",
+        "rotation",
+    ),
+    (
+        {
+            "depth_intrinsics": fovea.CameraIntrinsics(np.inf, 5, 3, 3),
+            "color_from_depth": np.eye(4),
+        },
+        "frame.depth_intrinsics.fx",
+        "finite",
+    ),
 ]
 
 # What the server finds.
 REMOTE: list[tuple[dict[str, Any], str]] = [
     ({"intrinsics": fovea.CameraIntrinsics(0, 5, 3, 3)}, "frame.intrinsics.fx"),
     ({"gravity": [0, 2, 0]}, "frame.gravity"),
+    (
+        {"depth_intrinsics": np.diag([0, 5, 1]), "color_from_depth": np.eye(4)},
+        "frame.depth_intrinsics.fx",
+    ),
+    (
+        {"depth_intrinsics": np.eye(3), "color_from_depth": np.eye(4) + np.eye(4, k=3) * 25},
+        "frame.color_from_depth.position",
+    ),
     ({"id": "x" * 300}, "frame.id"),
     ({"depth_unit_m": 7.0}, "frame.depth.unit_m"),
     ({"color": b"\x89PNG\r\n\x1a\n", "depth": np.ones((9, 9), np.uint16)}, "frame.color.data"),

@@ -1,0 +1,49 @@
+#include "server/conversion/depth_camera.h"
+
+#include <opencv2/core.hpp>
+
+#include "core/depth/registration.h"
+#include "server/conversion/field_error.h"
+#include "server/conversion/geometry.h"
+#include "server/conversion/intrinsics.h"
+
+namespace fovea::server {
+namespace {
+
+constexpr char kIntrinsics[] = "frame.depth_intrinsics", kPose[] = "frame.color_from_depth";
+// Cameras of one sensor or robot; millimetres for metres go beyond.
+constexpr double kFarthest_m = 10;
+
+bool HasDepth(const cv::Mat& depth_m) { return cv::countNonZero(depth_m == depth_m) > 0; }
+
+}  // namespace
+
+std::optional<DepthCamera> DepthCameraFromProto(const v1::Frame& frame) {
+  if (!frame.has_depth_intrinsics() && !frame.has_color_from_depth()) return std::nullopt;
+  RequireField(frame.has_depth_intrinsics(), kIntrinsics,
+               "is missing; frame.color_from_depth needs fx, fy, cx, cy of the depth camera");
+  RequireField(frame.has_color_from_depth(), kPose,
+               "is missing; frame.depth_intrinsics needs the depth camera's pose in the frame of "
+               "the colour camera");
+  const DepthCamera camera = {FromProto(frame.depth_intrinsics(), kIntrinsics),
+                              FromProto(frame.color_from_depth(), kPose)};
+  const double distance_m = camera.color_from_depth.translation().norm();
+  RequireField(distance_m <= kFarthest_m, std::string(kPose) + ".position",
+               "is " + std::to_string(distance_m) + " m away, at most 10 m are allowed");
+  return camera;
+}
+
+cv::Mat Register(const cv::Mat& depth_m, const DepthCamera& camera, const CameraIntrinsics& color,
+                 const cv::Size& color_size, std::vector<std::string>* messages) {
+  const cv::Mat registered = InField(kPose, [&] {
+    return RegisterDepth(depth_m, camera.intrinsics, camera.color_from_depth, color, color_size);
+  });
+  if (messages != nullptr && HasDepth(depth_m) && !HasDepth(registered)) {
+    messages->emplace_back(
+        "depth registered by color_from_depth covers 0 pixels of colour: check color_from_depth, "
+        "depth_intrinsics and the depth unit");
+  }
+  return registered;
+}
+
+}  // namespace fovea::server

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "core/types/rgbd_frame.h"
+#include "fovea/v1/frame.pb.h"
+
+namespace fovea::server {
+
+// Throws std::invalid_argument that starts with the field, for example "<path>.fx: …", unless
+// focal lengths are finite and positive and the principal point is finite.
+CameraIntrinsics FromProto(const v1::CameraIntrinsics& intrinsics, const std::string& path);
+
+}  // namespace fovea::server
