@@ -5,6 +5,7 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <opencv2/core/utility.hpp>
 
 namespace fovea::server {
@@ -20,8 +21,11 @@ void SetUpLogging(const std::string& level) {
 void SetLogLevel(const std::string& level) { spdlog::set_level(spdlog::level::from_str(level)); }
 
 // Every frame allocates and frees the same large images: keeping them spares the page faults, and
-// detections run side by side, so each is worth one thread.
-void SetUpProcess() {
+// detections run side by side, so each is worth one thread. Each of malloc's arenas keeps the most
+// that it ever held; glibc makes eight for each processor, over which threads and with them such
+// peaks wander for hours.
+void SetUpProcess(int num_threads) {
+  mallopt(M_ARENA_MAX, std::max(2, num_threads));
   mallopt(M_MMAP_THRESHOLD, 64 << 20);
   mallopt(M_TRIM_THRESHOLD, 128 << 20);
   cv::setNumThreads(1);
