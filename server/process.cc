@@ -5,7 +5,6 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
 #include <opencv2/core/utility.hpp>
 
 namespace fovea::server {
@@ -25,7 +24,7 @@ void SetLogLevel(const std::string& level) { spdlog::set_level(spdlog::level::fr
 // that it ever held; glibc makes eight for each processor, over which threads and with them such
 // peaks wander for hours.
 void SetUpProcess(int num_threads) {
-  mallopt(M_ARENA_MAX, std::max(2, num_threads));
+  mallopt(M_ARENA_MAX, num_threads + 1);
   mallopt(M_MMAP_THRESHOLD, 64 << 20);
   mallopt(M_TRIM_THRESHOLD, 128 << 20);
   cv::setNumThreads(1);
