@@ -30,14 +30,20 @@ podman $store images --format '{{.Repository}} {{.Size}}' | grep -E 'fovea-(serv
 
 run="podman $store --runtime runc --cgroup-manager cgroupfs --events-backend none"
 name=fovea-image-check
-$run run --detach --name "$name" --network host --read-only --cap-drop all \
+$run rm --force --ignore "$name" >/dev/null
+# Its own health checks would need systemd.
+$run run --detach --name "$name" --network host --read-only --cap-drop all --no-healthcheck \
   --ulimit nofile=1024:1024 --ulimit nproc=1024:1024 "$image" --listen 127.0.0.1:0 >/dev/null
 trap '$run rm --force "$name" >/dev/null 2>&1; [ -z "${work:-}" ] || rm -rf "$work"' EXIT
 address=""
 while [ -z "$address" ]; do
+  running=$($run inspect --format '{{.State.Running}}' "$name")
   address=$($run logs "$name" 2>&1 | sed -n 's/^listening on //p')
+  [ -n "$address" ] || [ "$running" = true ] || { $run logs "$name" >&2; exit 1; }
 done
 $run exec "$name" fovea health --server "$address"
 $run exec "$name" fovea info --server "$address" | head -n 4
 $run stop --time 20 "$name" >/dev/null
-echo "exit code $($run inspect --format '{{.State.ExitCode}}' "$name")"
+code=$($run inspect --format '{{.State.ExitCode}}' "$name")
+echo "exit code $code"
+[ "$code" = 0 ]

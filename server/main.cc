@@ -70,7 +70,7 @@ int Run(int argc, char** argv) {
   if (!options) return EXIT_SUCCESS;
 
   fovea::server::SetUpLogging(options->log_level);
-  fovea::server::SetUpProcess();
+  fovea::server::SetUpProcess(NumComputeThreads(*options));
   fovea::server::Server server(*options);
   std::cout << "listening on " << server.Address() << std::endl;
   if (options->insecure) spdlog::warn("other machines may call unprotected (--insecure)");

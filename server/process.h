@@ -9,7 +9,7 @@ namespace fovea::server {
 void SetUpLogging(const std::string& level);
 void SetLogLevel(const std::string& level);
 
-// Memory and threads for many detections side by side.
-void SetUpProcess();
+// Memory and threads for `num_threads` detections side by side. Before any thread starts.
+void SetUpProcess(int num_threads);
 
 }  // namespace fovea::server

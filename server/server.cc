@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <chrono>
 #include <stdexcept>
-#include <thread>
 #include <utility>
 
 #include "core/options.h"
@@ -25,8 +24,7 @@ const ServerOptions& Validated(const ServerOptions& options) {
 }
 
 SchedulerLimits LimitsOf(const ServerOptions& options) {
-  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const int num_threads = options.compute_threads > 0 ? options.compute_threads : cores;
+  const int num_threads = NumComputeThreads(options);
   // An accepted frame waits for no more than two others on its thread.
   const int max_waiting = options.max_waiting >= 0 ? options.max_waiting : 2 * num_threads;
   // Leaves a third of the places to other robots.

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <stdexcept>
 #include <string_view>
+#include <thread>
 
 namespace fovea::server {
 namespace {
@@ -77,6 +78,11 @@ void Validate(const ServerOptions& options) {
   RequireRange("--drain-timeout-s", options.drain_timeout_s, 0, 3600);
   RequireRange("--slow-ms", options.slow_ms, 0, 3'600'000);
   RequireLogLevel(options.log_level);
+}
+
+int NumComputeThreads(const ServerOptions& options) {
+  if (options.compute_threads > 0) return options.compute_threads;
+  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
 std::string HostOf(const std::string& listen) { return listen.substr(0, listen.rfind(':')); }

@@ -50,6 +50,9 @@ struct ServerOptions {
 // Throws std::invalid_argument that names flag, value and constraint.
 void Validate(const ServerOptions& options);
 
+// compute_threads, or one per processor where that is 0.
+int NumComputeThreads(const ServerOptions& options);
+
 // "127.0.0.1" of "127.0.0.1:50051".
 std::string HostOf(const std::string& listen);
 

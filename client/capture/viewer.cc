@@ -4,29 +4,43 @@
 #include <opencv2/highgui.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
+#include <string>
+
+#include "client/capture/trial.h"
 
 namespace fovea::capture {
 namespace {
 
 constexpr const char* kTitle = "fovea-capture (q closes)";
 
-bool HasDisplay() {
-  for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
+// The display that the window would open on; empty = none.
+std::string DisplayName() {
+  for (const char* name : {"QT_QPA_PLATFORM", "WAYLAND_DISPLAY", "DISPLAY"}) {
     const char* value = std::getenv(name);
-    if (value != nullptr && *value != '\0') return true;
+    if (value != nullptr && *value != '\0') return std::string(name) + "=" + value;
   }
-  return false;
+  return "";
 }
+
+void OpenWindow() { cv::namedWindow(kTitle, cv::WINDOW_NORMAL | cv::WINDOW_KEEPRATIO); }
 
 }  // namespace
 
 Viewer::Viewer() {
-  if (!HasDisplay()) {
+  const std::string display = DisplayName();
+  if (display.empty()) {
     throw std::runtime_error(
         "--view needs a display, and neither DISPLAY nor WAYLAND_DISPLAY is set; --save DIR writes "
         "pictures instead");
   }
-  cv::namedWindow(kTitle, cv::WINDOW_NORMAL | cv::WINDOW_KEEPRATIO);
+  // Qt and GTK, which OpenCV may have, end the program where the display cannot be reached.
+  constexpr unsigned kPatience_s = 10;
+  if (!SucceedsInAChild(OpenWindow, kPatience_s)) {
+    throw std::runtime_error("--view: no window opens on " + display +
+                             ": is the display there, and may this user open it (xauth)? --save "
+                             "DIR writes pictures instead");
+  }
+  OpenWindow();
 }
 
 Viewer::~Viewer() { cv::destroyAllWindows(); }

@@ -11,7 +11,7 @@ namespace fovea::capture {
 // The live window: colour, the last answer drawn on its own frame, depth.
 class Viewer {
  public:
-  // Throws std::runtime_error where there is no display.
+  // Throws std::runtime_error where there is no display. Call it before threads start.
   Viewer();
   ~Viewer();
 

@@ -1,43 +1,26 @@
 #include "server/rpc/detect_call.h"
 
+#include "server/rpc/parse.h"
 #include "server/status.h"
 
 namespace fovea::server {
 
 void DetectCall::Accept(const CallEnvironment& environment) {
   const auto call = std::make_shared<DetectCall>(environment);
-  environment.service.RequestDetect(&call->context_, &call->request_, &call->responder_,
-                                    environment.queue, environment.queue,
+  environment.service.RequestDetect(&call->context_, &call->stream_, environment.queue,
                                     Then([call, &environment](bool ok) {
                                       if (!ok) return;  // the server stops
                                       Accept(environment);
-                                      call->OnRequest();
+                                      call->OnCall();
                                     }));
 }
 
 DetectCall::DetectCall(const CallEnvironment& environment)
     : environment_(environment), token_(environment.live_calls.Enter()) {}
 
-void DetectCall::OnRequest() {
-  received_ = std::chrono::steady_clock::now();
-  const auto self = shared_from_this();
-  caller_.Begin([self] { self->OnGone(); });
-  begun_ = environment_.live_calls.Begin([] {});
-  if (!begun_) {
-    Refuse(StatusOfStopping());
-    return;
-  }
+void DetectCall::Proceed(const std::function<void()>& step) {
   try {
-    caller_.Identify(environment_.gate_keeper);
-    environment_.metrics.OnReceived(caller_.robot(), request_.ByteSizeLong());
-    ticket_ = environment_.scheduler.Submit(
-        caller_.robot(), {.compute =
-                              [self] {
-                                self->status_ = self->environment_.answerer.Answer(
-                                    self->Request(), self->caller_,
-                                    self->response_.mutable_detections());
-                              },
-                          .deliver = [self] { self->Deliver(); }});
+    step();
   } catch (const Overloaded& full) {
     AddRetryAfter(full.retry_after, &context_);
     Refuse(StatusOfCurrentException(/*deadline_passed=*/false));
@@ -46,9 +29,54 @@ void DetectCall::OnRequest() {
   }
 }
 
+void DetectCall::OnCall() {
+  received_ = std::chrono::steady_clock::now();
+  caller_.Begin([self = shared_from_this()] { self->OnGone(); });
+  begun_ = environment_.live_calls.Begin([] {});
+  if (!begun_) {
+    Refuse(StatusOfStopping());
+    return;
+  }
+  Proceed([this] {
+    caller_.Identify(environment_.gate_keeper);
+    environment_.metrics.OnReceived(caller_.robot());
+    // Else a frame comes whole before it is refused, which takes time of both sides.
+    environment_.scheduler.RequireRoom(caller_.robot());
+    stream_.Read(&bytes_, Then([self = shared_from_this()](bool ok) { self->OnRead(ok); }));
+  });
+}
+
+void DetectCall::OnRead(bool ok) {
+  received_ = std::chrono::steady_clock::now();
+  if (!ok) {
+    Refuse(caller_.StatusOfGone());
+    return;
+  }
+  environment_.metrics.OnReceivedBytes(bytes_.Length());
+  const grpc::Status status = Parse(&bytes_, &request_);
+  bytes_.Clear();
+  if (!status.ok()) {
+    Refuse(status);
+    return;
+  }
+  Proceed([this] { TakeTurn(); });
+}
+
+void DetectCall::TakeTurn() {
+  const auto self = shared_from_this();
+  ticket_ = environment_.scheduler.Submit(caller_.robot(),
+                                          {.compute =
+                                               [self] {
+                                                 self->status_ = self->environment_.answerer.Answer(
+                                                     self->Request(), self->caller_,
+                                                     self->response_.mutable_detections());
+                                               },
+                                           .deliver = [self] { self->Deliver(); }});
+}
+
 void DetectCall::Deliver() {
   environment_.metrics.OnSent(response_.ByteSizeLong());
-  responder_.Finish(response_, status_, Then([self = shared_from_this()](bool) {}));
+  stream_.Finish(response_, status_, Then([self = shared_from_this()](bool) {}));
 }
 
 // Work that has begun stops by itself.
@@ -59,7 +87,7 @@ void DetectCall::OnGone() {
 
 void DetectCall::Refuse(const grpc::Status& status) {
   environment_.answerer.Refuse(Request(), caller_, status);
-  responder_.FinishWithError(status, Then([self = shared_from_this()](bool) {}));
+  stream_.FinishWithError(status, Then([self = shared_from_this()](bool) {}));
 }
 
 FrameRequest DetectCall::Request() const {

@@ -1,8 +1,9 @@
 #pragma once
 
 #include <grpcpp/server_context.h>
-#include <grpcpp/support/async_unary_call.h>
+#include <grpcpp/support/async_stream.h>
 
+#include <functional>
 #include <memory>
 
 #include "server/rpc/caller.h"
@@ -19,7 +20,11 @@ class DetectCall : public std::enable_shared_from_this<DetectCall> {
   explicit DetectCall(const CallEnvironment& environment);
 
  private:
-  void OnRequest();
+  // `step`, where the call may go on; else the call is refused.
+  void Proceed(const std::function<void()>& step);
+  void OnCall();
+  void OnRead(bool ok);
+  void TakeTurn();
   void Deliver();
   void OnGone();
   void Refuse(const grpc::Status& status);
@@ -30,7 +35,8 @@ class DetectCall : public std::enable_shared_from_this<DetectCall> {
   LiveCalls::Token begun_;
   grpc::ServerContext context_;
   Caller caller_{&context_};
-  grpc::ServerAsyncResponseWriter<v1::DetectResponse> responder_{&context_};
+  grpc::ServerAsyncReader<v1::DetectResponse, grpc::ByteBuffer> stream_{&context_};
+  grpc::ByteBuffer bytes_;
   v1::DetectRequest request_;
   v1::DetectResponse response_;
   grpc::Status status_;

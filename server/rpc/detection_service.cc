@@ -6,10 +6,26 @@
 #include "server/watching/statistics.h"
 
 namespace fovea::server {
+namespace {
+
+constexpr int kDetect = 0;  // its place in the contract
+
+}  // namespace
 
 DetectionService::DetectionService(v1::GetServerInfoResponse info, const Metrics& metrics,
                                    const GateKeeper& gate_keeper)
-    : info_(std::move(info)), metrics_(metrics), gate_keeper_(gate_keeper) {}
+    : info_(std::move(info)), metrics_(metrics), gate_keeper_(gate_keeper) {
+  // What gRPC has for its "streamed unary" methods: the same on the wire.
+  MarkMethodStreamed(kDetect, nullptr);
+  MarkMethodAsync(kDetect);
+}
+
+void DetectionService::RequestDetect(
+    grpc::ServerContext* context,
+    grpc::ServerAsyncReader<v1::DetectResponse, grpc::ByteBuffer>* reader,
+    grpc::ServerCompletionQueue* queue, void* tag) {
+  RequestAsyncClientStreaming(kDetect, context, reader, queue, queue, tag);
+}
 
 grpc::Status DetectionService::GetServerInfo(grpc::ServerContext* context,
                                              const v1::GetServerInfoRequest* /*request*/,

@@ -15,8 +15,8 @@ namespace fovea::server {
 
 // Frames are answered asynchronously, so that what waits holds no thread. Streams come as raw
 // bytes: a message that cannot be parsed shall not end them.
-using AsyncDetectionService = v1::DetectionService::WithAsyncMethod_Detect<
-    v1::DetectionService::WithRawMethod_DetectStream<v1::DetectionService::Service>>;
+using AsyncDetectionService =
+    v1::DetectionService::WithRawMethod_DetectStream<v1::DetectionService::Service>;
 
 // The RPCs that compute nothing; DetectCall and StreamCall are the others.
 class DetectionService final : public AsyncDetectionService {
@@ -24,6 +24,12 @@ class DetectionService final : public AsyncDetectionService {
   // `info` is what GetServerInfo answers. The others must outlive it.
   DetectionService(v1::GetServerInfoResponse info, const Metrics& metrics,
                    const GateKeeper& gate_keeper);
+
+  // Completes when a call of Detect begins; its message is read thereafter, so that a call can be
+  // refused before it uploads its frame.
+  void RequestDetect(grpc::ServerContext* context,
+                     grpc::ServerAsyncReader<v1::DetectResponse, grpc::ByteBuffer>* reader,
+                     grpc::ServerCompletionQueue* queue, void* tag);
 
   grpc::Status GetServerInfo(grpc::ServerContext* context, const v1::GetServerInfoRequest* request,
                              v1::GetServerInfoResponse* response) override;

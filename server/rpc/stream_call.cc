@@ -1,19 +1,12 @@
 #include "server/rpc/stream_call.h"
 
-#include <grpcpp/impl/codegen/proto_utils.h>
-
 #include <utility>
 
+#include "server/rpc/parse.h"
 #include "server/status.h"
 
 namespace fovea::server {
 namespace {
-
-template <typename Message>
-grpc::Status Parse(grpc::ByteBuffer* bytes, Message* message) {
-  if (grpc::SerializationTraits<Message>::Deserialize(bytes, message).ok()) return {};
-  return {grpc::StatusCode::INVALID_ARGUMENT, "the message is not a DetectStreamRequest"};
-}
 
 template <typename Message>
 grpc::ByteBuffer BytesOf(const Message& message) {
@@ -89,7 +82,8 @@ void StreamCall::Read() {
 void StreamCall::OnRead() {
   Received received;
   received.at = std::chrono::steady_clock::now();
-  environment_.metrics.OnReceived(caller_.robot(), bytes_.Length());
+  environment_.metrics.OnReceived(caller_.robot());
+  environment_.metrics.OnReceivedBytes(bytes_.Length());
   received.error = Parse(&bytes_, &received.request);
   bytes_.Clear();
   const std::lock_guard lock(mutex_);

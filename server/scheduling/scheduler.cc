@@ -23,9 +23,15 @@ Scheduler::~Scheduler() {
   changed_.notify_all();
 }
 
+void Scheduler::RequireRoom(const std::string& robot) {
+  const std::lock_guard lock(mutex_);
+  FindRoom(robot);
+}
+
 Scheduler::Ticket Scheduler::Submit(const std::string& robot, Work work) {
   const std::lock_guard lock(mutex_);
-  RequireRoom(robot);
+  FindRoom(robot);
+  turned_away_.Leave(robot);
   ++num_counted_;
   ++counted_by_robot_[robot];
   return Enqueue(robot, std::move(work), /*counted=*/true);
@@ -54,7 +60,7 @@ std::size_t Scheduler::NumWaiting() const {
   return num_waiting_;
 }
 
-void Scheduler::RequireRoom(const std::string& robot) {
+void Scheduler::FindRoom(const std::string& robot) {
   const auto of_robot = counted_by_robot_.find(robot);
   if (of_robot != counted_by_robot_.end() && of_robot->second >= limits_.max_per_robot) {
     throw Overloaded("this robot has " + std::to_string(of_robot->second) +
@@ -65,7 +71,7 @@ void Scheduler::RequireRoom(const std::string& robot) {
   const std::size_t ahead = turned_away_.Ahead(robot, now);
   const int taken =
       num_counted_ + (num_counted_ < limits_.num_threads ? 0 : static_cast<int>(ahead));
-  if (taken < limits_.num_threads + limits_.max_waiting) return turned_away_.Leave(robot);
+  if (taken < limits_.num_threads + limits_.max_waiting) return;
   const std::chrono::milliseconds retry_after = RetryAfter(ahead);
   turned_away_.Keep(robot, now + retry_after + kGrace);
   std::string text = "the queue is full with " + std::to_string(num_counted_) + " frames";

@@ -51,9 +51,11 @@ class Scheduler {
   Scheduler(const Scheduler&) = delete;
   Scheduler& operator=(const Scheduler&) = delete;
 
-  // Has `work` done when it is the robot's turn. Throws Overloaded at once where the limits forbid,
-  // and where the room left is for robots that were turned away before this one; never while a
-  // thread has nothing to do.
+  // Throws Overloaded where Submit() would now: where the limits forbid, and where the room left is
+  // for robots that were turned away before this one; never while a thread has nothing to do.
+  void RequireRoom(const std::string& robot);
+
+  // Has `work` done when it is the robot's turn, or throws as RequireRoom() does.
   Ticket Submit(const std::string& robot, Work work);
 
   // The same without limits, for those who have only one piece of work waiting at any time.
@@ -75,7 +77,7 @@ class Scheduler {
 
   static constexpr std::size_t kMaxTurnedAway = 1000;  // bounds what robots cost that never return
 
-  void RequireRoom(const std::string& robot);
+  void FindRoom(const std::string& robot);
   std::chrono::milliseconds RetryAfter(std::size_t ahead) const;
   Ticket Enqueue(const std::string& robot, Work work, bool counted);
   void Uncount(const std::string& robot);

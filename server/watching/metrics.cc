@@ -48,8 +48,9 @@ Metrics::Metrics(std::function<std::size_t()> num_waiting)
                   .Help("Time that a frame spent in each stage, waiting (queue) included")
                   .Register(registry_)) {}
 
-void Metrics::OnReceived(const std::string& robot, std::size_t bytes) {
-  OfRobot(robot).Increment();
+void Metrics::OnReceived(const std::string& robot) { OfRobot(robot).Increment(); }
+
+void Metrics::OnReceivedBytes(std::size_t bytes) {
   bytes_received_.Increment(static_cast<double>(bytes));
 }
 

@@ -27,7 +27,9 @@ class Metrics : public prometheus::Collectable {
   // `num_waiting` tells how many frames wait at the moment.
   explicit Metrics(std::function<std::size_t()> num_waiting);
 
-  void OnReceived(const std::string& robot, std::size_t bytes);
+  // A frame, or the call that would bring it if it were let in.
+  void OnReceived(const std::string& robot);
+  void OnReceivedBytes(std::size_t bytes);
   void OnDropped();
   // Whatever became of it; `detections` is empty where the status is not OK.
   void OnAnswered(const grpc::Status& status, const Detections& detections);

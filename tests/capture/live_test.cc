@@ -139,6 +139,9 @@ TEST_F(CaptureTest, ShowsAWindow) {
   EXPECT_EQ(CountOf(finished.out, "frames captured"), 5);
   const Environment nowhere{{"QT_QPA_PLATFORM", ""}, {"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}};
   ExpectOneLineError(Capture(Live({"--view"}), nowhere), "--view needs a display");
+  const Environment unreachable{
+      {"QT_QPA_PLATFORM", ""}, {"DISPLAY", ":12345"}, {"WAYLAND_DISPLAY", ""}};
+  ExpectOneLineError(Capture(Live({"--view"}), unreachable), "no window opens on DISPLAY=:12345");
 }
 
 }  // namespace

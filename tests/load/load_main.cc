@@ -1,6 +1,7 @@
 // fovea-load: many simulated robots against a running server; what it prints is what
 // docs/operations.md reports.
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <cstdlib>
 #include <future>
 #include <iostream>
@@ -74,12 +75,13 @@ void Wait(const Flags& flags) {
   constexpr int kSecondsPerMinute = 60;
   fovea::cli::Progress progress(static_cast<std::size_t>(flags.seconds),
                                 fovea::cli::Progress::Stream::kError);
+  const auto start = std::chrono::steady_clock::now();
   for (int second = 0; second < flags.seconds; ++second) {
     if (flags.pid > 0 && second % kSecondsPerMinute == 0) {
       std::cout << second / kSecondsPerMinute
                 << " min: " << fovea::load::SizeOfProcess(flags.pid).Text() << std::endl;
     }
-    std::this_thread::sleep_for(std::chrono::seconds(1));
+    std::this_thread::sleep_until(start + std::chrono::seconds(second + 1));
     progress.Advance(std::to_string(flags.robots) + " robots");
   }
   progress.Finish();

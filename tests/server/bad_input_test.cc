@@ -1,5 +1,7 @@
 // Every broken request over the wire: INVALID_ARGUMENT that starts with the field it is about.
 #include <gmock/gmock.h>
+#include <grpcpp/create_channel.h>
+#include <grpcpp/generic/generic_stub.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -205,6 +207,25 @@ TEST_F(BadInputTest, RefusesMessagesAboveTheLimit) {
   request.mutable_frame()->mutable_color()->set_data(std::string(17 << 20, 'x'));
   const grpc::Status status = StatusOf([&] { loopback_.client.Detect(request); });
   EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+}
+
+TEST_F(BadInputTest, RefusesWhatIsNoMessage) {
+  grpc::GenericStub stub(
+      grpc::CreateChannel(loopback_.server.Address(), grpc::InsecureChannelCredentials()));
+  grpc::ClientContext context;
+  grpc::CompletionQueue queue;
+  const grpc::Slice slice("\xFF\xFF");
+  const auto call = stub.PrepareUnaryCall(&context, "/fovea.v1.DetectionService/Detect",
+                                          grpc::ByteBuffer(&slice, 1), &queue);
+  grpc::ByteBuffer answer;
+  grpc::Status status;
+  call->StartCall();
+  call->Finish(&answer, &status, nullptr);
+  void* tag = nullptr;
+  bool ok = false;
+  queue.Next(&tag, &ok);
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
+  EXPECT_EQ(status.error_message(), "the message is not a DetectRequest");
 }
 
 // What is unusual and yet a frame gets an answer: from the real detector, with nothing found.

@@ -139,8 +139,13 @@ TEST(Scheduling, RefusesAtOnceWhatDoesNotFit) {
   Held held(OneThread(/*max_waiting=*/1, /*max_per_robot=*/10));
   Crowd crowd(held.loopback);
   crowd.Join("second");
+  const auto bytes = [&] {
+    return MetricValue(*held.loopback.server.metrics(), "fovea_received_bytes_total");
+  };
+  const double bytes_before = bytes();
   Call call(held.loopback, "third");
   const grpc::Status status = call.Run();  // returns although nothing is computed
+  EXPECT_EQ(bytes(), bytes_before) << "refused before the frame was read";
   EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
   EXPECT_THAT(status.error_message(), HasSubstr("the queue is full with 2 frames"));
   EXPECT_GE(std::stoi(call.Trailer("retry-after-ms")), 10);

@@ -38,7 +38,7 @@ def show(answer: fovea.StreamAnswer) -> None:
     age_ms = (time.time_ns() - (found.captured_at_ns or 0)) / 1e6
     print(
         f"frame {answer.frame_id}: {len(found.objects)} objects, {age_ms:.0f} ms old, "
-        f"{answer.dropped} dropped before it",
+        f"{answer.dropped} dropped before it, {answer.lost} lost",
         flush=True,
     )
 
@@ -50,14 +50,11 @@ def main() -> None:
     parser.add_argument("--frames", type=int)
     arguments = parser.parse_args()
     with fovea.Client(arguments.address) as client:
-        while True:
-            client.check(timeout=60)  # waits for a server that is not up yet
-            try:
-                for answer in client.stream(camera(arguments.folder, arguments.frames)):
-                    show(answer)
-                return
-            except fovea.Unavailable as error:
-                print(f"the stream broke, starting again: {error}")
+        client.check(timeout=60)  # waits for a server that is not up yet
+        # Is opened again when the server was away for up to this long.
+        answers = client.stream(camera(arguments.folder, arguments.frames), timeout=60)
+        for answer in answers:
+            show(answer)
 
 
 if __name__ == "__main__":

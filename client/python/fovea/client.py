@@ -16,6 +16,7 @@ from fovea.channel import make_channel, make_metadata
 from fovea.detections import Detections, detections_from_proto
 from fovea.errors import Cancelled, Unavailable, error_of_call
 from fovea.frame import CameraIntrinsics, Frame
+from fovea.frame_feed import FrameFeed
 from fovea.health import Health
 from fovea.options import DetectOptions, RetryOptions, TlsOptions
 from fovea.retry import call_with_retries
@@ -26,7 +27,7 @@ from fovea.server_info import (
     server_info_from_proto,
     statistics_from_proto,
 )
-from fovea.stream import DetectStream, StreamAnswer
+from fovea.stream import ResumingStream, StreamAnswer
 from fovea.v1 import detection_service_pb2, detection_service_pb2_grpc
 
 Answer = TypeVar("Answer")
@@ -167,16 +168,22 @@ class Client:
         was at work; StreamAnswer.dropped counts them, and the last frame is always answered. With
         `every_frame` the next frame is taken only when the last one has its answer, so that none
         is dropped. A frame that cannot be answered gets an error in its answer and the stream goes
-        on. Raises a FoveaError where the stream breaks, and whatever `frames` raises, after the
-        answers to the frames before. It is not opened again by itself.
+        on. Raises whatever `frames` raises, after the answers to the frames before.
+
+        A stream that breaks, for example because the server was killed and started again, is opened
+        again as `retry` says, however often. Frames that were sent and have no answer are lost, and
+        StreamAnswer.lost counts them; with `every_frame` they are sent again. Raises the FoveaError
+        where trying again would bring nothing, where no frame has been answered for `timeout` since
+        the stream broke, and at the end where the last frames were lost.
 
         `frames` is iterated in another thread. Stop early by leaving the loop or with close(): what
         has no answer yet is cancelled.
 
         timeout: longest wait for an answer while a frame has none; the stream itself has no end.
         """
-        stream = DetectStream(frames, options.to_proto(), self._timeout_of(timeout), every_frame)
-        return stream.run(self._open_stream)
+        feed = FrameFeed(frames, options.to_proto(), every_frame)
+        seconds = self._timeout_of(timeout)
+        return ResumingStream(feed, self._open_stream, self._wait, self._retry, seconds).run()
 
     def _open_stream(self, requests: Iterator[detection_service_pb2.DetectStreamRequest]) -> Any:
         with self._errors():

@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-import threading
 import time
-from collections.abc import Callable, Generator, Iterable, Iterator
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Callable, Generator, Iterator
+from contextlib import closing
 from dataclasses import dataclass
 from typing import Any
 
 import grpc
 
+from fovea.answer_reader import AnswerReader
 from fovea.detections import Detections, detections_from_proto
-from fovea.errors import DeadlineExceeded, FoveaError, InvalidArgument, error_of, error_of_call
-from fovea.frame import Frame
-from fovea.v1 import detection_pb2, detection_service_pb2, frame_pb2
+from fovea.errors import DeadlineExceeded, FoveaError, error_of, error_of_call
+from fovea.frame_feed import FrameFeed
+from fovea.options import RetryOptions
+from fovea.retry import backoff_after, is_worth_retrying
 
 
 @dataclass(frozen=True, eq=False)
@@ -22,100 +23,81 @@ class StreamAnswer:
     """Of one frame: either detections or error is there, and the other one is None."""
 
     frame_id: str  # of the frame that this answers
-    sequence: int  # its place among the frames sent, from 0
+    sequence: int  # its place among the frames sent, from 0, over all connections
     # Frames that came after the last one answered and before this one, and get no answer.
     dropped: int
+    # Frames since the last answer that were sent into a connection that broke, and get no answer.
+    lost: int
     detections: Detections | None
     error: FoveaError | None
 
 
-class DetectStream:
-    """Client.stream makes it and documents it.
+class ResumingStream:
+    """A stream that is opened again when it breaks. Client.stream makes it and documents it."""
 
-    gRPC takes the frames in a thread of its own, and answers are read in another one, so that the
-    caller never waits without a limit.
-    """
+    _reader: AnswerReader  # of the connection there is
 
     def __init__(
         self,
-        frames: Iterable[Frame],
-        options: detection_pb2.DetectOptions,
+        feed: FrameFeed,
+        open_call: Callable[[Iterator[Any]], Any],
+        wait: Callable[[float], None],
+        retry: RetryOptions,
         timeout: float,
-        every_frame: bool,
     ) -> None:
-        self._frames = iter(frames)
-        self._options = options
+        """wait(seconds) waits before the stream is opened again, or raises."""
+        self._feed = feed
+        self._open_call = open_call
+        self._wait = wait
+        self._retry = retry
         self._timeout = timeout
-        # How many frames may be under way.
-        self._places = threading.Semaphore(1) if every_frame else None
-        self._lock = threading.Lock()
-        self._num_sent = 0
-        self._all_sent = False
-        self._waiting_since: float | None = None  # None = there is nothing to come
-        self._unfit: dict[int, InvalidArgument] = {}  # by sequence: what was not sent as it is
-        self._failure: Exception | None = None  # of the iterator of frames
-        self._ended = False
+        self._first_of_call = 0
+        self._next_expected = 0  # number of the first frame whose fate is not known
+        self._num_lost = 0
+        self._failures = 0
+        self._broken_since = 0.0
+        self._broken_by: FoveaError | None = None
 
-    def run(self, open_call: Callable[[Iterator[Any]], Any]) -> Generator[StreamAnswer, None, None]:
-        with ThreadPoolExecutor(1, "fovea-stream") as reader:
-            call = open_call(self._requests())
+    def run(self) -> Generator[StreamAnswer, None, None]:
+        with closing(self._feed):
+            self._open()
             try:
-                while (response := self._receive(reader, call)) is not None:
-                    yield self._answer_of(response)
-                    if self._places:
-                        self._places.release()
+                while (answer := self._receive()) is not None:
+                    yield answer
+                    self._feed.go_on()
             finally:
-                self._ended = True
-                call.cancel()
-                if self._places:
-                    self._places.release()
-        if self._failure:
-            raise self._failure
+                self._reader.close()
+        if self._feed.failure:
+            raise self._feed.failure
+        if self._num_lost and self._broken_by:  # no answer is left that could say so
+            raise self._broken_by
 
-    def _requests(self) -> Iterator[detection_service_pb2.DetectStreamRequest]:
-        try:
-            while True:
-                if self._places:
-                    self._places.acquire()
-                if self._ended:
-                    break
-                yield self._request_of(next(self._frames))
-        except StopIteration:
-            pass
-        except Exception as error:  # would be lost in gRPC's thread
-            self._failure = error
-        with self._lock:
-            self._all_sent = True
-            self._waiting_since = time.monotonic()  # for the end
+    def _open(self) -> None:
+        num_sent, requests = self._feed.connect()
+        self._num_lost += num_sent - self._next_expected
+        self._next_expected = self._first_of_call = num_sent
+        self._reader = AnswerReader(self._open_call(requests))
 
-    def _request_of(self, frame: Frame) -> detection_service_pb2.DetectStreamRequest:
-        if not isinstance(frame, Frame):
-            raise TypeError(f"frames must be fovea.Frame, not {type(frame).__name__}")
-        try:
-            proto = frame.to_proto()
-        except InvalidArgument as error:
-            # It keeps its place: the server refuses it, and its answer gets this error.
-            with self._lock:
-                self._unfit[self._num_sent] = error
-            proto = frame_pb2.Frame(id=frame.id)
-        request = detection_service_pb2.DetectStreamRequest(frame=proto)
-        if self._num_sent == 0:
-            request.options.CopyFrom(self._options)
-        with self._lock:
-            self._num_sent += 1
-            if self._waiting_since is None:
-                self._waiting_since = time.monotonic()
-        return request
-
-    def _receive(self, reader: ThreadPoolExecutor, call: Any) -> Any:
-        asked = time.monotonic()
-        response = reader.submit(lambda: next(call, None))
+    def _receive(self) -> StreamAnswer | None:
         while True:
             try:
-                return response.result(self._seconds_left(asked))
-            except grpc.RpcError as error:
-                if self._failure:
+                response = self._next_response()
+            except FoveaError as error:
+                self._reader.close()
+                self._feed.disconnect()
+                if self._feed.failure or self._feed.has_all_answers(self._next_expected):
                     return None
+                self._resume(error)
+            else:
+                return None if response is None else self._answer_of(response)
+
+    def _next_response(self) -> Any:
+        self._reader.ask()
+        asked = time.monotonic()
+        while True:
+            try:
+                return self._reader.get(self._seconds_left(asked))
+            except grpc.RpcError as error:
                 raise error_of_call(error) from None
             except TimeoutError:
                 if self._seconds_left(asked) <= 0:
@@ -124,29 +106,37 @@ class DetectStream:
                     ) from None
 
     def _seconds_left(self, asked: float) -> float:
-        with self._lock:
-            if self._waiting_since is None:
-                return self._timeout
-            return max(asked, self._waiting_since) + self._timeout - time.monotonic()
+        since = self._feed.waiting_since
+        if since is None:
+            return self._timeout
+        return max(asked, since) + self._timeout - time.monotonic()
+
+    def _resume(self, error: FoveaError) -> None:
+        """Waits and opens the stream again; raises the error where that is not worth it."""
+        self._broken_by = error
+        if self._failures == 0:
+            self._broken_since = time.monotonic()
+        self._failures += 1
+        too_late = time.monotonic() - self._broken_since >= self._timeout
+        promises = is_worth_retrying(error) and not self._feed.has_ended
+        if too_late or self._retry.max_attempts <= 1 or not promises:
+            raise error
+        self._wait(backoff_after(self._failures, self._retry, error))
+        self._open()
 
     def _answer_of(self, response: Any) -> StreamAnswer:
-        with self._lock:
-            idle = response.sequence + 1 == self._num_sent and not self._all_sent
-            self._waiting_since = None if idle else time.monotonic()
-        error: FoveaError | None = self._take_unfit(response.sequence)
+        self._failures = 0
+        sequence = response.sequence + self._first_of_call
+        self._next_expected = sequence + 1
+        error: FoveaError | None = self._feed.answered(sequence)
         if response.HasField("error"):
             error = error or error_of(response.error.code, response.error.message)
+        lost, self._num_lost = self._num_lost, 0
         return StreamAnswer(
             frame_id=response.frame_id,
-            sequence=response.sequence,
+            sequence=sequence,
             dropped=response.dropped,
+            lost=lost,
             detections=None if error else detections_from_proto(response.detections),
             error=error,
         )
-
-    def _take_unfit(self, sequence: int) -> InvalidArgument | None:
-        """Those of frames before, which were dropped, are forgotten."""
-        with self._lock:
-            for dropped in [key for key in self._unfit if key < sequence]:
-                del self._unfit[dropped]
-            return self._unfit.pop(sequence, None)
