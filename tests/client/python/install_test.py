@@ -69,7 +69,7 @@ def test_the_example_finds_objects(installed: Path, server: ServerProcess, frame
 
 
 def test_the_example_of_a_stream_runs_over_a_folder(
-    installed: Path, server: ServerProcess, scene: Scene
+    installed: Path, server: ServerProcess, frames: Path
 ) -> None:
     output = run_with(
         installed, str(EXAMPLES / "detect_stream.py"), server.address, str(frames), "--frames", "3"
