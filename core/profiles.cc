@@ -48,7 +48,7 @@ DetectorOptions Default() {
   options.mrf.reach_m = 0.15;
   options.mrf.max_sweeps = 1;
   options.mrf.cluster_voxels = 6;
-  options.mrf.cluster_min_share = 0.8;
+  options.mrf.cluster_min_share = 0.85;
   options.mrf.concave_angle_deg = 12;
   options.mrf.step_weight = 0.5;
   // Shape joins the parts of an object; textures would part them, so colour only adds to it.
