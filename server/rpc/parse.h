@@ -1,3 +1,4 @@
+// Messages that calls take as bytes, so that one that is no message gets an answer.
 #pragma once
 
 #include <grpcpp/impl/codegen/proto_utils.h>
