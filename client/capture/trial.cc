@@ -25,7 +25,7 @@ void Silence() {
   alarm(patience_s);  // ends the process
   try {
     function();
-  } catch (...) {
+  } catch (...) {  // nothing may unwind into what the parent left on the stack
     _exit(EXIT_FAILURE);
   }
   _exit(EXIT_SUCCESS);

@@ -1,3 +1,4 @@
+// Tries what may end the whole program.
 #pragma once
 
 #include <functional>

@@ -1,3 +1,4 @@
+// What the command-line programs have in common.
 #pragma once
 
 #include <functional>

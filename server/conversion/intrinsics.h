@@ -1,3 +1,4 @@
+// Intrinsics of the cameras of a request.
 #pragma once
 
 #include <string>

@@ -24,7 +24,7 @@ void DetectCall::Proceed(const std::function<void()>& step) {
   } catch (const Overloaded& full) {
     AddRetryAfter(full.retry_after, &context_);
     Refuse(StatusOfCurrentException(/*deadline_passed=*/false));
-  } catch (...) {
+  } catch (...) {  // whatever it is, the caller gets a status
     Refuse(StatusOfCurrentException(/*deadline_passed=*/false));
   }
 }
