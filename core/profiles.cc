@@ -63,6 +63,7 @@ DetectorOptions Default() {
   options.occlusion_merge.min_hollow_curvature_per_m = 3;
   options.objects.selection.min_pixels = 120;
   options.objects.selection.min_area_m2 = 0.0018;
+  options.objects.selection.min_hidden_area_m2 = 0.0012;
   return options;
 }
 

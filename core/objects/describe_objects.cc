@@ -85,8 +85,8 @@ DetectedObject Describe(const RgbdFrame& frame, const cv::Mat& points, const Can
 void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points, const cv::Mat& saliency,
                      const std::vector<Support>& supports, const ObjectOptions& options,
                      Detections& detections) {
-  const Selection selection =
-      SelectObjects(detections.labels, points, saliency, frame.intrinsics, options.selection);
+  const Selection selection = SelectObjects(detections.labels, frame.depth_m, saliency,
+                                            frame.intrinsics, options.selection);
   detections.diagnostics.segments_too_small = selection.num_too_small;
   detections.diagnostics.objects_less_salient = selection.num_less_salient;
   detections.labels = cv::Mat::zeros(frame.depth_m.size(), CV_16UC1);

@@ -6,15 +6,14 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/depth/depth_gap.h"
+
 namespace fovea {
 namespace {
 
 constexpr float kMinSlope = 0.3F;  // of up against the viewing ray, as a sine
 constexpr int kEdgePx = 6;         // pixels that sensors mix at an edge
 constexpr int kReachPx = 20;       // how far to look for depth beyond it
-
-// Depths closer than this are one surface; grows like the noise of such cameras.
-float DepthGap_m(float z_m) { return 0.015F + 0.012F * z_m * z_m; }
 
 Eigen::Vector3f PointAt(const cv::Mat& points, const cv::Point& pixel) {
   const cv::Vec3f& p = points.at<cv::Vec3f>(pixel);

@@ -7,12 +7,17 @@
 #include <utility>
 
 #include "core/objects/confidence.h"
+#include "core/objects/seclusion.h"
 
 namespace fovea {
 namespace {
 
 // Even of a tiny image, an object has more than noise does.
 constexpr double kFewestPixels = 20;
+
+// Shares of the border of what something in front hides in part.
+constexpr double kMinHidden = 0.25;
+constexpr double kMaxLevel = 0.2;
 
 using PixelsOfLabel = std::vector<std::vector<cv::Point>>;
 
@@ -29,10 +34,10 @@ PixelsOfLabel CollectPixels(const cv::Mat& labels) {
   return pixels;
 }
 
-double SumOfSquaredZ(const cv::Mat& points, const std::vector<cv::Point>& pixels) {
+double SumOfSquaredZ(const cv::Mat& depth_m, const std::vector<cv::Point>& pixels) {
   double squares = 0;
   for (const cv::Point& pixel : pixels) {
-    const double z = points.at<cv::Vec3f>(pixel)[2];
+    const double z = depth_m.at<float>(pixel);
     squares += z * z;
   }
   return squares;
@@ -42,6 +47,13 @@ float MeanOf(const cv::Mat& map, const std::vector<cv::Point>& pixels) {
   double sum = 0;
   for (const cv::Point& pixel : pixels) sum += map.at<float>(pixel);
   return static_cast<float>(sum / static_cast<double>(pixels.size()));
+}
+
+// Cut off by something in front, and going on nowhere in sight.
+bool IsPartlyHidden(const cv::Mat& labels, const cv::Mat& depth_m,
+                    const std::vector<cv::Point>& pixels) {
+  const Seclusion seclusion = FindSeclusion(labels, depth_m, pixels);
+  return seclusion.hidden >= kMinHidden && seclusion.level <= kMaxLevel;
 }
 
 // Leaves the `max_objects` most salient candidates, in their order; 0: all. Returns how many it
@@ -62,7 +74,7 @@ std::size_t KeepMostSalient(int max_objects, std::vector<Candidate>& candidates)
 
 }  // namespace
 
-Selection SelectObjects(const cv::Mat& labels, const cv::Mat& points, const cv::Mat& saliency,
+Selection SelectObjects(const cv::Mat& labels, const cv::Mat& depth_m, const cv::Mat& saliency,
                         const CameraIntrinsics& intrinsics, const SelectionOptions& options) {
   const double scale = static_cast<double>(labels.total()) / (640.0 * 480.0);
   const double min_pixels = std::max(kFewestPixels, std::round(options.min_pixels * scale));
@@ -71,10 +83,13 @@ Selection SelectObjects(const cv::Mat& labels, const cv::Mat& points, const cv::
   for (int label = 1; label < static_cast<int>(pixels_of_label.size()); ++label) {
     std::vector<cv::Point>& pixels = pixels_of_label[label];
     if (pixels.empty()) continue;
-    const double squares = SumOfSquaredZ(points, pixels);
+    const double squares = SumOfSquaredZ(depth_m, pixels);
     const double area_m2 = squares / (intrinsics.fx_px * intrinsics.fy_px);
     const auto count = static_cast<double>(pixels.size());
-    if (count < min_pixels || area_m2 < options.min_area_m2) {
+    const bool large_enough =
+        area_m2 >= options.min_area_m2 ||
+        (area_m2 >= options.min_hidden_area_m2 && IsPartlyHidden(labels, depth_m, pixels));
+    if (count < min_pixels || !large_enough) {
       ++selection.num_too_small;
       continue;
     }

@@ -16,6 +16,8 @@ struct SelectionOptions {
   // So are those with less visible area: pixels · z² / (fx · fy), the area of a facing surface;
   // square metres. Unlike pixels, it asks the same of an object at any distance.
   double min_area_m2 = 0;
+  // Of what something in front of it hides in part, this visible area is enough; square metres.
+  double min_hidden_area_m2 = 0;
   // Only the most salient ones are kept, up to this many; 0: all.
   int max_objects = 0;
 };
@@ -33,9 +35,9 @@ struct Selection {
   std::size_t num_less_salient = 0;  // beyond max_objects
 };
 
-// `labels`: CV_16UC1, 0 = background; `points`: CV_32FC3 with a point wherever there is a label;
+// `labels`: CV_16UC1, 0 = background; `depth_m`: CV_32FC1 as measured, wherever there is a label;
 // `saliency`: CV_32FC1 in [0, 1]. Cost: proportional to the image.
-Selection SelectObjects(const cv::Mat& labels, const cv::Mat& points, const cv::Mat& saliency,
+Selection SelectObjects(const cv::Mat& labels, const cv::Mat& depth_m, const cv::Mat& saliency,
                         const CameraIntrinsics& intrinsics, const SelectionOptions& options = {});
 
 }  // namespace fovea

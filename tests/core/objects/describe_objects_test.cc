@@ -125,6 +125,21 @@ TEST(DescribeObjects, AsksForTheSameVisibleAreaAtAnyDistance) {
   EXPECT_EQ(scene.detections.objects[0].bounds_px.x, 400);
 }
 
+TEST(DescribeObjects, AsksForLessOfWhatIsPartlyHidden) {
+  Scene scene;
+  scene.frame.depth_m(cv::Rect(90, 90, 30, 40)).setTo(0.8F);  // before the left part of the first
+  scene.Label({120, 100, 20, 20}, 1);
+  scene.Label({400, 100, 20, 20}, 2);
+  scene.frame.depth_m.setTo(2.0F, (scene.frame.depth_m == 1) & (scene.detections.labels == 0));
+  ObjectOptions options;
+  options.selection.min_area_m2 = 0.003;
+  options.selection.min_hidden_area_m2 = 0.001;
+  options.selection.min_pixels = 100;
+  scene.Describe(options);
+  ASSERT_EQ(scene.detections.objects.size(), 1U);
+  EXPECT_EQ(scene.detections.objects[0].bounds_px.x, 120);
+}
+
 TEST(DescribeObjects, StandsOnTheHighestSupportBelow) {
   Scene scene;
   scene.Label({300, 200, 40, 40}, 1);  // its lowest row is 2 mm above the optical axis
