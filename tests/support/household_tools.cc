@@ -1,4 +1,5 @@
 // The forms that are all solid.
+#include <algorithm>
 #include <cmath>
 
 #include "tests/support/compound_parts.h"
@@ -59,17 +60,22 @@ Body Wrench(Random& random) {
 }
 
 Body Banana(Random& random) {
-  constexpr int kBalls = 13;  // close enough for a smooth skin
+  constexpr int kPieces = 10;
   const double thickness_m = random.Uniform(0.031, 0.038), length_m = random.Uniform(0.15, 0.19);
   const double bend_m = random.Uniform(0.09, 0.13);  // radius of the arc
-  std::vector<Part> parts;
-  const auto at = [&](double s) {  // s from -1 at one end to 1 at the other
+  const auto at = [&](double s) {                    // s from -1 at one end to 1 at the other
     const double angle = s * length_m / (2 * bend_m);
     return Eigen::Vector3d(bend_m * std::cos(angle), bend_m * std::sin(angle), 0);
   };
-  for (int i = 0; i < kBalls; ++i) {
-    const double s = 2.0 * i / (kBalls - 1) - 1;
-    parts.push_back(BallPart(at(s), thickness_m * (1 - 0.55 * std::pow(std::abs(s), 3.5))));
+  const auto diameter = [&](double s) {
+    return thickness_m * (1 - 0.55 * std::pow(std::abs(s), 3.5));
+  };
+  std::vector<Part> parts = {BallPart(at(-1), diameter(-1))};
+  for (int i = 1; i <= kPieces; ++i) {
+    const double from = 2.0 * (i - 1) / kPieces - 1, to = 2.0 * i / kPieces - 1;
+    const double rod_m = std::min(diameter(from), diameter(to));
+    parts.push_back(RodPart(at(from), at(to), rod_m));
+    parts.push_back(BallPart(at(to), diameter(to)));
   }
   parts.push_back(RodPart(at(1), at(1.22), 0.011, 1));
   Body banana = Compound("banana", std::move(parts));
