@@ -8,21 +8,6 @@
 namespace fovea::scenes {
 namespace {
 
-Material RandomMaterial(Random& random) {
-  constexpr std::array kPatterns = {Pattern::kPlain,   Pattern::kPlain, Pattern::kStripes,
-                                    Pattern::kChecker, Pattern::kNoise, Pattern::kPrint,
-                                    Pattern::kPrint};
-  Material material;
-  material.pattern = random.Pick(kPatterns);
-  const double hue = random.Unit();
-  material.color = ColorOf(hue, random.Uniform(0.3, 0.95), random.Uniform(0.3, 0.95));
-  material.second_color =
-      ColorOf(hue + random.Uniform(0.2, 0.8), random.Uniform(0, 0.8), random.Uniform(0.25, 1));
-  material.scale_m = random.Uniform(0.012, 0.035);
-  material.seed = static_cast<std::uint32_t>(random.Bits());
-  return material;
-}
-
 Body Named(const char* name, ShapeKind kind, const Eigen::Vector3d& size_m, double wall_m = 0) {
   Body body;
   body.name = name;
@@ -67,6 +52,21 @@ Body RandomForm(Random& random) {
 }
 
 }  // namespace
+
+Material RandomMaterial(Random& random) {
+  constexpr std::array kPatterns = {Pattern::kPlain,   Pattern::kPlain, Pattern::kStripes,
+                                    Pattern::kChecker, Pattern::kNoise, Pattern::kPrint,
+                                    Pattern::kPrint};
+  Material material;
+  material.pattern = random.Pick(kPatterns);
+  const double hue = random.Unit();
+  material.color = ColorOf(hue, random.Uniform(0.3, 0.95), random.Uniform(0.3, 0.95));
+  material.second_color =
+      ColorOf(hue + random.Uniform(0.2, 0.8), random.Uniform(0, 0.8), random.Uniform(0.25, 1));
+  material.scale_m = random.Uniform(0.012, 0.035);
+  material.seed = static_cast<std::uint32_t>(random.Bits());
+  return material;
+}
 
 Body RandomObject(Random& random, double scale) {
   Body body = RandomForm(random);

@@ -10,6 +10,9 @@ namespace fovea::scenes {
 // `scale` multiplies its size; 1 is what a hand can grasp.
 Body RandomObject(Random& random, double scale);
 
+// Plain or patterned, in any colours.
+Material RandomMaterial(Random& random);
+
 // True if another object can stand on top of it.
 bool HasFlatTop(const Body& body);
 

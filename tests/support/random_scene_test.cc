@@ -82,6 +82,14 @@ TEST_P(SceneOfKind, ObjectsAreVisible) {
   });
 }
 
+TEST_P(SceneOfKind, IsTheSameForTheSameSeed) {
+  ForEachSeed([](const Scene& scene, std::uint64_t seed) {
+    const cv::Mat depth_m = RenderDepth(scene);
+    const cv::Mat again_m = RenderDepth(RandomScene(GetParam(), seed, {320, 240}));
+    EXPECT_EQ(cv::countNonZero(depth_m == again_m), cv::countNonZero(depth_m == depth_m));
+  });
+}
+
 // Of one seed only: full frames take their time.
 TEST_P(SceneOfKind, FrameHasDepthButForHoles) {
   const LabelledFrame labelled =

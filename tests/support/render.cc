@@ -120,8 +120,9 @@ Rendering Render(const Scene& scene, double baseline_m) {
     const Eigen::Vector3d point = ray.At(found->hit.t), normal = found->hit.normal;
     const Surface surface = {point + kSurfaceOffset_m * normal, normal,
                              static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y)};
-    const Eigen::Vector3d color = Brightness(caster, surface, scene.light) *
-                                  AlbedoAt(body.material, body.world_from_body.inverse() * point);
+    const Eigen::Vector3d color =
+        Brightness(caster, surface, scene.light) *
+        AlbedoAt(MaterialAt(body, found->hit), body.world_from_body.inverse() * point);
     rendering.color.at<cv::Vec3f>(y, x) = {float(color.x()), float(color.y()), float(color.z())};
     rendering.depth_m.at<float>(y, x) = static_cast<float>(found->hit.t);
     rendering.labels.at<std::uint16_t>(y, x) = labels[found->body];

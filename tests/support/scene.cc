@@ -41,6 +41,11 @@ Polygon Circle(const Eigen::Vector2d& center, double radius) {
 
 }  // namespace
 
+const Material& MaterialAt(const Body& body, const Hit& hit) {
+  if (hit.material == 0) return body.material;
+  return body.other_materials.at(static_cast<std::size_t>(hit.material) - 1);
+}
+
 Camera CameraOfSize(const cv::Size& size_px) {
   const double scale = size_px.width / 640.0;
   Camera camera;

@@ -22,8 +22,12 @@ struct Body {
   Shape shape;
   Eigen::Isometry3d world_from_body = Eigen::Isometry3d::Identity();
   Material material;
+  std::vector<Material> other_materials = {};  // of a compound's parts
   bool is_object = false;  // else part of the environment: floor, wall, furniture
 };
+
+// What the body is made of where it was hit.
+const Material& MaterialAt(const Body& body, const Hit& hit);
 
 // A horizontal rectangle on which objects stand.
 struct Support {
@@ -67,7 +71,8 @@ Scene Rolled(const Scene& scene, double roll_rad);
 std::pair<double, double> VerticalExtent(const Body& body);
 
 // A convex polygon, counter-clockwise in the xy plane, around the body seen from above; exact for
-// boxes and lying cylinders, within 1 % of the radius for round shapes.
+// boxes and lying cylinders, within 1 % of the radius for round shapes, the bounding rectangle for
+// compounds.
 std::vector<Eigen::Vector2d> Footprint(const Body& body);
 
 // True if the two bodies share volume: their heights overlap by more than 0.1 mm, and their

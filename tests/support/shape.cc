@@ -1,5 +1,6 @@
 #include "tests/support/shape.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -79,6 +80,8 @@ std::pair<Span, Span> BodyAndCavity(const Shape& shape, const Ray& ray) {
       return {height & Round(ray, kBall, center, sphere),
               inside() & Round(ray, kBall, center, sphere - shape.wall_m)};
     }
+    case ShapeKind::kCompound:
+      break;  // is made of others
   }
   return {kNothing, kNothing};
 }
@@ -93,10 +96,32 @@ bool MissesBounds(const Shape& shape, const Ray& ray, double max_t) {
   return in > out || out <= 0 || in >= max_t;
 }
 
+std::optional<Hit> IntersectParts(const Shape& compound, const Ray& ray, double max_t) {
+  std::optional<Hit> nearest;
+  for (const Part& part : compound.parts) {
+    const Eigen::Isometry3d part_from_shape = part.shape_from_part.inverse();
+    const Ray in_part = {part_from_shape * ray.origin, part_from_shape.linear() * ray.direction};
+    const auto hit = Intersect(part.shape, in_part, nearest ? nearest->t : max_t);
+    if (hit) nearest = {hit->t, part.shape_from_part.linear() * hit->normal, part.material};
+  }
+  return nearest;
+}
+
+// Half the extents of the box around a part, along the axes of its shape.
+Eigen::Vector3d HalfExtents(const Part& part) {
+  const Eigen::Matrix3d axes = part.shape_from_part.linear();
+  const Eigen::Vector3d half = part.shape.size_m / 2;
+  if (part.shape.kind == ShapeKind::kSphere) return half;
+  if (!IsRound(part.shape.kind)) return axes.cwiseAbs() * half;
+  const Eigen::Array3d z = axes.col(2).array();
+  return half.z() * z.abs() + half.x() * (1 - z.square()).max(0).sqrt();
+}
+
 }  // namespace
 
 std::optional<Hit> Intersect(const Shape& shape, const Ray& ray, double max_t) {
   if (MissesBounds(shape, ray, max_t)) return std::nullopt;
+  if (shape.kind == ShapeKind::kCompound) return IntersectParts(shape, ray, max_t);
   const auto [body, cavity] = BodyAndCavity(shape, ray);
   if (body.Empty() || body.out <= 0) return std::nullopt;
   const double enter = std::max(body.in, 0.0);
@@ -106,6 +131,17 @@ std::optional<Hit> Intersect(const Shape& shape, const Ray& ray, double max_t) {
   return hit.t > 0 && hit.t < max_t ? std::optional(hit) : std::nullopt;
 }
 
-bool IsRound(ShapeKind kind) { return kind != ShapeKind::kBox; }
+Shape CompoundOf(std::vector<Part> parts) {
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(kInfinity), high = -low;
+  for (const Part& part : parts) {
+    const Eigen::Vector3d center = part.shape_from_part.translation(), half = HalfExtents(part);
+    low = low.cwiseMin(center - half);
+    high = high.cwiseMax(center + half);
+  }
+  for (Part& part : parts) part.shape_from_part.pretranslate(-(low + high) / 2);
+  return {ShapeKind::kCompound, high - low, 0, std::move(parts)};
+}
+
+bool IsRound(ShapeKind kind) { return kind != ShapeKind::kBox && kind != ShapeKind::kCompound; }
 
 }  // namespace fovea::scenes

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 namespace fovea::scenes {
 namespace {
 
@@ -57,6 +60,54 @@ TEST(Shape, HollowShapesShowTheirInside) {
   EXPECT_NEAR(bottom->t, 10 + 0.4 - 0.05, 1e-12);
   EXPECT_TRUE(FromAbove(bowl, 0.99, 0));
   EXPECT_FALSE(FromAbove(bowl, 1.01, 0));
+}
+
+// A box of 2 × 2 × 2 with a ball of diameter 2 of another material on its right.
+Shape BoxAndBall() {
+  Part box = {{ShapeKind::kBox, {2, 2, 2}, 0}};
+  Part ball = {{ShapeKind::kSphere, {2, 2, 2}, 0}, Eigen::Isometry3d::Identity(), 1};
+  ball.shape_from_part.translation().x() = 4;
+  return CompoundOf({box, ball});
+}
+
+TEST(Shape, CompoundIsCentredInTheBoxAroundItsParts) {
+  const Shape shape = BoxAndBall();
+  EXPECT_EQ(shape.size_m, Vector3d(6, 2, 2));
+  EXPECT_EQ(shape.parts[0].shape_from_part.translation(), Vector3d(-2, 0, 0));
+  EXPECT_EQ(shape.parts[1].shape_from_part.translation(), Vector3d(2, 0, 0));
+
+  Part slanted = {{ShapeKind::kBox, {2, 2, 4}, 0}};
+  slanted.shape_from_part.rotate(Eigen::AngleAxisd(std::numbers::pi / 4, Vector3d::UnitY()));
+  const double diagonal = 6 / std::numbers::sqrt2;
+  EXPECT_TRUE(CompoundOf({slanted}).size_m.isApprox(Vector3d(diagonal, 2, diagonal), 1e-12));
+  slanted.shape.kind = ShapeKind::kCylinder;
+  EXPECT_TRUE(CompoundOf({slanted}).size_m.isApprox(Vector3d(diagonal, 2, diagonal), 1e-12));
+}
+
+TEST(Shape, CompoundIsHitAtTheNearestOfItsParts) {
+  const Shape shape = BoxAndBall();
+  const auto box = Intersect(shape, {{-10, 0, 0}, {1, 0, 0}});
+  ASSERT_TRUE(box);
+  EXPECT_DOUBLE_EQ(box->t, 7);
+  EXPECT_EQ(box->material, 0);
+  const auto ball = Intersect(shape, {{10, 0, 0}, {-1, 0, 0}});
+  ASSERT_TRUE(ball);
+  EXPECT_DOUBLE_EQ(ball->t, 7);
+  EXPECT_EQ(ball->normal, Vector3d::UnitX());
+  EXPECT_EQ(ball->material, 1);
+  EXPECT_FALSE(FromAbove(shape, 0, 0)) << "between the parts";
+  const auto leaving = Intersect(shape, {{-1 + 1e-4, 0, 0}, {1, 0, 0}});
+  ASSERT_TRUE(leaving) << "from the surface of one part to another";
+  EXPECT_NEAR(leaving->t, 2 - 1e-4, 1e-12);
+}
+
+TEST(Shape, NormalsOfPartsTurnWithThem) {
+  Part slanted = {{ShapeKind::kBox, {2, 2, 2}, 0}};
+  slanted.shape_from_part.rotate(Eigen::AngleAxisd(std::numbers::pi / 6, Vector3d::UnitY()));
+  const auto hit = FromAbove(CompoundOf({slanted}), 0, 0);
+  ASSERT_TRUE(hit);
+  EXPECT_NEAR(hit->t, 10 - 1 / std::cos(std::numbers::pi / 6), 1e-12);
+  EXPECT_TRUE(hit->normal.isApprox(Vector3d(0.5, 0, std::sqrt(0.75)), 1e-12));
 }
 
 }  // namespace

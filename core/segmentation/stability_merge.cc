@@ -1,0 +1,190 @@
+#include "core/segmentation/stability_merge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <opencv2/imgproc.hpp>
+#include <utility>
+
+#include "core/depth/depth_gap.h"
+#include "core/scene/image_direction.h"
+#include "core/segmentation/disjoint_sets.h"
+#include "core/segmentation/labels.h"
+
+namespace fovea {
+namespace {
+
+constexpr int kTouchCells = 2;
+constexpr int kMinContacts = 3;      // pairs of voxels
+constexpr double kMinFree = 0.3;     // share of a lower border below which one sees farther
+constexpr double kReachPx = 30;      // across the shadow below a border, at a width of 640
+constexpr float kRest_m = 0.015F;    // above a support, beside its tolerance
+constexpr float kMinDepth_m = 0.05F;  // of a thing whose back is hidden
+
+using Contacts = std::map<std::pair<int, int>, int>;  // pairs of voxels by pair of labels
+
+// The horizontal plane, in coordinates of two axes of which the second leads away from the camera.
+struct HorizontalPlane {
+  Eigen::Vector3f right;
+  Eigen::Vector3f away;
+
+  explicit HorizontalPlane(const Eigen::Vector3f& up) {
+    const Eigen::Vector3f ahead = Eigen::Vector3f::UnitZ() - up.z() * up;
+    away = ahead.norm() > 0.1F ? ahead.normalized() : up.unitOrthogonal();
+    right = away.cross(up);
+  }
+  cv::Point2f Project(const Eigen::Vector3f& p) const { return {right.dot(p), away.dot(p)}; }
+};
+
+struct Segment {
+  std::vector<cv::Point2f> places;  // of its voxels, in the horizontal plane
+  cv::Point2f sum;
+  float lowest_m = std::numeric_limits<float>::max();  // above its support, less the tolerance
+  int lower_border = 0;                                // pixels
+  int free = 0;  // of them, those below which one sees something farther away
+
+  void Add(const Segment& other) {
+    places.insert(places.end(), other.places.begin(), other.places.end());
+    sum += other.sum;
+    lowest_m = std::min(lowest_m, other.lowest_m);
+    lower_border += other.lower_border;
+    free += other.free;
+  }
+  cv::Point2f Center() const { return sum / static_cast<float>(places.size()); }
+  bool HangsFree() const { return lowest_m > kRest_m && free > kMinFree * lower_border; }
+};
+
+// Counts the pixels of the lower borders, and those below which one sees something farther away.
+void CountLowerBorders(const cv::Mat& labels, const cv::Mat& points,
+                       const CameraIntrinsics& intrinsics, const Eigen::Vector3f& up,
+                       std::vector<Segment>& segments) {
+  const cv::Rect image({}, labels.size());
+  const int reach_px = std::max(2, cvRound(kReachPx * labels.cols / 640.0));
+  for (int row = 0; row < labels.rows; ++row) {
+    for (int col = 0; col < labels.cols; ++col) {
+      const int label = labels.at<std::uint16_t>(row, col);
+      if (label == 0) continue;
+      const cv::Vec3f& p = points.at<cv::Vec3f>(row, col);
+      const auto up_px = UpInImage({p[0], p[1], p[2]}, intrinsics, up);
+      if (!up_px) continue;
+      for (int step = 1; step <= reach_px; ++step) {
+        const cv::Point below(cvRound(static_cast<float>(col) - step * up_px->x),
+                              cvRound(static_cast<float>(row) - step * up_px->y));
+        if (!image.contains(below)) break;
+        if (labels.at<std::uint16_t>(below) == label) break;
+        const float z = points.at<cv::Vec3f>(below)[2];
+        if (step < 3 || std::isnan(z)) continue;
+        ++segments[label].lower_border;
+        if (z > p[2] + DepthGap_m(p[2])) ++segments[label].free;
+        break;
+      }
+    }
+  }
+}
+
+Contacts CollectContacts(const VoxelGrid& grid, const std::vector<int>& labels) {
+  Contacts contacts;
+  for (const VoxelEdge& pair : PairsWithin(grid, labels, kTouchCells)) {
+    const auto [low, high] = std::minmax(labels[pair.a], labels[pair.b]);
+    if (low != high) ++contacts[{low, high}];
+  }
+  return contacts;
+}
+
+// What a thing covers seen from above; its back, which one does not see, is as far away as it is
+// wide.
+std::vector<cv::Point2f> Covered(const std::vector<cv::Point2f>& places) {
+  float left = std::numeric_limits<float>::max(), right = -left;
+  for (const cv::Point2f& place : places) {
+    left = std::min(left, place.x);
+    right = std::max(right, place.x);
+  }
+  std::vector<cv::Point2f> covered = places;
+  const float depth = std::max(kMinDepth_m, right - left);
+  for (const cv::Point2f& place : places) covered.push_back(place + cv::Point2f(0, depth));
+  return covered;
+}
+
+// How far the centre of a segment is beside all that it touches; below 0 if it is above.
+double Overhang(int label, const std::vector<Segment>& segments, const Contacts& contacts) {
+  std::vector<cv::Point2f> below;
+  for (const auto& [pair, count] : contacts) {
+    if ((pair.first != label && pair.second != label) || count < kMinContacts) continue;
+    const int other = pair.first == label ? pair.second : pair.first;
+    const std::vector<cv::Point2f> covered = Covered(segments[other].places);
+    below.insert(below.end(), covered.begin(), covered.end());
+  }
+  if (below.size() < 3) return 0;
+  std::vector<cv::Point2f> hull;
+  cv::convexHull(below, hull);
+  return -cv::pointPolygonTest(hull, segments[label].Center(), true);
+}
+
+int MostTouched(int label, const Contacts& contacts) {
+  int most = 0, holder = 0;
+  for (const auto& [pair, count] : contacts) {
+    if ((pair.first != label && pair.second != label) || count <= most) continue;
+    most = count;
+    holder = pair.first == label ? pair.second : pair.first;
+  }
+  return holder;
+}
+
+void JoinContacts(Contacts& contacts, int into, int from) {
+  Contacts joined;
+  for (const auto& [pair, count] : contacts) {
+    const int a = pair.first == from ? into : pair.first;
+    const int b = pair.second == from ? into : pair.second;
+    if (a != b) joined[std::minmax(a, b)] += count;
+  }
+  contacts = std::move(joined);
+}
+
+}  // namespace
+
+std::vector<int> MergeUnstable(const VoxelGrid& grid, const std::vector<int>& labels,
+                               const cv::Mat& points, const CameraIntrinsics& intrinsics,
+                               const std::vector<Support>& supports,
+                               const SupportOptions& support_options, const Eigen::Vector3f& up,
+                               const StabilityMergeOptions& options) {
+  if (options.max_overhang_m <= 0 || supports.empty()) return labels;
+  const HorizontalPlane plane(up);
+  std::vector<Segment> segments(CountLabels(labels) + 1);
+  for (std::size_t v = 0; v < labels.size(); ++v) {
+    if (labels[v] == 0) continue;
+    const Eigen::Vector3f& point = grid.voxels[v].mean;
+    Segment& segment = segments[labels[v]];
+    segment.places.push_back(plane.Project(point));
+    segment.sum += segment.places.back();
+    if (const auto below = SupportBelow(supports, point, support_options)) {
+      segment.lowest_m =
+          std::min(segment.lowest_m, supports[*below].surface.HeightOf(point) -
+                                         SupportTolerance(point.z(), support_options));
+    }
+  }
+  CountLowerBorders(LabelImage(grid, labels), points, intrinsics, up, segments);
+  Contacts contacts = CollectContacts(grid, labels);
+  DisjointSets objects(static_cast<int>(segments.size()));
+  while (true) {
+    double largest = options.max_overhang_m;
+    int unstable = 0;
+    for (int label = 1; label < static_cast<int>(segments.size()); ++label) {
+      if (objects.Find(label) != label || !segments[label].HangsFree()) continue;
+      const double overhang = Overhang(label, segments, contacts);
+      if (overhang > largest) {
+        largest = overhang;
+        unstable = label;
+      }
+    }
+    if (unstable == 0) break;
+    const auto [into, from] = std::minmax(unstable, MostTouched(unstable, contacts));
+    objects.Join(into, from);
+    segments[into].Add(segments[from]);
+    JoinContacts(contacts, into, from);
+  }
+  return Renumbered(labels, objects);
+}
+
+}  // namespace fovea

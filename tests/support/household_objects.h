@@ -1,0 +1,13 @@
+// Things of kitchens and workshops, most of them not convex.
+#pragma once
+
+#include "tests/support/random.h"
+#include "tests/support/scene.h"
+
+namespace fovea::scenes {
+
+// One of the forms of household_forms.h or, two times in five, an object of random_objects.h, on
+// z = 0 around the origin.
+Body RandomHouseholdObject(Random& random);
+
+}  // namespace fovea::scenes

@@ -1,0 +1,100 @@
+// The forms look like what they are named after, for several seeds.
+#include "tests/support/household_objects.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <string>
+
+#include "tests/support/household_forms.h"
+#include "tests/support/random_objects.h"
+
+namespace fovea::scenes {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr std::uint64_t kSeeds = 20;
+
+std::optional<Hit> FromAbove(const Shape& shape, double x, double y) {
+  return Intersect(shape, {{x, y, 1}, {0, 0, -1}});
+}
+
+TEST(HouseholdObjects, AMugHasAHandleThatOneCanReachThrough) {
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    Random random(seed);
+    const Shape mug = Mug(random).shape;
+    const double handle = mug.size_m.x() / 2 - 0.005, hole = mug.size_m.x() / 2 - 0.02;
+    const auto along_y = [&](double x) { return Intersect(mug, {{x, 1, 0}, {0, -1, 0}}); };
+    EXPECT_TRUE(along_y(handle)) << "seed " << seed;
+    EXPECT_FALSE(along_y(hole)) << "seed " << seed;
+    EXPECT_TRUE(along_y(0)) << "seed " << seed;
+  }
+}
+
+TEST(HouseholdObjects, HandlesDoNotShowWithinVessels) {
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    for (const auto form : {Mug, Pitcher, Pan}) {
+      Random random(seed);
+      const Body body = form(random);
+      const Part& vessel = body.shape.parts.at(0);
+      ASSERT_EQ(vessel.shape.kind, ShapeKind::kCup);
+      const Vector3d middle = vessel.shape_from_part.translation();
+      const double inner_m = vessel.shape.size_m.x() / 2 - vessel.shape.wall_m;
+      for (int degrees = -180; degrees < 180; degrees += 2) {
+        for (const double share : {0.2, 0.5, 0.8, 0.9}) {
+          const double angle = degrees * std::numbers::pi / 180;
+          Vector3d from = middle;
+          from.z() += (share - 0.5) * vessel.shape.size_m.z();
+          const auto hit = Intersect(body.shape, {from, {std::cos(angle), std::sin(angle), 0}});
+          ASSERT_TRUE(hit) << body.name;
+          EXPECT_NEAR(hit->t, inner_m, 1e-9) << body.name << ", seed " << seed;
+        }
+      }
+    }
+  }
+}
+
+TEST(HouseholdObjects, ABottleHasACapAboveANarrowNeckAndAShoulder) {
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    Random random(seed);
+    const Shape bottle = Bottle(random).shape;
+    const double top = bottle.size_m.z() / 2, radius = bottle.size_m.x() / 2;
+    const auto cap = FromAbove(bottle, 0, 0);
+    ASSERT_TRUE(cap);
+    EXPECT_NEAR(cap->t, 1 - top, 1e-12);
+    EXPECT_EQ(cap->normal, Vector3d::UnitZ());
+    EXPECT_EQ(cap->material, 1);
+    const auto shoulder = FromAbove(bottle, 0.9 * radius, 0);
+    ASSERT_TRUE(shoulder);
+    EXPECT_GT(shoulder->t, 1 - top + 0.03);
+    EXPECT_EQ(shoulder->material, 0);
+    EXPECT_NEAR(shoulder->normal.x(), 0.9, 0.02);
+    const auto side = Intersect(bottle, {{1, 0, -top + 0.01}, {-1, 0, 0}});
+    ASSERT_TRUE(side);
+    EXPECT_TRUE(side->normal.isApprox(Vector3d::UnitX(), 1e-9));
+  }
+}
+
+TEST(HouseholdObjects, StandOnZeroWithoutAFlatTop) {
+  std::set<std::string> names;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    Random random(seed);
+    const Body body = RandomHouseholdObject(random);
+    EXPECT_NEAR(VerticalExtent(body).first, 0, 1e-9);
+    if (body.shape.kind != ShapeKind::kCompound) continue;
+    names.insert(body.name);
+    EXPECT_FALSE(HasFlatTop(body)) << body.name;
+    EXPECT_EQ(Footprint(body).size(), 4U) << body.name;
+    EXPECT_LT(body.shape.size_m.maxCoeff(), 0.45) << body.name;
+    for (const Part& part : body.shape.parts) {
+      EXPECT_NO_THROW(MaterialAt(body, {0, Vector3d::UnitZ(), part.material})) << body.name;
+    }
+  }
+  EXPECT_EQ(names.size(), 10U) << "all forms come up";
+}
+
+}  // namespace
+}  // namespace fovea::scenes
