@@ -186,6 +186,8 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   objects = MergeByShape(grid, objects, frame.color_rgb, options.shape_merge);
   objects = MergeOccluded(grid, objects, points, frame.color_rgb, -result.gravity.direction,
                           options.occlusion_merge);
+  objects = MergeUnstable(grid, objects, points, frame.intrinsics, supports, options.support,
+                          -result.gravity.direction, options.stability_merge);
   counts.num_segments = CountLabels(segments);
   counts.num_merged = counts.num_segments - CountLabels(objects);
   PlausibleSegments plausible =

@@ -22,6 +22,7 @@
 #include "core/segmentation/color_merge.h"
 #include "core/segmentation/mrf_energy.h"
 #include "core/segmentation/occlusion_merge.h"
+#include "core/segmentation/stability_merge.h"
 #include "core/segmentation/shape_merge.h"
 #include "core/segmentation/voxel_grid.h"
 
@@ -45,6 +46,7 @@ struct DetectorOptions {
   ColorMergeOptions color_merge;
   ShapeMergeOptions shape_merge;
   OcclusionMergeOptions occlusion_merge;
+  StabilityMergeOptions stability_merge;
   PlausibilityOptions plausibility;
   ContinuationOptions continuation;
   ObjectOptions objects;

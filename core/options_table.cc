@@ -215,6 +215,10 @@ const std::vector<OptionEntry>& OptionTable() {
       Entry("occlusion_merge.max_rim_step_m", 0, 1,
             "between the tops of inside and outside; metres",
             [](O& o) { return &o.occlusion_merge.max_rim_step_m; }),
+      Entry(
+          "stability_merge.max_overhang_m", 0, 1,
+          "that something can stand with beside what holds it; metres; 0: joins nothing; paper: 0",
+          [](O& o) { return &o.stability_merge.max_overhang_m; }),
 
       Entry("plausibility.max_size_m", 0.05, 100, "longer segments are no objects; metres",
             [](O& o) { return &o.plausibility.max_size_m; }),

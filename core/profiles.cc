@@ -54,13 +54,14 @@ DetectorOptions Default() {
   // Shape joins the parts of an object; textures would part them, so colour only adds to it.
   options.color_merge.min_correlation = 1;
   options.shape_merge.max_concavity_deg = 15;
-  options.shape_merge.color_weight_deg = 0.5;
+  options.shape_merge.color_weight_deg = 0.3;
   options.shape_merge.reach_cells = 1;
   options.shape_merge.min_contact = 1.8;
   options.shape_merge.plane_noise_per_m = 0.006;
   options.occlusion_merge.min_shared_surface = 0.3;
   options.occlusion_merge.max_color_distance = 60;
   options.occlusion_merge.min_hollow_curvature_per_m = 3;
+  options.stability_merge.max_overhang_m = 0.01;
   options.objects.selection.min_pixels = 120;
   options.objects.selection.min_area_m2 = 0.0018;
   options.objects.selection.min_hidden_area_m2 = 0.0012;

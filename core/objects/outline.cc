@@ -4,32 +4,19 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 
 #include "core/depth/depth_gap.h"
+#include "core/scene/image_direction.h"
 
 namespace fovea {
 namespace {
 
-constexpr float kMinSlope = 0.3F;  // of up against the viewing ray, as a sine
 constexpr int kEdgePx = 6;         // pixels that sensors mix at an edge
 constexpr int kReachPx = 20;       // how far to look for depth beyond it
 
 Eigen::Vector3f PointAt(const cv::Mat& points, const cv::Point& pixel) {
   const cv::Vec3f& p = points.at<cv::Vec3f>(pixel);
   return {p[0], p[1], p[2]};
-}
-
-// The direction in the image in which a point moves when it rises; length 1 pixel.
-std::optional<cv::Point2f> UpInImage(const Eigen::Vector3f& point, const CameraIntrinsics& k,
-                                     const Eigen::Vector3f& up) {
-  const Eigen::Vector3f ray = point.normalized();
-  if ((up - up.dot(ray) * ray).norm() < kMinSlope) return std::nullopt;
-  const float slope_x = up.x() - up.z() * point.x() / point.z();
-  const float slope_y = up.y() - up.z() * point.y() / point.z();
-  const cv::Point2f direction(slope_x * static_cast<float>(k.fx_px),
-                              slope_y * static_cast<float>(k.fy_px));
-  return direction / static_cast<float>(cv::norm(direction));
 }
 
 // How many of the lines at one end of the image are for the most part not measured: a margin if

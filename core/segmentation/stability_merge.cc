@@ -17,10 +17,11 @@ namespace fovea {
 namespace {
 
 constexpr int kTouchCells = 2;
-constexpr int kMinContacts = 3;      // pairs of voxels
-constexpr double kMinFree = 0.3;     // share of a lower border below which one sees farther
-constexpr double kReachPx = 30;      // across the shadow below a border, at a width of 640
-constexpr float kRest_m = 0.015F;    // above a support, beside its tolerance
+constexpr int kMinContacts = 3;       // pairs of voxels
+constexpr double kMinFree = 0.5;      // share of a lower border below which one sees farther
+constexpr double kReachPx = 30;       // across the shadow below a border, at a width of 640
+constexpr double kRest_m = 0.015;     // above a support, beside its tolerance
+constexpr double kMinHeight = 0.4;    // above a support, as a share of its width seen from above
 constexpr float kMinDepth_m = 0.05F;  // of a thing whose back is hidden
 
 using Contacts = std::map<std::pair<int, int>, int>;  // pairs of voxels by pair of labels
@@ -53,7 +54,14 @@ struct Segment {
     free += other.free;
   }
   cv::Point2f Center() const { return sum / static_cast<float>(places.size()); }
-  bool HangsFree() const { return lowest_m > kRest_m && free > kMinFree * lower_border; }
+  // One sees past its lower border, and it is so high for its width that nothing hidden below it
+  // can carry it.
+  bool HangsFree() const {
+    if (free <= kMinFree * lower_border) return false;
+    std::vector<cv::Point2f> hull;
+    cv::convexHull(places, hull);
+    return lowest_m > std::max(kRest_m, kMinHeight * std::sqrt(cv::contourArea(hull)));
+  }
 };
 
 // Counts the pixels of the lower borders, and those below which one sees something farther away.
@@ -107,29 +115,30 @@ std::vector<cv::Point2f> Covered(const std::vector<cv::Point2f>& places) {
   return covered;
 }
 
-// How far the centre of a segment is beside all that it touches; below 0 if it is above.
-double Overhang(int label, const std::vector<Segment>& segments, const Contacts& contacts) {
-  std::vector<cv::Point2f> below;
+// What a segment touches enough to be held by it, and with how many pairs of voxels; what holds
+// something reaches farther down.
+std::vector<std::pair<int, int>> HoldersOf(int label, const std::vector<Segment>& segments,
+                                           const Contacts& contacts) {
+  std::vector<std::pair<int, int>> holders;
   for (const auto& [pair, count] : contacts) {
     if ((pair.first != label && pair.second != label) || count < kMinContacts) continue;
     const int other = pair.first == label ? pair.second : pair.first;
-    const std::vector<cv::Point2f> covered = Covered(segments[other].places);
+    if (segments[other].lowest_m < segments[label].lowest_m) holders.emplace_back(count, other);
+  }
+  return holders;
+}
+
+// How far the centre of a segment is beside all that it touches; below 0 if it is above.
+double Overhang(int label, const std::vector<Segment>& segments, const Contacts& contacts) {
+  std::vector<cv::Point2f> below;
+  for (const auto& [count, holder] : HoldersOf(label, segments, contacts)) {
+    const std::vector<cv::Point2f> covered = Covered(segments[holder].places);
     below.insert(below.end(), covered.begin(), covered.end());
   }
   if (below.size() < 3) return 0;
   std::vector<cv::Point2f> hull;
   cv::convexHull(below, hull);
   return -cv::pointPolygonTest(hull, segments[label].Center(), true);
-}
-
-int MostTouched(int label, const Contacts& contacts) {
-  int most = 0, holder = 0;
-  for (const auto& [pair, count] : contacts) {
-    if ((pair.first != label && pair.second != label) || count <= most) continue;
-    most = count;
-    holder = pair.first == label ? pair.second : pair.first;
-  }
-  return holder;
 }
 
 void JoinContacts(Contacts& contacts, int into, int from) {
@@ -179,7 +188,10 @@ std::vector<int> MergeUnstable(const VoxelGrid& grid, const std::vector<int>& la
       }
     }
     if (unstable == 0) break;
-    const auto [into, from] = std::minmax(unstable, MostTouched(unstable, contacts));
+    const auto holders = HoldersOf(unstable, segments, contacts);
+    const int holder = std::max_element(holders.begin(), holders.end())->second;
+    const int into = std::min(unstable, holder);
+    const int from = std::max(unstable, holder);
     objects.Join(into, from);
     segments[into].Add(segments[from]);
     JoinContacts(contacts, into, from);
