@@ -19,10 +19,21 @@ Pixels PixelsOf(const cv::Mat& mask, const cv::Rect& part) {
   return pixels;
 }
 
+// The ends of runs of pixels in one row: no other is a corner of the hull.
+Pixels EndsOfRuns(const Pixels& pixels) {
+  Pixels ends;
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const bool is_first = i == 0 || pixels[i - 1].y != pixels[i].y;
+    const bool is_last = i + 1 == pixels.size() || pixels[i + 1].y != pixels[i].y;
+    if (is_first || is_last) ends.push_back(pixels[i]);
+  }
+  return ends;
+}
+
 cv::Mat HullOf(const Pixels& pixels, const cv::Rect& part) {
   cv::Mat mask = cv::Mat::zeros(part.size(), CV_8UC1);
   Pixels hull;
-  cv::convexHull(pixels, hull);
+  cv::convexHull(EndsOfRuns(pixels), hull);
   for (cv::Point& corner : hull) corner -= part.tl();
   cv::fillConvexPoly(mask, hull, cv::Scalar(255));
   return mask;
