@@ -2,10 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
 namespace fovea {
 namespace {
+
+// Twice the area between a side of the octagon and a point that is surely inside, for all that
+// rounding can do.
+constexpr double kInsideM2 = 1e-6;
 
 // Any frame with `up` as its third axis; columns are its axes.
 Eigen::Matrix3f LevelFrame(const Eigen::Vector3f& up) {
@@ -14,6 +20,34 @@ Eigen::Matrix3f LevelFrame(const Eigen::Vector3f& up) {
   frame.col(0) = up.unitOrthogonal();
   frame.col(1) = frame.col(2).cross(frame.col(0));
   return frame;
+}
+
+// Without most of the points inside the convex hull, which takes long to find among many: those
+// inside of the octagon between the outermost points in eight directions.
+std::vector<cv::Point2f> WithoutInnerPoints(const std::vector<cv::Point2f>& points) {
+  std::vector<cv::Point2d> corners;
+  for (const auto& [x, y] :
+       {std::pair(1, 0), {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}) {
+    const auto reach = [x = x, y = y](const cv::Point2f& p) {
+      return static_cast<float>(x) * p.x + static_cast<float>(y) * p.y;
+    };
+    corners.emplace_back(*std::max_element(
+        points.begin(), points.end(),
+        [&](const cv::Point2f& a, const cv::Point2f& b) { return reach(a) < reach(b); }));
+  }
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  if (corners.front() == corners.back()) corners.pop_back();
+  if (corners.size() < 3) return points;
+  const auto is_outer = [&](const cv::Point2f& point) {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const cv::Point2d side = corners[(i + 1) % corners.size()] - corners[i];
+      if (side.cross(cv::Point2d(point) - corners[i]) < kInsideM2) return true;
+    }
+    return false;
+  };
+  std::vector<cv::Point2f> outer;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(outer), is_outer);
+  return outer;
 }
 
 // The smallest rectangle around the points; `longer` is the direction of its longer side.
@@ -26,7 +60,7 @@ struct Footprint {
 
 Footprint SmallestFootprint(const std::vector<cv::Point2f>& points) {
   std::vector<cv::Point2f> hull;
-  cv::convexHull(points, hull);
+  cv::convexHull(WithoutInnerPoints(points), hull);
   const cv::RotatedRect rectangle = cv::minAreaRect(hull);
   const float angle = rectangle.angle * static_cast<float>(CV_PI) / 180;
   const Eigen::Vector2f along_width(std::cos(angle), std::sin(angle));

@@ -42,12 +42,36 @@ Eigen::Vector3d Refine(const std::vector<Eigen::Vector3d>& normals, const Eigen:
   return refined.dot(down) < 0 ? -refined : refined;
 }
 
-Eigen::Vector3d RefineFrom(Eigen::Vector3d down, const std::vector<Eigen::Vector3d>& normals,
+// Remembers its answers: different starts soon meet.
+class Refinement {
+ public:
+  explicit Refinement(const std::vector<Eigen::Vector3d>& normals) : normals_(normals) {}
+
+  Eigen::Vector3d Of(const Eigen::Vector3d& down, double angle_rad) {
+    const auto known = std::find_if(steps_.begin(), steps_.end(), [&](const Step& step) {
+      return step.from == down && step.angle_rad == angle_rad;
+    });
+    if (known != steps_.end()) return known->to;
+    steps_.push_back({down, angle_rad, Refine(normals_, down, angle_rad)});
+    return steps_.back().to;
+  }
+
+ private:
+  struct Step {
+    Eigen::Vector3d from;
+    double angle_rad;
+    Eigen::Vector3d to;
+  };
+  const std::vector<Eigen::Vector3d>& normals_;
+  std::vector<Step> steps_;
+};
+
+Eigen::Vector3d RefineFrom(Eigen::Vector3d down, Refinement& refinement,
                            const GravityOptions& options) {
   for (const double angle_deg : {options.coarse_angle_deg, options.fine_angle_deg}) {
     for (int i = 0; i < options.iterations; ++i) {
       const Eigen::Vector3d before =
-          std::exchange(down, Refine(normals, down, angle_deg * std::numbers::pi / 180));
+          std::exchange(down, refinement.Of(down, angle_deg * std::numbers::pi / 180));
       if (down == before) break;  // and so would all further ones be
     }
   }
@@ -77,12 +101,13 @@ Explained Explain(const std::vector<Eigen::Vector3d>& normals, const Eigen::Vect
 
 Eigen::Vector3f EstimateGravity(const cv::Mat& normals, const GravityOptions& options) {
   const std::vector<Eigen::Vector3d> valid = ValidNormals(normals);
+  Refinement refinement(valid);
   std::vector<Eigen::Vector3d> directions;  // by rising pitch of the start
   std::vector<Explained> explained;
   double best_score = 0;
   for (int start = 0; start < options.num_starts; ++start) {
     const double pitch = start * std::numbers::pi / 2 / std::max(1, options.num_starts - 1);
-    directions.push_back(RefineFrom({0, std::cos(pitch), std::sin(pitch)}, valid, options));
+    directions.push_back(RefineFrom({0, std::cos(pitch), std::sin(pitch)}, refinement, options));
     explained.push_back(Explain(valid, directions.back()));
     best_score = std::max(best_score, explained.back().Score());
   }

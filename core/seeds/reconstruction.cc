@@ -21,17 +21,21 @@ void ForEachNeighbour(cv::Size size, cv::Point pixel, Visit visit) {
   }
 }
 
+// Raises row `to` from the adjacent row `from`.
+void RaiseFrom(const float* from, const float* mask, int cols, float* to) {
+  const auto raise = [=](int x, int left, int right) {
+    const float highest = std::max(std::max(from[left], from[right]), from[x]);
+    to[x] = std::min(std::max(to[x], highest), mask[x]);
+  };
+  raise(0, 0, std::min(1, cols - 1));
+  for (int x = 1; x < cols - 1; ++x) raise(x, x - 1, x + 1);
+  raise(cols - 1, std::max(cols - 2, 0), cols - 1);
+}
+
 // A step of Vincent's sweeps: raises row `to` from the adjacent row `from` (null at the
 // image's edge), then along itself in the direction of `step`.
 void RaiseRow(const float* from, const float* mask, int cols, int step, float* to) {
-  if (from != nullptr) {
-    for (int x = 0; x < cols; ++x) {
-      const float left = from[std::max(x - 1, 0)];
-      const float right = from[std::min(x + 1, cols - 1)];
-      const float highest = std::max(std::max(left, right), from[x]);
-      to[x] = std::min(std::max(to[x], highest), mask[x]);
-    }
-  }
+  if (from != nullptr) RaiseFrom(from, mask, cols, to);
   const int first = step > 0 ? 0 : cols - 1;
   float before = to[first];
   for (int turn = 0, x = first; turn < cols; ++turn, x += step) {
@@ -46,9 +50,11 @@ void RaiseRest(const cv::Mat& mask, cv::Mat& map) {
   cv::dilate(map, highest, cv::Mat());
   std::deque<cv::Point> grown;
   for (int y = 0; y < map.rows; ++y) {
+    const float* around = highest.ptr<float>(y);
+    const float* limits = mask.ptr<float>(y);
     float* values = map.ptr<float>(y);
     for (int x = 0; x < map.cols; ++x) {
-      const float raised = std::min(highest.at<float>(y, x), mask.at<float>(y, x));
+      const float raised = std::min(around[x], limits[x]);
       if (raised <= values[x]) continue;
       values[x] = raised;
       grown.emplace_back(x, y);

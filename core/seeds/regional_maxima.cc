@@ -15,6 +15,7 @@ void Renumber(const std::vector<char>& keep, cv::Mat& labels) {
   for (int y = 0; y < labels.rows; ++y) {
     int* row = labels.ptr<int>(y);
     for (int x = 0; x < labels.cols; ++x) {
+      if (row[x] == 0) continue;
       const auto component = static_cast<std::size_t>(row[x]);
       if (keep[component] != 0 && numbers[component] == 0) numbers[component] = ++count;
       row[x] = numbers[component];
@@ -41,9 +42,12 @@ cv::Mat LabelRegionalMaxima(const cv::Mat& map) {
   rest.setTo(-std::numeric_limits<double>::infinity(), candidates);
   cv::dilate(rest, highest, cv::Mat());
   for (int y = 0; y < map.rows; ++y) {
+    const float* around = highest.ptr<float>(y);
+    const float* values = map.ptr<float>(y);
+    const int* component = labels.ptr<int>(y);
     for (int x = 0; x < map.cols; ++x) {
-      const bool goes_on = highest.at<float>(y, x) == map.at<float>(y, x);
-      if (goes_on) keep[static_cast<std::size_t>(labels.at<int>(y, x))] = 0;
+      const bool goes_on = component[x] != 0 && around[x] == values[x];
+      if (goes_on) keep[static_cast<std::size_t>(component[x])] = 0;
     }
   }
   Renumber(keep, labels);

@@ -13,13 +13,14 @@ bool HasPoint(const cv::Mat& points, const cv::Point& pixel) {
 }
 
 std::vector<std::vector<cv::Point>> PixelsOfPeaks(const cv::Mat& peaks) {
-  double num_peaks = 0;
-  cv::minMaxLoc(peaks, nullptr, &num_peaks);
-  std::vector<std::vector<cv::Point>> pixels(static_cast<std::size_t>(num_peaks));
+  std::vector<std::vector<cv::Point>> pixels;
   for (int row = 0; row < peaks.rows; ++row) {
     const int* peak = peaks.ptr<int>(row);
     for (int col = 0; col < peaks.cols; ++col) {
-      if (peak[col] > 0) pixels[peak[col] - 1].emplace_back(col, row);
+      if (peak[col] == 0) continue;
+      const auto number = static_cast<std::size_t>(peak[col]);
+      if (number > pixels.size()) pixels.resize(number);
+      pixels[number - 1].emplace_back(col, row);
     }
   }
   return pixels;

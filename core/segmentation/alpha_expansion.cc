@@ -1,9 +1,8 @@
 #include "core/segmentation/alpha_expansion.h"
 
 #include <limits>
-#include <opencv2/core.hpp>
-// OpenCV's Boykov-Kolmogorov maximum flow (BSD licence); an internal header that is installed.
-#include <opencv2/imgproc/detail/gcgraph.hpp>
+
+#include "core/segmentation/binary_energy.h"
 
 namespace fovea {
 namespace {
@@ -55,8 +54,8 @@ Labelling CheapestLabels(const PottsEnergy& energy) {
   return start;
 }
 
-// One move: every node that `alpha` offers itself to either keeps its label or takes alpha. In the
-// graph the source side keeps. `variable_of` is scratch: -1 for every node, before and after.
+// One move: every node that `alpha` offers itself to either keeps its label or takes alpha.
+// `variable_of` is scratch: -1 for every node, before and after.
 class Expansion {
  public:
   Expansion(const PottsEnergy& energy, const Adjacency& adjacency, const Labelling& current,
@@ -66,55 +65,41 @@ class Expansion {
       if (current.labels[choice.node] == alpha) continue;
       variable_of_[choice.node] = static_cast<int>(moves_.size());
       moves_.push_back(choice);
-      keep_cost_.push_back(current.costs[choice.node]);
-      take_cost_.push_back(choice.cost);
     }
-    for (std::size_t i = 0; i < moves_.size(); ++i) AddLinks(static_cast<int>(i));
+    for (std::size_t i = 0; i < moves_.size(); ++i) AddMove(static_cast<int>(i));
     for (const PottsEnergy::Choice& move : moves_) variable_of_[move.node] = -1;
   }
 
   // The moves that lower the energy.
   std::vector<PottsEnergy::Choice> Solve() const {
-    if (moves_.empty()) return {};
-    // The flow needs at least one edge to be solvable, so there is a vertex and an edge more.
-    cv::detail::GCGraph<float> graph(static_cast<unsigned>(moves_.size()) + 1,
-                                     static_cast<unsigned>(pairs_.size()) + 1);
-    for (std::size_t i = 0; i < moves_.size(); ++i) {
-      graph.addTermWeights(graph.addVtx(), take_cost_[i], keep_cost_[i]);
-    }
-    graph.addEdges(0, graph.addVtx(), 0, 0);
-    for (const Pair& pair : pairs_) graph.addEdges(pair.a, pair.b, pair.forward, pair.backward);
-    graph.maxFlow();
+    const std::vector<char> is_taken = Minimize(energy_);
     std::vector<PottsEnergy::Choice> taken;
     for (std::size_t i = 0; i < moves_.size(); ++i) {
-      if (!graph.inSourceSegment(static_cast<int>(i))) taken.push_back(moves_[i]);
+      if (is_taken[i] != 0) taken.push_back(moves_[i]);
     }
     return taken;
   }
 
  private:
-  struct Pair {
-    int a, b;
-    float forward;   // cost of a keeping while b takes
-    float backward;  // cost of b keeping while a takes
-  };
-
-  void AddLinks(int a) {
+  void AddMove(int a) {
     const int node = moves_[a].node;
+    float keep_cost = current_.costs[node];
+    float take_cost = moves_[a].cost;
     for (const auto* link = adjacency_.begin(node); link != adjacency_.end(node); ++link) {
       const int b = variable_of_[link->node];
       const bool differ = current_.labels[node] != current_.labels[link->node];
       if (b < 0) {  // the neighbour stays as it is
-        if (differ) keep_cost_[a] += link->weight;
-        if (current_.labels[link->node] != alpha_) take_cost_[a] += link->weight;
+        if (differ) keep_cost += link->weight;
+        if (current_.labels[link->node] != alpha_) take_cost += link->weight;
       } else if (a < b && !differ) {
-        pairs_.push_back({a, b, link->weight, link->weight});
+        energy_.pairs.push_back({a, b, link->weight, link->weight});
       } else if (a < b) {
-        // Costs the weight unless both take (Kolmogorov and Zabih 2004).
-        keep_cost_[a] += link->weight;
-        pairs_.push_back({a, b, 0, link->weight});
+        // Costs the weight unless both take.
+        keep_cost += link->weight;
+        energy_.pairs.push_back({a, b, link->weight, 0});
       }
     }
+    energy_.costs.push_back(take_cost - keep_cost);
   }
 
   const Adjacency& adjacency_;
@@ -122,9 +107,7 @@ class Expansion {
   int alpha_;
   std::vector<int>& variable_of_;
   std::vector<PottsEnergy::Choice> moves_;
-  std::vector<float> keep_cost_;
-  std::vector<float> take_cost_;
-  std::vector<Pair> pairs_;
+  BinaryEnergy energy_;
 };
 
 }  // namespace

@@ -51,26 +51,27 @@ Clusters FindClusters(const PottsEnergy& energy, int max_size, float min_weight)
   return clusters;
 }
 
-// What a label costs the clusters all of whose nodes it offers itself to.
+// Of the nodes of a cluster that a label offers itself to.
+struct Sum {
+  float cost = 0;
+  int num_nodes = 0;
+};
+
+// What a label costs the clusters all of whose nodes it offers itself to, clusters ascending: of
+// such a cluster the first node is met first, and those number the clusters. `sums` is scratch: one
+// empty entry a cluster, before and after.
 std::vector<PottsEnergy::Choice> JoinChoices(const std::vector<PottsEnergy::Choice>& choices,
-                                             const Clusters& clusters) {
-  std::vector<std::pair<int, float>> of_cluster;  // one entry a node
-  of_cluster.reserve(choices.size());
+                                             const Clusters& clusters, std::vector<Sum>& sums) {
+  std::vector<int> met;
   for (const PottsEnergy::Choice& choice : choices) {
-    of_cluster.emplace_back(clusters.of_node[choice.node], choice.cost);
+    const int cluster = clusters.of_node[choice.node];
+    if (sums[cluster].num_nodes++ == 0) met.push_back(cluster);
+    sums[cluster].cost += choice.cost;
   }
-  std::stable_sort(of_cluster.begin(), of_cluster.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<PottsEnergy::Choice> joined;
-  for (std::size_t first = 0; first < of_cluster.size();) {
-    const int cluster = of_cluster[first].first;
-    float cost = 0;
-    std::size_t end = first;
-    for (; end < of_cluster.size() && of_cluster[end].first == cluster; ++end) {
-      cost += of_cluster[end].second;
-    }
-    if (static_cast<int>(end - first) == clusters.sizes[cluster]) joined.push_back({cluster, cost});
-    first = end;
+  for (const int cluster : met) {
+    const Sum sum = std::exchange(sums[cluster], {});
+    if (sum.num_nodes == clusters.sizes[cluster]) joined.push_back({cluster, sum.cost});
   }
   return joined;
 }
@@ -103,8 +104,9 @@ Contraction Contract(const PottsEnergy& energy, int max_size, float min_weight) 
   Clusters clusters = FindClusters(energy, max_size, min_weight);
   Contraction contraction;
   contraction.energy.num_nodes = static_cast<int>(clusters.sizes.size());
+  std::vector<Sum> sums(clusters.sizes.size());
   for (const std::vector<PottsEnergy::Choice>& choices : energy.choices) {
-    contraction.energy.choices.push_back(JoinChoices(choices, clusters));
+    contraction.energy.choices.push_back(JoinChoices(choices, clusters, sums));
   }
   contraction.energy.edges = JoinEdges(energy.edges, clusters);
   contraction.cluster_of_node = std::move(clusters.of_node);

@@ -23,18 +23,29 @@ void ForEachPoint(const VoxelGrid& grid, const cv::Mat& points,
   }
 }
 
+using Positions = Eigen::Array<float, Eigen::Dynamic, 3>;  // a row each
+
+Positions PositionsOf(const std::vector<Seed>& seeds) {
+  Positions positions(static_cast<Eigen::Index>(seeds.size()), 3);
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    positions.row(static_cast<Eigen::Index>(i)) = seeds[i].position.array().transpose();
+  }
+  return positions;
+}
+
 // The seeds that may be the nearest to a point of the voxel: by the triangle inequality those not
 // farther from its mean than the nearest one is, plus twice the voxel's radius.
-std::vector<Eigen::Vector3f> NearSeeds(const Voxel& voxel, float radius,
-                                       const std::vector<Seed>& seeds) {
-  float nearest = std::numeric_limits<float>::infinity();
-  for (const Seed& seed : seeds) {
-    nearest = std::min(nearest, (voxel.mean - seed.position).squaredNorm());
-  }
-  const float limit = std::sqrt(nearest) + 2.01F * radius;  // a little more for rounding
+std::vector<Eigen::Vector3f> NearSeeds(const Voxel& voxel, float radius, const Positions& seeds) {
+  if (seeds.rows() == 0) return {};
+  // Summed in the order of squaredNorm().
+  const Eigen::ArrayXf squared_distance =
+      (seeds.col(0) - voxel.mean.x()).square() +
+      ((seeds.col(1) - voxel.mean.y()).square() + (seeds.col(2) - voxel.mean.z()).square());
+  // A little more for rounding.
+  const float limit = std::sqrt(squared_distance.minCoeff()) + 2.01F * radius;
   std::vector<Eigen::Vector3f> near;
-  for (const Seed& seed : seeds) {
-    if ((voxel.mean - seed.position).squaredNorm() <= limit * limit) near.push_back(seed.position);
+  for (Eigen::Index i = 0; i < seeds.rows(); ++i) {
+    if (squared_distance[i] <= limit * limit) near.emplace_back(seeds.row(i).matrix());
   }
   return near;
 }
@@ -65,10 +76,11 @@ PointStatistics Collect(const VoxelGrid& grid, const cv::Mat& points,
     squared_radius[v] = std::max(squared_radius[v], squared_distance);
   });
 
+  const Positions positions = PositionsOf(seeds);
   std::vector<std::vector<Eigen::Vector3f>> near_seeds(num_voxels);
   for (std::size_t v = 0; v < num_voxels; ++v) {
     if (is_background[v]) continue;
-    near_seeds[v] = NearSeeds(grid.voxels[v], std::sqrt(squared_radius[v]), seeds);
+    near_seeds[v] = NearSeeds(grid.voxels[v], std::sqrt(squared_radius[v]), positions);
   }
   ForEachPoint(grid, points, is_background, [&](int v, const Eigen::Vector3f& x) {
     float nearest = std::numeric_limits<float>::infinity();
@@ -91,16 +103,24 @@ float HypothesisCost(const Voxel& voxel, float variance, const Seed& seed,
 
 constexpr std::size_t kMaxChoices = std::size_t{1} << 25U;
 
+std::vector<int> Foreground(const std::vector<char>& is_background) {
+  std::vector<int> foreground;
+  for (int v = 0; v < static_cast<int>(is_background.size()); ++v) {
+    if (!is_background[v]) foreground.push_back(v);
+  }
+  return foreground;
+}
+
 std::vector<PottsEnergy::Choice> ChoicesOfSeed(const VoxelGrid& grid,
-                                               const std::vector<float>& variance,
-                                               const std::vector<char>& is_background,
-                                               const Seed& seed, const MrfOptions& options) {
+                                               const std::vector<int>& foreground,
+                                               const std::vector<float>& variance, const Seed& seed,
+                                               const MrfOptions& options) {
   const float max_cost = static_cast<float>(-std::log(options.min_probability));
   const float max_squared_distance = static_cast<float>(options.reach_m * options.reach_m);
   std::vector<PottsEnergy::Choice> choices;
-  for (int v = 0; v < static_cast<int>(grid.voxels.size()); ++v) {
+  for (const int v : foreground) {
     const float squared_distance = (grid.voxels[v].mean - seed.position).squaredNorm();
-    if (is_background[v] || squared_distance > max_squared_distance) continue;
+    if (squared_distance > max_squared_distance) continue;
     const float cost = HypothesisCost(grid.voxels[v], variance[v], seed, options);
     if (cost < max_cost) choices.push_back({v, cost});
   }
@@ -132,10 +152,10 @@ PottsEnergy BuildEnergy(const VoxelGrid& grid, const cv::Mat& points,
   for (int v = 0; v < energy.num_nodes; ++v) {
     background.push_back({v, statistics.background_cost[v]});
   }
+  const std::vector<int> foreground = Foreground(is_background);
   std::size_t num_choices = 0;
   for (const Seed& seed : seeds) {
-    energy.choices.push_back(
-        ChoicesOfSeed(grid, statistics.variance, is_background, seed, options));
+    energy.choices.push_back(ChoicesOfSeed(grid, foreground, statistics.variance, seed, options));
     num_choices += energy.choices.back().size();
     if (num_choices > kMaxChoices) {
       throw std::length_error(

@@ -25,7 +25,8 @@ struct SegmentColor {
   Eigen::Vector3d Mean() const { return lab_sum / (num_pixels > 0 ? num_pixels : 1); }
 };
 
-// One entry a label, the background's first. `color_rgb`: CV_8UC3 of the frame.
+// One entry a label; that of the background, the first, stays empty. `color_rgb`: CV_8UC3 of the
+// frame.
 std::vector<SegmentColor> ColorsOfSegments(const VoxelGrid& grid, const std::vector<int>& labels,
                                            const cv::Mat& color_rgb);
 

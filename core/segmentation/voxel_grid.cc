@@ -2,28 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
-#include <unordered_map>
+#include <opencv2/core.hpp>
+
+#include "core/segmentation/cell_index.h"
 
 namespace fovea {
 namespace {
-
-// 21 bits an axis: ± 10 km at 1 cm, far beyond any depth camera.
-std::uint64_t KeyOf(const Eigen::Vector3i& cell) {
-  constexpr std::uint64_t kMask = (1U << 21U) - 1;
-  const auto part = [](int value) { return static_cast<std::uint64_t>(value + (1 << 20)) & kMask; };
-  return part(cell.x()) << 42U | part(cell.y()) << 21U | part(cell.z());
-}
-
-struct KeyHash {
-  std::size_t operator()(std::uint64_t key) const {
-    key *= 0x9E3779B97F4A7C15ULL;  // Fibonacci hashing spreads neighbouring cells
-    return key ^ (key >> 32U);
-  }
-};
-
-using CellIndex = std::unordered_map<std::uint64_t, int, KeyHash>;
 
 // Half of the cells within `reach` that differ along at most `axes` axes, so that each pair is met
 // once.
@@ -41,36 +26,57 @@ std::vector<Eigen::Vector3i> HalfNeighborhood(int reach, int axes) {
   return offsets;
 }
 
-Eigen::Vector3i CellOf(const Eigen::Vector3f& p, const VoxelOptions& options) {
-  const float size = static_cast<float>(options.size_m);
-  const Eigen::Vector3f lattice =
-      options.perspective ? Eigen::Vector3f(p.x() / p.z(), p.y() / p.z(), std::log(p.z())) : p;
-  return (lattice / size).array().floor().cast<int>();
-}
+// The cells of the lattice, for points of which many in a row have the same depth.
+class Lattice {
+ public:
+  explicit Lattice(const VoxelOptions& options)
+      : size_(static_cast<float>(options.size_m)), perspective_(options.perspective) {}
+
+  Eigen::Vector3i CellOf(const Eigen::Vector3f& p) {
+    const Eigen::Vector3f place =
+        perspective_ ? Eigen::Vector3f(p.x() / p.z(), p.y() / p.z(), LogOf(p.z())) : p;
+    return {cvFloor(place.x() / size_), cvFloor(place.y() / size_), cvFloor(place.z() / size_)};
+  }
+
+ private:
+  float LogOf(float z) {
+    if (z != last_z_) last_log_ = std::log(z);
+    last_z_ = z;
+    return last_log_;
+  }
+
+  float size_;
+  bool perspective_;
+  float last_z_ = 1;
+  float last_log_ = 0;
+};
 
 // Adds each point to its voxel; means and normals are sums until Finish.
 CellIndex CollectVoxels(const cv::Mat& points, const cv::Mat& normals, const VoxelOptions& options,
                         VoxelGrid& grid) {
-  CellIndex index;
+  CellIndex index(points.total() / 16);
+  Lattice lattice(options);
   int last = -1;  // neighbouring pixels are mostly of the same voxel
   for (int row = 0; row < points.rows; ++row) {
+    const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
+    const cv::Vec3f* normal = normals.ptr<cv::Vec3f>(row);
+    int* voxel_of_pixel = grid.voxel_of_pixel.ptr<int>(row);
     for (int col = 0; col < points.cols; ++col) {
-      const cv::Vec3f& p = points.at<cv::Vec3f>(row, col);
+      const cv::Vec3f& p = point[col];
       if (std::isnan(p[2])) continue;
       const Eigen::Vector3f position(p[0], p[1], p[2]);
-      const Eigen::Vector3i cell = CellOf(position, options);
+      const Eigen::Vector3i cell = lattice.CellOf(position);
       if (last < 0 || grid.voxels[last].cell != cell) {
-        const auto [entry, is_new] =
-            index.try_emplace(KeyOf(cell), static_cast<int>(grid.voxels.size()));
-        if (is_new) grid.voxels.push_back({.cell = cell});
-        last = entry->second;
+        const int next = static_cast<int>(grid.voxels.size());
+        last = index.FindOrAdd(cell, next);
+        if (last == next) grid.voxels.push_back({.cell = cell});
       }
       Voxel& voxel = grid.voxels[last];
       voxel.mean += position;
-      const cv::Vec3f& n = normals.at<cv::Vec3f>(row, col);
+      const cv::Vec3f& n = normal[col];
       if (!std::isnan(n[0])) voxel.normal += Eigen::Vector3f(n[0], n[1], n[2]);
       ++voxel.num_points;
-      grid.voxel_of_pixel.at<int>(row, col) = last;
+      voxel_of_pixel[col] = last;
     }
   }
   return index;
@@ -90,9 +96,8 @@ std::vector<VoxelEdge> PairsAt(const std::vector<Eigen::Vector3i>& offsets,
   std::vector<VoxelEdge> pairs;
   for (int i = 0; i < static_cast<int>(voxels.size()); ++i) {
     for (const Eigen::Vector3i& offset : offsets) {
-      const auto neighbor = index.find(KeyOf(voxels[i].cell + offset));
-      if (neighbor == index.end()) continue;
-      pairs.push_back({std::min(i, neighbor->second), std::max(i, neighbor->second)});
+      const int neighbor = index.Find(voxels[i].cell + offset);
+      if (neighbor >= 0) pairs.push_back({std::min(i, neighbor), std::max(i, neighbor)});
     }
   }
   return pairs;
@@ -131,7 +136,7 @@ std::vector<VoxelEdge> PairsWithin(const VoxelGrid& grid, const std::vector<int>
   CellIndex index;
   for (std::size_t v = 0; v < labels.size(); ++v) {
     if (labels[v] == 0) continue;
-    index.emplace(KeyOf(grid.voxels[v].cell), static_cast<int>(voxels.size()));
+    index.FindOrAdd(grid.voxels[v].cell, static_cast<int>(voxels.size()));
     labelled.push_back(static_cast<int>(v));
     voxels.push_back(grid.voxels[v]);
   }
