@@ -184,6 +184,9 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   const std::vector<int> segments = SplitIntoSegments(grid, labels);
   std::vector<int> objects = MergeByColor(grid, segments, frame.color_rgb, options.color_merge);
   objects = MergeByShape(grid, objects, frame.color_rgb, options.shape_merge);
+  if (!supports.empty()) {
+    objects = FillHollows(grid, objects, on_wall, -result.gravity.direction, options.hollow_fill);
+  }
   objects = MergeOccluded(grid, objects, points, frame.color_rgb, -result.gravity.direction,
                           options.occlusion_merge);
   objects = MergeUnstable(grid, objects, points, frame.intrinsics, supports, options.support,

@@ -21,6 +21,7 @@
 #include "core/seeds/saliency_seeds.h"
 #include "core/segmentation/color_merge.h"
 #include "core/segmentation/mrf_energy.h"
+#include "core/segmentation/hollow_fill.h"
 #include "core/segmentation/occlusion_merge.h"
 #include "core/segmentation/stability_merge.h"
 #include "core/segmentation/shape_merge.h"
@@ -45,6 +46,7 @@ struct DetectorOptions {
   MrfOptions mrf;
   ColorMergeOptions color_merge;
   ShapeMergeOptions shape_merge;
+  HollowFillOptions hollow_fill;
   OcclusionMergeOptions occlusion_merge;
   StabilityMergeOptions stability_merge;
   PlausibilityOptions plausibility;

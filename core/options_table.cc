@@ -197,6 +197,9 @@ const std::vector<OptionEntry>& OptionTable() {
             "planes up to this thick per square metre of distance count as flat; 1/m; 0: none",
             [](O& o) { return &o.shape_merge.plane_noise_per_m; }),
 
+      Entry("hollow_fill.max_radius_m", 0, 1,
+            "of round walls that are completed; metres; 0: none; paper: 0",
+            [](O& o) { return &o.hollow_fill.max_radius_m; }),
       Entry("occlusion_merge.min_shared_surface", 0, 1,
             "parts behind an occluder that share this much surface are one; 0: never; paper: 0",
             [](O& o) { return &o.occlusion_merge.min_shared_surface; }),

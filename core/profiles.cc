@@ -58,6 +58,7 @@ DetectorOptions Default() {
   options.shape_merge.reach_cells = 1;
   options.shape_merge.min_contact = 1.8;
   options.shape_merge.plane_noise_per_m = 0.006;
+  options.hollow_fill.max_radius_m = 0.2;
   options.occlusion_merge.min_shared_surface = 0.3;
   options.occlusion_merge.max_color_distance = 60;
   options.occlusion_merge.min_hollow_curvature_per_m = 3;

@@ -21,11 +21,13 @@ struct Segment {
 
 // The smallest distance of a point below a support that covers it.
 std::optional<float> DepthBelowSupport(const std::vector<Support>& supports,
-                                       const Eigen::Vector3f& point) {
+                                       const Eigen::Vector3f& point,
+                                       const SupportOptions& options) {
+  const float tolerance = SupportTolerance(point.z(), options);
   std::optional<float> nearest;
   for (const Support& support : supports) {
     const float depth = -support.surface.HeightOf(point);
-    if (depth > 0 && support.footprint.Covers(point))
+    if (depth > tolerance && support.footprint.Covers(point))
       nearest = std::min(depth, nearest.value_or(depth));
   }
   return nearest;
@@ -43,7 +45,7 @@ std::vector<Segment> Collect(const VoxelGrid& grid, const std::vector<int>& labe
     if (const auto below = SupportBelow(supports, point, support_options)) {
       segment.lowest_m = std::min(segment.lowest_m, supports[*below].surface.HeightOf(point));
     }
-    if (const auto depth = DepthBelowSupport(supports, point)) {
+    if (const auto depth = DepthBelowSupport(supports, point, support_options)) {
       ++segment.num_covered;
       segment.least_depth_m = std::min(segment.least_depth_m, *depth);
     }

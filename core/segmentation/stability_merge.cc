@@ -64,7 +64,8 @@ struct Segment {
   }
 };
 
-// Counts the pixels of the lower borders, and those below which one sees something farther away.
+// Counts the pixels of the lower borders, and those below which one sees something farther away; of
+// segments that rest on no support alone.
 void CountLowerBorders(const cv::Mat& labels, const cv::Mat& points,
                        const CameraIntrinsics& intrinsics, const Eigen::Vector3f& up,
                        std::vector<Segment>& segments) {
@@ -73,7 +74,7 @@ void CountLowerBorders(const cv::Mat& labels, const cv::Mat& points,
   for (int row = 0; row < labels.rows; ++row) {
     for (int col = 0; col < labels.cols; ++col) {
       const int label = labels.at<std::uint16_t>(row, col);
-      if (label == 0) continue;
+      if (label == 0 || segments[label].lowest_m <= kRest_m) continue;
       const cv::Vec3f& p = points.at<cv::Vec3f>(row, col);
       const auto up_px = UpInImage({p[0], p[1], p[2]}, intrinsics, up);
       if (!up_px) continue;

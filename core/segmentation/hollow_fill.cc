@@ -1,0 +1,71 @@
+#include "core/segmentation/hollow_fill.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/segmentation/disjoint_sets.h"
+#include "core/segmentation/hollow_wall.h"
+#include "core/segmentation/labels.h"
+
+namespace fovea {
+namespace {
+
+constexpr double kFloor_m = 0.03;  // below the lowest visible part of the wall
+
+using Walls = std::vector<std::optional<HollowWall>>;
+
+bool Encloses(const HollowWall& wall, const Eigen::Vector2d& place, double height_m) {
+  return (place - wall.center).norm() < wall.radius_m && height_m < wall.rim_m &&
+         height_m > wall.foot_m - kFloor_m;
+}
+
+std::vector<int> JoinPieces(const std::vector<int>& labels, const Walls& walls) {
+  const int num_labels = static_cast<int>(walls.size());
+  DisjointSets objects(num_labels);
+  for (int a = 1; a < num_labels; ++a) {
+    for (int b = a + 1; b < num_labels; ++b) {
+      if (walls[a] && walls[b] && AreOneWall(*walls[a], *walls[b])) objects.Join(a, b);
+    }
+  }
+  return Renumbered(labels, objects);
+}
+
+// Spreads the labels of walls to the background that they enclose, neighbour by neighbour: what
+// lies outside below a rim is parted from the inside by the wall.
+void Fill(const VoxelGrid& grid, const std::vector<char>& on_wall, const Walls& walls,
+          const Eigen::Vector3f& up, std::vector<int>& labels) {
+  const HorizontalAxes axes = HorizontalAxesFor(up);
+  const auto spread = [&](int from, int to) {
+    const std::optional<HollowWall>& wall = walls[labels[from]];
+    if (!wall || labels[to] != 0 || on_wall[to]) return false;
+    const Eigen::Vector3f& point = grid.voxels[to].mean;
+    if (!Encloses(*wall, (axes * point).cast<double>(), up.dot(point))) return false;
+    labels[to] = labels[from];
+    return true;
+  };
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const VoxelEdge& edge : grid.edges) {
+      if (spread(edge.a, edge.b) || spread(edge.b, edge.a)) changed = true;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<int> FillHollows(const VoxelGrid& grid, const std::vector<int>& labels,
+                             const std::vector<char>& on_wall, const Eigen::Vector3f& up,
+                             const HollowFillOptions& options) {
+  if (options.max_radius_m <= 0) return labels;
+  std::vector<int> filled =
+      JoinPieces(labels, FindHollowWalls(grid, labels, up, options.max_radius_m));
+  const Walls walls = FindHollowWalls(grid, filled, up, options.max_radius_m);
+  if (std::none_of(walls.begin(), walls.end(), [](const auto& wall) { return wall.has_value(); })) {
+    return filled;
+  }
+  Fill(grid, on_wall, walls, up, filled);
+  DisjointSets as_they_are(static_cast<int>(walls.size()));
+  return Renumbered(filled, as_they_are);
+}
+
+}  // namespace fovea

@@ -1,0 +1,28 @@
+// Completing hollow things, bowls, cups and pans, from the inside of their walls: pieces of one
+// round wall are one object, and so is the floor between, which lies too close to the surface that
+// carries it to be told from it. Goes beyond the paper.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/segmentation/voxel_grid.h"
+
+namespace fovea {
+
+struct HollowFillOptions {
+  // Walls that stand around a vertical axis with a radius up to this; metres, 0 switches it off.
+  double max_radius_m = 0;
+};
+
+// Joins segments that are pieces of one round wall and gives them the background within its circle
+// and below its rim.
+//
+// `labels`: one entry a voxel, 0 = background; `on_wall`: one entry a voxel, not 0 on walls of the
+// room, which stay background; `up`: unit vector. Returns new labels, 1 … n in order of their first
+// voxel.
+std::vector<int> FillHollows(const VoxelGrid& grid, const std::vector<int>& labels,
+                             const std::vector<char>& on_wall, const Eigen::Vector3f& up,
+                             const HollowFillOptions& options = {});
+
+}  // namespace fovea

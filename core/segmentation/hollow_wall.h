@@ -1,0 +1,36 @@
+// The round walls of hollow things, bowls, cups and pans, as they are seen from inside.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "core/segmentation/voxel_grid.h"
+
+namespace fovea {
+
+// A wall that stands around a vertical axis.
+struct HollowWall {
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();  // of its circle; in HorizontalAxes, metres
+  double radius_m = 0;
+  double rim_m = 0;   // height along up of its top
+  double foot_m = 0;  // and of its lowest visible part
+};
+
+// Two axes of the horizontal plane, as rows: what they take a point to is its place.
+using HorizontalAxes = Eigen::Matrix<float, 2, 3>;
+HorizontalAxes HorizontalAxesFor(const Eigen::Vector3f& up);
+
+// One entry a label, the background's first: the wall that a segment is for the most part, none if
+// it bends outwards, hardly at all, or with a larger radius. `labels`: one entry a voxel; `up`:
+// unit vector. The circle is fitted to the places of the upper half of the voxels, where bowls are
+// nearly upright (least squares; Kåsa 1976).
+std::vector<std::optional<HollowWall>> FindHollowWalls(const VoxelGrid& grid,
+                                                       const std::vector<int>& labels,
+                                                       const Eigen::Vector3f& up,
+                                                       double max_radius_m);
+
+// True if both are pieces of one round wall.
+bool AreOneWall(const HollowWall& a, const HollowWall& b);
+
+}  // namespace fovea
