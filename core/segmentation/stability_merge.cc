@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <map>
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
-#include "core/depth/depth_gap.h"
-#include "core/scene/image_direction.h"
 #include "core/segmentation/disjoint_sets.h"
 #include "core/segmentation/labels.h"
+#include "core/segmentation/lower_border.h"
 
 namespace fovea {
 namespace {
@@ -19,7 +17,6 @@ namespace {
 constexpr int kTouchCells = 2;
 constexpr int kMinContacts = 3;       // pairs of voxels
 constexpr double kMinFree = 0.5;      // share of a lower border below which one sees farther
-constexpr double kReachPx = 30;       // across the shadow below a border, at a width of 640
 constexpr double kRest_m = 0.015;     // above a support, beside its tolerance
 constexpr double kMinHeight = 0.4;    // above a support, as a share of its width seen from above
 constexpr float kMinDepth_m = 0.05F;  // of a thing whose back is hidden
@@ -43,55 +40,24 @@ struct Segment {
   std::vector<cv::Point2f> places;  // of its voxels, in the horizontal plane
   cv::Point2f sum;
   float lowest_m = std::numeric_limits<float>::max();  // above its support, less the tolerance
-  int lower_border = 0;                                // pixels
-  int free = 0;  // of them, those below which one sees something farther away
+  LowerBorder border;
 
   void Add(const Segment& other) {
     places.insert(places.end(), other.places.begin(), other.places.end());
     sum += other.sum;
     lowest_m = std::min(lowest_m, other.lowest_m);
-    lower_border += other.lower_border;
-    free += other.free;
+    border.Add(other.border);
   }
   cv::Point2f Center() const { return sum / static_cast<float>(places.size()); }
   // One sees past its lower border, and it is so high for its width that nothing hidden below it
   // can carry it.
   bool HangsFree() const {
-    if (free <= kMinFree * lower_border) return false;
+    if (border.num_free <= kMinFree * border.num_pixels) return false;
     std::vector<cv::Point2f> hull;
     cv::convexHull(places, hull);
     return lowest_m > std::max(kRest_m, kMinHeight * std::sqrt(cv::contourArea(hull)));
   }
 };
-
-// Counts the pixels of the lower borders, and those below which one sees something farther away; of
-// segments that rest on no support alone.
-void CountLowerBorders(const cv::Mat& labels, const cv::Mat& points,
-                       const CameraIntrinsics& intrinsics, const Eigen::Vector3f& up,
-                       std::vector<Segment>& segments) {
-  const cv::Rect image({}, labels.size());
-  const int reach_px = std::max(2, cvRound(kReachPx * labels.cols / 640.0));
-  for (int row = 0; row < labels.rows; ++row) {
-    for (int col = 0; col < labels.cols; ++col) {
-      const int label = labels.at<std::uint16_t>(row, col);
-      if (label == 0 || segments[label].lowest_m <= kRest_m) continue;
-      const cv::Vec3f& p = points.at<cv::Vec3f>(row, col);
-      const auto up_px = UpInImage({p[0], p[1], p[2]}, intrinsics, up);
-      if (!up_px) continue;
-      for (int step = 1; step <= reach_px; ++step) {
-        const cv::Point below(cvRound(static_cast<float>(col) - step * up_px->x),
-                              cvRound(static_cast<float>(row) - step * up_px->y));
-        if (!image.contains(below)) break;
-        if (labels.at<std::uint16_t>(below) == label) break;
-        const float z = points.at<cv::Vec3f>(below)[2];
-        if (step < 3 || std::isnan(z)) continue;
-        ++segments[label].lower_border;
-        if (z > p[2] + DepthGap_m(p[2])) ++segments[label].free;
-        break;
-      }
-    }
-  }
-}
 
 Contacts CollectContacts(const VoxelGrid& grid, const std::vector<int>& labels) {
   Contacts contacts;
@@ -152,14 +118,9 @@ void JoinContacts(Contacts& contacts, int into, int from) {
   contacts = std::move(joined);
 }
 
-}  // namespace
-
-std::vector<int> MergeUnstable(const VoxelGrid& grid, const std::vector<int>& labels,
-                               const cv::Mat& points, const CameraIntrinsics& intrinsics,
-                               const std::vector<Support>& supports,
-                               const SupportOptions& support_options, const Eigen::Vector3f& up,
-                               const StabilityMergeOptions& options) {
-  if (options.max_overhang_m <= 0 || supports.empty()) return labels;
+std::vector<Segment> CollectSegments(const VoxelGrid& grid, const std::vector<int>& labels,
+                                     const std::vector<Support>& supports,
+                                     const SupportOptions& options, const Eigen::Vector3f& up) {
   const HorizontalPlane plane(up);
   std::vector<Segment> segments(CountLabels(labels) + 1);
   for (std::size_t v = 0; v < labels.size(); ++v) {
@@ -168,33 +129,57 @@ std::vector<int> MergeUnstable(const VoxelGrid& grid, const std::vector<int>& la
     Segment& segment = segments[labels[v]];
     segment.places.push_back(plane.Project(point));
     segment.sum += segment.places.back();
-    if (const auto below = SupportBelow(supports, point, support_options)) {
-      segment.lowest_m =
-          std::min(segment.lowest_m, supports[*below].surface.HeightOf(point) -
-                                         SupportTolerance(point.z(), support_options));
-    }
+    const auto below = SupportBelow(supports, point, options);
+    if (!below) continue;
+    const float height_m = supports[*below].surface.HeightOf(point);
+    segment.lowest_m = std::min(segment.lowest_m, height_m - SupportTolerance(point.z(), options));
   }
-  CountLowerBorders(LabelImage(grid, labels), points, intrinsics, up, segments);
+  return segments;
+}
+
+// The segment that hangs out farthest, if by more than `max_overhang_m`, and what holds it; 0 if
+// there is none.
+std::pair<int, int> MostUnstable(const std::vector<Segment>& segments, const Contacts& contacts,
+                                 double max_overhang_m) {
+  int unstable = 0;
+  double largest_m = max_overhang_m;
+  for (int label = 1; label < static_cast<int>(segments.size()); ++label) {
+    if (segments[label].places.empty() || !segments[label].HangsFree()) continue;
+    const double overhang_m = Overhang(label, segments, contacts);
+    if (overhang_m <= largest_m) continue;
+    largest_m = overhang_m;
+    unstable = label;
+  }
+  if (unstable == 0) return {0, 0};
+  const auto holders = HoldersOf(unstable, segments, contacts);
+  return {unstable, std::max_element(holders.begin(), holders.end())->second};
+}
+
+}  // namespace
+
+std::vector<int> MergeUnstable(const VoxelGrid& grid, const std::vector<int>& labels,
+                               const cv::Mat& points, const CameraIntrinsics& intrinsics,
+                               const std::vector<Support>& supports,
+                               const SupportOptions& support_options, const Eigen::Vector3f& up,
+                               const StabilityMergeOptions& options) {
+  if (options.max_overhang_m <= 0 || supports.empty()) return labels;
+  std::vector<Segment> segments = CollectSegments(grid, labels, supports, support_options, up);
+  std::vector<char> is_high;
+  for (const Segment& segment : segments) is_high.push_back(segment.lowest_m > kRest_m ? 1 : 0);
+  const auto borders = FindLowerBorders(LabelImage(grid, labels), points, intrinsics, up, is_high);
+  for (std::size_t label = 1; label < segments.size(); ++label) {
+    segments[label].border = borders[label];
+  }
   Contacts contacts = CollectContacts(grid, labels);
   DisjointSets objects(static_cast<int>(segments.size()));
   while (true) {
-    double largest = options.max_overhang_m;
-    int unstable = 0;
-    for (int label = 1; label < static_cast<int>(segments.size()); ++label) {
-      if (objects.Find(label) != label || !segments[label].HangsFree()) continue;
-      const double overhang = Overhang(label, segments, contacts);
-      if (overhang > largest) {
-        largest = overhang;
-        unstable = label;
-      }
-    }
+    const auto [unstable, holder] = MostUnstable(segments, contacts, options.max_overhang_m);
     if (unstable == 0) break;
-    const auto holders = HoldersOf(unstable, segments, contacts);
-    const int holder = std::max_element(holders.begin(), holders.end())->second;
     const int into = std::min(unstable, holder);
     const int from = std::max(unstable, holder);
     objects.Join(into, from);
     segments[into].Add(segments[from]);
+    segments[from] = {};
     JoinContacts(contacts, into, from);
   }
   return Renumbered(labels, objects);
