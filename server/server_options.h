@@ -28,7 +28,10 @@ struct ServerOptions {
   std::int64_t max_pixels = std::int64_t{1920} * 1088;
   // Frames that are computed at once, 0 … 1024; 0 = one per processor.
   int compute_threads = 0;
-  // Frames that wait beyond those, -1 … 10000; -1 = two per compute thread. More wait longer, fewer
+  // How much these threads give way to the server's others, which refuse and receive, 0 … 19 steps
+  // of niceness. More gives way to other programs of the machine as well.
+  int compute_nice = 10;
+  // Frames that wait beyond those, -1 … 10000; -1 = one per compute thread. More wait longer, fewer
   // are refused sooner. A stream's newest frame is not counted.
   int max_waiting = -1;
   // Frames that one robot may have waiting or computed, 0 … 10000; 0 = two thirds of all.
