@@ -38,6 +38,9 @@ void AddFlags(CLI::App& app, ServerOptions& options) {
   app.add_option("--max-streams-per-robot", options.max_streams_per_robot,
                  "Streams that one robot may have open, 1 to 10000")
       ->capture_default_str();
+  app.add_option("--max-idle-s", options.max_idle_s,
+                 "A connection without a call is closed after this, 1 to 86400 seconds")
+      ->capture_default_str();
   app.add_option("--max-message-mib", options.max_message_mib,
                  "Largest request in MiB, 1 to 1024; larger ones get RESOURCE_EXHAUSTED")
       ->capture_default_str();

@@ -69,6 +69,7 @@ void Validate(const ServerOptions& options) {
   RequireRange("--tls-reload-s", options.tls_reload_s, 1, 86'400);
   RequireRange("--max-streams", options.max_streams, 1, 10'000);
   RequireRange("--max-streams-per-robot", options.max_streams_per_robot, 1, 10'000);
+  RequireRange("--max-idle-s", options.max_idle_s, 1, 86'400);
   RequireRange("--max-message-mib", options.max_message_mib, 1, 1024);
   RequireRange("--max-pixels", options.max_pixels, 1, 100'000'000);
   RequireRange("--compute-threads", options.compute_threads, 0, 1024);

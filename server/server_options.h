@@ -21,6 +21,9 @@ struct ServerOptions {
   // Streams that are open at once, of all robots and of one, 1 … 10000.
   int max_streams = 256;
   int max_streams_per_robot = 16;
+  // A connection without a call is closed after this, 1 … 86400 s: gRPC 1.51 does not bound them,
+  // and a client that was destroyed while it connected keeps its connection.
+  int max_idle_s = 300;
   // Largest request, 1 … 1024 MiB. The default lets 1280x720 RGB8 with 32FC1 depth (6.2 MiB) and
   // 1920x1080 (13.9 MiB) through.
   int max_message_mib = 16;
