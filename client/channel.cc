@@ -20,6 +20,9 @@ std::shared_ptr<grpc::Channel> MakeChannel(const std::string& address,
   grpc::ChannelArguments arguments;
   arguments.SetMaxReceiveMessageSize(options.max_answer_mib << 20);
   arguments.SetLoadBalancingPolicyName("round_robin");
+  // Else gRPC puts all clients of a process on one connection, where a small call waits for the
+  // large frames of the others.
+  arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
   // A server that is back is found soon, one that is gone without a word is noticed.
   arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, 100);
   // Also the time that one attempt has, TLS included.

@@ -38,6 +38,9 @@ void AddFlags(CLI::App& app, ServerOptions& options) {
   app.add_option("--max-streams-per-robot", options.max_streams_per_robot,
                  "Streams that one robot may have open, 1 to 10000")
       ->capture_default_str();
+  app.add_option("--max-idle-s", options.max_idle_s,
+                 "A connection without a call is closed after this, 1 to 86400 seconds")
+      ->capture_default_str();
   app.add_option("--max-message-mib", options.max_message_mib,
                  "Largest request in MiB, 1 to 1024; larger ones get RESOURCE_EXHAUSTED")
       ->capture_default_str();
@@ -47,9 +50,12 @@ void AddFlags(CLI::App& app, ServerOptions& options) {
   app.add_option("--compute-threads", options.compute_threads,
                  "Frames computed at once, 0 to 1024; 0 = one per processor")
       ->capture_default_str();
+  app.add_option("--compute-nice", options.compute_nice,
+                 "How much these give way to the server's other threads, 0 to 19 steps of niceness")
+      ->capture_default_str();
   app.add_option("--max-waiting", options.max_waiting,
                  "Frames that wait beyond those, -1 to 10000; more get RESOURCE_EXHAUSTED. "
-                 "-1 = two per compute thread")
+                 "-1 = one per compute thread")
       ->capture_default_str();
   app.add_option("--max-per-robot", options.max_per_robot,
                  "Frames that one robot may have waiting or computed, 0 to 10000; 0 = two thirds "

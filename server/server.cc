@@ -25,13 +25,16 @@ const ServerOptions& Validated(const ServerOptions& options) {
 
 SchedulerLimits LimitsOf(const ServerOptions& options) {
   const int num_threads = NumComputeThreads(options);
-  // An accepted frame waits for no more than two others on its thread.
-  const int max_waiting = options.max_waiting >= 0 ? options.max_waiting : 2 * num_threads;
+  // An accepted frame waits for the rest of what is computed and for one other frame at most, so
+  // that its answer takes no more than thrice the time of one detection. More would only wait: a
+  // thread that is done takes what waits, and the next is let in meanwhile.
+  const int max_waiting = options.max_waiting >= 0 ? options.max_waiting : num_threads;
   // Leaves a third of the places to other robots.
   const int fair_share = std::max(1, 2 * (num_threads + max_waiting) / 3);
   return {.num_threads = num_threads,
           .max_waiting = max_waiting,
-          .max_per_robot = options.max_per_robot > 0 ? options.max_per_robot : fair_share};
+          .max_per_robot = options.max_per_robot > 0 ? options.max_per_robot : fair_share,
+          .nice = options.compute_nice};
 }
 
 v1::GetServerInfoResponse InfoOf(const ServerOptions& options, const SchedulerLimits& limits) {
@@ -73,6 +76,7 @@ void ConfigureChannel(const ServerOptions& options, grpc::ServerBuilder* builder
   builder->AddChannelArgument(GRPC_ARG_KEEPALIVE_TIME_MS, 30'000);
   builder->AddChannelArgument(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, 10'000);
   builder->AddChannelArgument(GRPC_ARG_SERVER_HANDSHAKE_TIMEOUT_MS, 10'000);
+  builder->AddChannelArgument(GRPC_ARG_MAX_CONNECTION_IDLE_MS, options.max_idle_s * 1000);
   builder->AddChannelArgument(GRPC_ARG_MAX_CONCURRENT_STREAMS, kMaxCallsPerConnection);
 }
 

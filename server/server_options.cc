@@ -69,9 +69,11 @@ void Validate(const ServerOptions& options) {
   RequireRange("--tls-reload-s", options.tls_reload_s, 1, 86'400);
   RequireRange("--max-streams", options.max_streams, 1, 10'000);
   RequireRange("--max-streams-per-robot", options.max_streams_per_robot, 1, 10'000);
+  RequireRange("--max-idle-s", options.max_idle_s, 1, 86'400);
   RequireRange("--max-message-mib", options.max_message_mib, 1, 1024);
   RequireRange("--max-pixels", options.max_pixels, 1, 100'000'000);
   RequireRange("--compute-threads", options.compute_threads, 0, 1024);
+  RequireRange("--compute-nice", options.compute_nice, 0, 19);
   RequireRange("--max-waiting", options.max_waiting, -1, 10'000);
   RequireRange("--max-per-robot", options.max_per_robot, 0, 10'000);
   RequireRange("--hold-s", options.hold_s, 0, 3600);

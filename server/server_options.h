@@ -21,6 +21,9 @@ struct ServerOptions {
   // Streams that are open at once, of all robots and of one, 1 … 10000.
   int max_streams = 256;
   int max_streams_per_robot = 16;
+  // A connection without a call is closed after this, 1 … 86400 s: gRPC 1.51 does not bound them,
+  // and a client that was destroyed while it connected keeps its connection.
+  int max_idle_s = 300;
   // Largest request, 1 … 1024 MiB. The default lets 1280x720 RGB8 with 32FC1 depth (6.2 MiB) and
   // 1920x1080 (13.9 MiB) through.
   int max_message_mib = 16;
@@ -28,7 +31,10 @@ struct ServerOptions {
   std::int64_t max_pixels = std::int64_t{1920} * 1088;
   // Frames that are computed at once, 0 … 1024; 0 = one per processor.
   int compute_threads = 0;
-  // Frames that wait beyond those, -1 … 10000; -1 = two per compute thread. More wait longer, fewer
+  // How much these threads give way to the server's others, which refuse and receive, 0 … 19 steps
+  // of niceness. More gives way to other programs of the machine as well.
+  int compute_nice = 10;
+  // Frames that wait beyond those, -1 … 10000; -1 = one per compute thread. More wait longer, fewer
   // are refused sooner. A stream's newest frame is not counted.
   int max_waiting = -1;
   // Frames that one robot may have waiting or computed, 0 … 10000; 0 = two thirds of all.

@@ -4,6 +4,11 @@
 #include "server/status.h"
 
 namespace fovea::server {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+}  // namespace
 
 void DetectCall::Accept(const CallEnvironment& environment) {
   const auto call = std::make_shared<DetectCall>(environment);
@@ -30,7 +35,7 @@ void DetectCall::Proceed(const std::function<void()>& step) {
 }
 
 void DetectCall::OnCall() {
-  received_ = std::chrono::steady_clock::now();
+  received_ = Clock::now();
   caller_.Begin([self = shared_from_this()] { self->OnGone(); });
   begun_ = environment_.live_calls.Begin([] {});
   if (!begun_) {
@@ -47,7 +52,7 @@ void DetectCall::OnCall() {
 }
 
 void DetectCall::OnRead(bool ok) {
-  received_ = std::chrono::steady_clock::now();
+  received_ = Clock::now();
   if (!ok) {
     Refuse(caller_.StatusOfGone());
     return;
@@ -87,7 +92,11 @@ void DetectCall::OnGone() {
 
 void DetectCall::Refuse(const grpc::Status& status) {
   environment_.answerer.Refuse(Request(), caller_, status);
-  stream_.FinishWithError(status, Then([self = shared_from_this()](bool) {}));
+  const bool full = status.error_code() == grpc::StatusCode::RESOURCE_EXHAUSTED;
+  stream_.FinishWithError(
+      status, Then([self = shared_from_this(), full](bool) {
+        if (full) self->environment_.metrics.OnTurnedAway(Clock::now() - self->received_);
+      }));
 }
 
 FrameRequest DetectCall::Request() const {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "server/scheduling/thread_priority.h"
+
 namespace fovea::server {
 namespace {
 
@@ -99,6 +101,7 @@ void Scheduler::Uncount(const std::string& robot) {
 }
 
 void Scheduler::RunThread() {
+  LowerPriority(limits_.nice);
   std::unique_lock lock(mutex_);
   while (true) {
     changed_.wait(lock, [this] { return stopping_ || !queue_.empty(); });

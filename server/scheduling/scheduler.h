@@ -31,6 +31,9 @@ struct SchedulerLimits {
   int num_threads = 1;    // what is computed at once
   int max_waiting = 2;    // what waits beyond that; streams are not counted
   int max_per_robot = 2;  // what one robot may have waiting or computed
+  // How much the threads give way to all others: they take what time they get for a hundred
+  // milliseconds, while a refusal is worth something at once only.
+  int nice = 0;
 };
 
 class Scheduler {

@@ -21,6 +21,13 @@ auto& Gauge(prometheus::Registry& registry, const char* name, const char* help) 
   return prometheus::BuildGauge().Name(name).Help(help).Register(registry).Add({});
 }
 
+// Seconds; a refusal costs no computing, so these are short unless the processors are taken.
+const prometheus::Histogram::BucketBoundaries& RefusalBuckets() {
+  static const prometheus::Histogram::BucketBoundaries buckets{0.0001, 0.0002, 0.0005, 0.001, 0.002,
+                                                               0.005,  0.01,   0.02,   0.05,  0.1};
+  return buckets;
+}
+
 // Seconds; from a decoded JPEG to a frame that waited long.
 const prometheus::Histogram::BucketBoundaries& Buckets() {
   static const prometheus::Histogram::BucketBoundaries buckets{
@@ -43,6 +50,12 @@ Metrics::Metrics(std::function<std::size_t()> num_waiting)
       bytes_sent_(Counter(registry_, "fovea_sent_bytes_total", "Size of all answers")),
       streams_(Gauge(registry_, "fovea_streams", "Streams that are open")),
       waiting_(Gauge(registry_, "fovea_frames_waiting", "Frames that wait for a compute thread")),
+      turning_away_(prometheus::BuildHistogram()
+                        .Name("fovea_refusal_seconds")
+                        .Help("Time from the arrival of a call that found no room until its "
+                              "refusal was sent")
+                        .Register(registry_)
+                        .Add({}, RefusalBuckets())),
       stages_(prometheus::BuildHistogram()
                   .Name("fovea_stage_seconds")
                   .Help("Time that a frame spent in each stage, waiting (queue) included")
@@ -62,6 +75,10 @@ void Metrics::OnAnswered(const grpc::Status& status, const Detections& detection
   for (const StageTime& time : detections.stage_times) {
     stages_.Add({{"stage", time.stage}}, Buckets()).Observe(time.duration_ms / 1000);
   }
+}
+
+void Metrics::OnTurnedAway(std::chrono::nanoseconds took) {
+  turning_away_.Observe(std::chrono::duration<double>(took).count());
 }
 
 void Metrics::OnSent(std::size_t bytes) { bytes_sent_.Increment(static_cast<double>(bytes)); }

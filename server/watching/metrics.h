@@ -9,6 +9,7 @@
 #include <prometheus/histogram.h>
 #include <prometheus/registry.h>
 
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <mutex>
@@ -33,6 +34,8 @@ class Metrics : public prometheus::Collectable {
   void OnDropped();
   // Whatever became of it; `detections` is empty where the status is not OK.
   void OnAnswered(const grpc::Status& status, const Detections& detections);
+  // A call that found no room, `took` after it came.
+  void OnTurnedAway(std::chrono::nanoseconds took);
   void OnSent(std::size_t bytes);
   void OnStreams(int change);
 
@@ -51,6 +54,7 @@ class Metrics : public prometheus::Collectable {
   prometheus::Counter& bytes_sent_;
   prometheus::Gauge& streams_;
   prometheus::Gauge& waiting_;
+  prometheus::Histogram& turning_away_;
   prometheus::Family<prometheus::Histogram>& stages_;  // "queue" and "decode" included
 
   std::mutex mutex_;

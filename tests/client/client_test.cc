@@ -1,10 +1,13 @@
 #include "client/client.h"
 
 #include <gmock/gmock.h>
+#include <grpcpp/server_builder.h>
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <set>
 #include <stdexcept>
+#include <string>
 
 #include "client/cli/parsing.h"
 #include "client/images.h"
@@ -42,6 +45,31 @@ TEST(Client, ThrowsWhatTheServerSays) {
     EXPECT_EQ(error.code(), grpc::StatusCode::INVALID_ARGUMENT);
     EXPECT_STREQ(error.what(), "INVALID_ARGUMENT: frame: is missing");
   }
+}
+
+// Tells the connections of its callers apart.
+struct Reception : v1::DetectionService::Service {
+  grpc::Status GetServerInfo(grpc::ServerContext* context, const v1::GetServerInfoRequest*,
+                             v1::GetServerInfoResponse*) override {
+    peers.insert(context->peer());
+    return {};
+  }
+
+  std::set<std::string> peers;
+};
+
+TEST(Client, HasAConnectionOfItsOwn) {
+  Reception reception;
+  int port = 0;
+  const auto server = grpc::ServerBuilder()
+                          .AddListeningPort("127.0.0.1:0", grpc::InsecureServerCredentials(), &port)
+                          .RegisterService(&reception)
+                          .BuildAndStart();
+  const Client first("127.0.0.1:" + std::to_string(port));
+  const Client second("127.0.0.1:" + std::to_string(port));
+  for (const Client* client : {&first, &second, &first, &second}) client->GetServerInfo();
+  EXPECT_EQ(reception.peers.size(), 2U);
+  server->Shutdown();
 }
 
 TEST(Client, DetectsInFramesMadeByItsHelpers) {

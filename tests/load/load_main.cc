@@ -21,7 +21,7 @@ namespace {
 
 struct Flags {
   std::string server = "127.0.0.1:50051", kind = "tabletop";
-  int robots = 1, seconds = 20, saboteurs = 0, pid = 0;
+  int robots = 1, warm_up = 3, seconds = 20, saboteurs = 0, pid = 0;
   double rate_hz = 0, greedy = 1;
   bool stream = false;
 };
@@ -30,6 +30,9 @@ void AddFlags(CLI::App& app, Flags& flags) {
   app.add_option("--server", flags.server, "Address of the server")->capture_default_str();
   app.add_option("--robots", flags.robots, "How many")->check(CLI::Range(1, 1000));
   app.add_option("--seconds", flags.seconds, "How long")->check(CLI::Range(1, 86'400));
+  app.add_option("--warm-up", flags.warm_up, "Seconds before that, of which nothing is counted")
+      ->check(CLI::Range(0, 3600))
+      ->capture_default_str();
   app.add_option("--rate", flags.rate_hz,
                  "Frames per second of each robot; 0: the next as soon as the last is answered")
       ->check(CLI::Range(0.0, 1000.0));
@@ -73,10 +76,11 @@ void Print(const std::map<std::string, std::uint64_t>& deeds) {
 // Lets the time pass, with a bar and, where a process is watched, a line a minute.
 void Wait(const Flags& flags) {
   constexpr int kSecondsPerMinute = 60;
-  fovea::cli::Progress progress(static_cast<std::size_t>(flags.seconds),
+  const int seconds = flags.warm_up + flags.seconds;
+  fovea::cli::Progress progress(static_cast<std::size_t>(seconds),
                                 fovea::cli::Progress::Stream::kError);
   const auto start = std::chrono::steady_clock::now();
-  for (int second = 0; second < flags.seconds; ++second) {
+  for (int second = 0; second < seconds; ++second) {
     if (flags.pid > 0 && second % kSecondsPerMinute == 0) {
       std::cout << second / kSecondsPerMinute
                 << " min: " << fovea::load::SizeOfProcess(flags.pid).Text() << std::endl;
@@ -104,6 +108,7 @@ std::vector<std::future<Deeds>> StartSaboteurs(const Flags& flags, const fovea::
 std::vector<std::future<fovea::load::Outcome>> StartRobots(const Flags& flags,
                                                            const fovea::v1::Frame& frame,
                                                            const std::stop_token& stop) {
+  const auto noted_from = std::chrono::steady_clock::now() + std::chrono::seconds(flags.warm_up);
   std::vector<std::future<fovea::load::Outcome>> robots;
   robots.reserve(static_cast<std::size_t>(flags.robots));
   for (int i = 0; i < flags.robots; ++i) {
@@ -112,6 +117,7 @@ std::vector<std::future<fovea::load::Outcome>> StartRobots(const Flags& flags,
                                 .rate_hz = flags.rate_hz * (i == 0 ? flags.greedy : 1),
                                 .phase = static_cast<double>(i) / flags.robots,
                                 .stream = flags.stream,
+                                .noted_from = noted_from,
                                 .frame = frame};
     plan.frame.set_id(plan.name);
     robots.push_back(std::async(std::launch::async, [plan = std::move(plan), stop] {

@@ -69,14 +69,16 @@ Outcome CallOneByOne(const client::Client& client, const RobotPlan& plan,
   Outcome outcome;
   v1::DetectRequest request;
   *request.mutable_frame() = plan.frame;
+  Outcome not_noted;
   for (Pace pace(plan.rate_hz, plan.phase); !stop.stop_requested(); pace.Wait()) {
-    ++outcome.sent;
     const Clock::time_point sent = Clock::now();
+    Outcome& noted = sent < plan.noted_from ? not_noted : outcome;
+    ++noted.sent;
     try {
-      Note(client.Detect(request, kTimeout).detections(), sent, &outcome);
+      Note(client.Detect(request, kTimeout).detections(), sent, &noted);
     } catch (const client::RpcError& error) {
-      ++outcome.errors[CodeName(error)];
-      outcome.refusal_ms.push_back(MillisecondsSince(sent));
+      ++noted.errors[CodeName(error)];
+      noted.refusal_ms.push_back(MillisecondsSince(sent));
       if (plan.rate_hz <= 0)
         std::this_thread::sleep_for(error.retry_after().value_or(kWaitAfterError));
     }
@@ -87,29 +89,34 @@ Outcome CallOneByOne(const client::Client& client, const RobotPlan& plan,
 // When each frame was sent, by its place in the stream.
 class SendTimes {
  public:
+  explicit SendTimes(Clock::time_point noted_from) : noted_from_(noted_from) {}
+
   void Add() {
     const std::lock_guard lock(mutex_);
     times_.push_back(Clock::now());
+    if (times_.back() >= noted_from_) ++num_noted_;
   }
   Clock::time_point Take(std::uint64_t sequence) {
     const std::lock_guard lock(mutex_);
     for (; first_ < sequence; ++first_) times_.pop_front();
     return times_.front();
   }
-  std::uint64_t count() {
+  std::uint64_t NumNoted() {
     const std::lock_guard lock(mutex_);
-    return first_ + times_.size();
+    return num_noted_;
   }
 
  private:
+  const Clock::time_point noted_from_;
   std::mutex mutex_;
   std::deque<Clock::time_point> times_;
   std::uint64_t first_ = 0;  // sequence of the first of times_
+  std::uint64_t num_noted_ = 0;
 };
 
 Outcome Stream(const client::Client& client, const RobotPlan& plan, const std::stop_token& stop) {
-  Outcome outcome;
-  SendTimes times;
+  Outcome outcome, not_noted;
+  SendTimes times(plan.noted_from);
   const auto stream = client.OpenStream(std::chrono::hours(24));
   std::jthread sender([&] {
     v1::DetectStreamRequest request;
@@ -123,19 +130,20 @@ Outcome Stream(const client::Client& client, const RobotPlan& plan, const std::s
   });
   try {
     while (const auto response = stream->Receive()) {
-      outcome.dropped += response->dropped();
       const Clock::time_point sent = times.Take(response->sequence());
+      Outcome& noted = sent < plan.noted_from ? not_noted : outcome;
+      noted.dropped += response->dropped();
       if (response->has_detections()) {
-        Note(response->detections(), sent, &outcome);
+        Note(response->detections(), sent, &noted);
       } else {
-        ++outcome.errors[std::to_string(response->error().code())];
+        ++noted.errors[std::to_string(response->error().code())];
       }
     }
   } catch (const client::RpcError& error) {
     ++outcome.errors[CodeName(error)];
   }
   sender.join();
-  outcome.sent = times.count();
+  outcome.sent = times.NumNoted();
   return outcome;
 }
 

@@ -17,6 +17,8 @@ struct RobotPlan {
   double rate_hz = 0;  // 0 = the next frame as soon as the last one is answered
   double phase = 0;    // of the first frame, as a share of the time between two
   bool stream = false;
+  // What was sent earlier is not noted: everybody connects at once, and the server's memory is new.
+  std::chrono::steady_clock::time_point noted_from;
   v1::Frame frame;
 };
 

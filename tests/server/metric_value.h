@@ -7,7 +7,8 @@
 
 namespace fovea::testing {
 
-// Of the gauge or counter `name`, summed over its labels, or over those with this value.
+// Of the gauge or counter `name`, or what the histogram counted, summed over its labels, or over
+// those with this value.
 inline double MetricValue(const server::Metrics& metrics, const std::string& name,
                           const std::string& label = "") {
   double sum = 0;
@@ -15,7 +16,8 @@ inline double MetricValue(const server::Metrics& metrics, const std::string& nam
     if (family.name != name) continue;
     for (const auto& metric : family.metric) {
       if (!label.empty() && metric.label.front().value != label) continue;
-      sum += metric.gauge.value + metric.counter.value;
+      sum += metric.gauge.value + metric.counter.value +
+             static_cast<double>(metric.histogram.sample_count);
     }
   }
   return sum;

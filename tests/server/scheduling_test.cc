@@ -2,7 +2,9 @@
 #include <gmock/gmock.h>
 #include <grpcpp/create_channel.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <algorithm>
 #include <future>
 #include <mutex>
 #include <string>
@@ -149,6 +151,7 @@ TEST(Scheduling, RefusesAtOnceWhatDoesNotFit) {
   EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
   EXPECT_THAT(status.error_message(), HasSubstr("the queue is full with 2 frames"));
   EXPECT_GE(std::stoi(call.Trailer("retry-after-ms")), 10);
+  AwaitMetric(*held.loopback.server.metrics(), "fovea_refusal_seconds", 1);
   held.gate.Let(2);
   EXPECT_THAT(crowd.Answered(), ElementsAre("second"));
   EXPECT_TRUE(held.first.get().ok());
@@ -194,6 +197,20 @@ TEST(Scheduling, APlaceIsFreeAgainWhenTheAnswerIsThere) {
   Loopback loopback(std::ref(gate), OneThread(0, 1));
   gate.Let(50);
   for (int i = 0; i < 50; ++i) EXPECT_TRUE(Call(loopback, "only").Run().ok());
+}
+
+TEST(Scheduling, ComputesAtLowerPriorityThanItRefuses) {
+  server::ServerOptions options = LoopbackOptions();
+  options.compute_nice = 3;
+  int niceness = 0;  // on Linux it is the thread's
+  Loopback loopback(
+      [&](auto&&... frame) {
+        niceness = getpriority(PRIO_PROCESS, 0);
+        return FindOne(frame...);
+      },
+      options);
+  EXPECT_TRUE(Call(loopback, "robot").Run().ok());
+  EXPECT_EQ(niceness, std::min(19, getpriority(PRIO_PROCESS, 0) + 3));
 }
 
 TEST(Scheduling, DropsFromTheQueueWhoseCallerLeft) {

@@ -102,6 +102,18 @@ TEST(Server, ListsItsServicesByReflection) {
   wait();
 }
 
+TEST(Server, ClosesConnectionsWithoutACall) {
+  server::ServerOptions options = LoopbackOptions();
+  options.max_idle_s = 1;
+  const Loopback loopback(FindOne, options);
+  const auto channel =
+      grpc::CreateChannel(loopback.server.Address(), grpc::InsecureChannelCredentials());
+  const auto deadline = std::chrono::system_clock::now() + kPatience;
+  ASSERT_TRUE(channel->WaitForConnected(deadline));
+  ASSERT_TRUE(channel->WaitForStateChange(GRPC_CHANNEL_READY, deadline));
+  EXPECT_TRUE(channel->WaitForConnected(deadline)) << "the next call connects again";
+}
+
 TEST(Server, ServesOnWhileItNoLongerAdvertises) {
   Loopback loopback(FindOne);
   loopback.server.StopAdvertising();

@@ -110,8 +110,8 @@ TEST(ServerInfo, TellsTheLimits) {
   EXPECT_EQ(info.max_message_bytes(), 16U << 20);
   EXPECT_EQ(info.max_pixels(), 1000U);
   EXPECT_EQ(info.compute_threads(), 3U);
-  EXPECT_EQ(info.max_waiting(), 6U);
-  EXPECT_EQ(info.max_per_robot(), 6U);
+  EXPECT_EQ(info.max_waiting(), 3U);
+  EXPECT_EQ(info.max_per_robot(), 4U);
 }
 
 // What is logged while it lives.

@@ -12,6 +12,9 @@ def make_channel(address: str, tls: TlsOptions | None, max_answer_mib: int) -> g
     options = [
         ("grpc.max_receive_message_length", max_answer_mib << 20),
         ("grpc.lb_policy_name", "round_robin"),
+        # Else all clients of a process share one connection, where a small call waits for the
+        # large frames of the others.
+        ("grpc.use_local_subchannel_pool", 1),
         # A server that is back is found soon, one that is gone without a word is noticed.
         ("grpc.initial_reconnect_backoff_ms", 100),
         # Also the time that one attempt has, TLS included.

@@ -6,6 +6,7 @@ from concurrent.futures import ThreadPoolExecutor
 from threading import Event
 from typing import Any
 
+import grpc
 import pytest
 from comparison import assert_same
 from conftest import Scene
@@ -13,6 +14,7 @@ from server_process import PATIENCE, ServerProcess
 
 import fovea
 import fovea.retry
+from fovea.v1 import detection_service_pb2, detection_service_pb2_grpc
 
 ONCE = fovea.RetryOptions(max_attempts=1)
 PERSISTENT = fovea.RetryOptions(max_attempts=100_000)
@@ -138,6 +140,30 @@ def test_waits_double_within_their_bounds() -> None:
         for _ in range(20):
             assert most / 2 <= fovea.retry.backoff_after(attempt, options, away) <= most
     assert fovea.retry.backoff_after(1, options, fovea.Overloaded("", retry_after=7)) == 7
+
+
+class Reception(detection_service_pb2_grpc.DetectionServiceServicer):  # type: ignore[misc]
+    """Tells the connections of its callers apart."""
+
+    def __init__(self) -> None:
+        self.peers: set[str] = set()
+
+    def GetServerInfo(self, _: Any, context: grpc.ServicerContext) -> Any:
+        self.peers.add(context.peer())
+        return detection_service_pb2.GetServerInfoResponse()
+
+
+def test_every_client_has_a_connection_of_its_own() -> None:
+    reception = Reception()
+    server = grpc.server(ThreadPoolExecutor(1))
+    detection_service_pb2_grpc.add_DetectionServiceServicer_to_server(reception, server)
+    address = f"127.0.0.1:{server.add_insecure_port('127.0.0.1:0')}"
+    server.start()
+    with fovea.Client(address, timeout=PATIENCE) as one, fovea.Client(address) as other:
+        for client in (one, other, one, other):
+            client.get_server_info()
+    server.stop(None).wait()
+    assert len(reception.peers) == 2
 
 
 def test_one_client_serves_many_threads(scene: Scene) -> None:
