@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/seeds/morphology.h"
-#include "core/types/lanes.h"
+#include "core/types/widest_registers.h"
 
 namespace fovea {
 namespace {

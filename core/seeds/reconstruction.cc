@@ -4,7 +4,7 @@
 
 #include "core/seeds/morphology.h"
 #include "core/seeds/neighbours.h"
-#include "core/types/lanes.h"
+#include "core/types/widest_registers.h"
 
 namespace fovea {
 namespace {
