@@ -100,7 +100,7 @@ void AddPoints(const cv::Vec3f* points, const cv::Vec3f* normals, int first, int
 // Adds each point to its voxel; means and normals are sums until Finish.
 CellIndex CollectVoxels(const cv::Mat& points, const cv::Mat& normals, const VoxelOptions& options,
                         VoxelGrid& grid) {
-  CellIndex index(points.total() / 16);
+  CellIndex index(points.total() / 64);
   RowCells cells(points.cols, options);
   for (int row = 0; row < points.rows; ++row) {
     const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
