@@ -135,7 +135,8 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   // Section 3.2: seeds at salient positions, except on the dominating support surface.
   SeedCandidates from_color;
   if (options.seeds.from_color) {
-    from_color = FindSeeds(color_saliency, points, Seed::Source::kColorSaliency, options.seeds);
+    from_color = FindSeeds(color_saliency, points, Seed::Source::kColorSaliency, options.seeds,
+                           options.color_saliency.downscale);
   }
   SeedCandidates from_depth;
   if (options.seeds.from_depth) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <opencv2/core.hpp>
+#include <vector>
 
 #include "core/types/lanes.h"
 
@@ -68,7 +69,7 @@ FOVEA_INLINE FitSums SumWindows(const float* center, std::size_t stride, int ste
 
 // 1/z = a·u + b·v + c around each centre; `a` is not a number where the window fits no plane.
 struct PlaneFit {
-  std::array<float, kLanes> a, b, c;
+  Lanes a, b, c;
 };
 
 FOVEA_INLINE PlaneFit Solve(const FitSums& s, const Lanes& at_center) {
@@ -83,27 +84,53 @@ FOVEA_INLINE PlaneFit Solve(const FitSums& s, const Lanes& at_center) {
   const Lanes none = AllLanes(std::numeric_limits<float>::quiet_NaN());
   const Lanes a = determinant < 1e-3F ? none : (qu * vv - qv * uv) / determinant;  // on a line
   const Lanes b = (qv * uu - qu * uv) / determinant;
-  PlaneFit fit;
-  StoreLanes(a, fit.a.data());
-  StoreLanes(b, fit.b.data());
-  StoreLanes(at_center + (s.q - a * s.u - b * s.v) / n, fit.c.data());
-  return fit;
+  return {a, b, at_center + (s.q - a * s.u - b * s.v) / n};
 }
+
+// Vectors, one a lane.
+struct Vectors {
+  std::array<float, kLanes> x, y, z;
+};
 
 // 1/z = n·ray / d with ray = ((u - cx) / fx, (v - cy) / fy, 1); (du0, dv0) is the pixel relative
 // to the principal point.
-cv::Vec3f NormalOf(float a, float b, float c, float du0, float dv0, const cv::Vec3f& point,
-                   const CameraIntrinsics& k) {
-  cv::Vec3f normal(a * static_cast<float>(k.fx_px), b * static_cast<float>(k.fy_px),
-                   c - a * du0 - b * dv0);
-  normal /= static_cast<float>(cv::norm(normal));
+FOVEA_INLINE Vectors NormalsOf(const PlaneFit& fit, const Lanes& du0, float dv0,
+                               const CameraIntrinsics& k) {
+  const Lanes x = fit.a * static_cast<float>(k.fx_px);
+  const Lanes y = fit.b * static_cast<float>(k.fy_px);
+  const Lanes z = fit.c - fit.a * du0 - fit.b * dv0;
+  Vectors normals;
+  StoreLanes(x, normals.x.data());
+  StoreLanes(y, normals.y.data());
+  StoreLanes(z, normals.z.data());
+  std::array<float, kLanes> inverse_lengths;
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const double nx = normals.x[lane], ny = normals.y[lane], nz = normals.z[lane];
+    inverse_lengths[lane] = 1 / static_cast<float>(std::sqrt(nx * nx + ny * ny + nz * nz));
+  }
+  const Lanes scale = LoadLanes(inverse_lengths.data());
+  StoreLanes(x * scale, normals.x.data());
+  StoreLanes(y * scale, normals.y.data());
+  StoreLanes(z * scale, normals.z.data());
+  return normals;
+}
+
+cv::Vec3f TowardsCamera(const cv::Vec3f& normal, const cv::Vec3f& point) {
   return normal.dot(point) > 0 ? -normal : normal;
+}
+
+// The columns relative to the principal point.
+std::vector<float> RelativeColumns(int cols, double cx_px) {
+  std::vector<float> relative(cols);
+  for (int col = 0; col < cols; ++col) relative[col] = static_cast<float>(col - cx_px);
+  return relative;
 }
 
 // The normals of one row.
 struct RowFit {
   const cv::Mat& points;
   const cv::Mat& inverse;
+  const std::vector<float>& relative_cols;
   const CameraIntrinsics& intrinsics;
   const NormalOptions& options;
   int step;
@@ -111,19 +138,21 @@ struct RowFit {
   FOVEA_INLINE void Run(int row, cv::Mat& normals) const {
     const int radius = options.window_radius_px;
     const auto dv0 = static_cast<float>(row - intrinsics.cy_px);
-    for (int col = 0; col < points.cols; col += kLanes * step) {
-      const float* center = inverse.ptr<float>(row + radius) + radius + col;
+    const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
+    cv::Vec3f* normal = normals.ptr<cv::Vec3f>(row);
+    for (int first = 0; first < points.cols; first += kLanes * step) {
+      const float* center = inverse.ptr<float>(row + radius) + radius + first;
       const Lanes at_center = LoadLanes(center, step);
       if (LargestLane(at_center) <= 0) continue;
       const PlaneFit fit = Solve(SumWindows(center, inverse.step1(), step, radius,
                                             static_cast<float>(options.max_depth_change)),
                                  at_center);
-      for (int lane = 0; lane < kLanes && col + lane * step < points.cols; ++lane) {
-        const int pixel = col + lane * step;
-        if (center[pixel - col] <= 0 || std::isnan(fit.a[lane])) continue;
-        normals.at<cv::Vec3f>(row, pixel) = NormalOf(
-            fit.a[lane], fit.b[lane], fit.c[lane], static_cast<float>(pixel - intrinsics.cx_px),
-            dv0, points.at<cv::Vec3f>(row, pixel), intrinsics);
+      const Vectors n =
+          NormalsOf(fit, LoadLanes(relative_cols.data() + first, step), dv0, intrinsics);
+      for (int lane = 0; lane < kLanes && first + lane * step < points.cols; ++lane) {
+        const int col = first + lane * step;
+        if (center[col - first] <= 0 || std::isnan(fit.a[lane])) continue;
+        normal[col] = TowardsCamera({n.x[lane], n.y[lane], n.z[lane]}, point[col]);
       }
     }
   }
@@ -136,7 +165,9 @@ cv::Mat EstimateNormals(const cv::Mat& points, const CameraIntrinsics& intrinsic
   const cv::Mat inverse = PaddedInverseDepth(points, options.window_radius_px, step);
   cv::Mat normals(points.size(), CV_32FC3,
                   cv::Scalar::all(std::numeric_limits<float>::quiet_NaN()));
-  const RowFit fit{points, inverse, intrinsics, options, step};
+  const std::vector<float> relative_cols =
+      RelativeColumns(points.cols + kLanes * step, intrinsics.cx_px);
+  const RowFit fit{points, inverse, relative_cols, intrinsics, options, step};
   RunInWidestRegisters([&] {
     for (int row = 0; row < points.rows; row += step) fit.Run(row, normals);
   });

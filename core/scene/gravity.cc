@@ -27,15 +27,21 @@ std::vector<Eigen::Vector3d> ValidNormals(const cv::Mat& normals) {
 Eigen::Vector3d Refine(const std::vector<Eigen::Vector3d>& normals, const Eigen::Vector3d& down,
                        double angle_rad) {
   const double level = std::cos(angle_rad), upright = std::sin(angle_rad);
-  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
   for (const Eigen::Vector3d& n : normals) {
     const double c = std::abs(n.dot(down));
-    if (c > level) {
-      scatter -= n * n.transpose();  // floor-like: wants to be parallel
-    } else if (c < upright) {
-      scatter += n * n.transpose();  // wall-like: wants to be orthogonal
-    }
+    if (!(c > level || c < upright)) continue;
+    const double sign = c > level ? -1 : 1;  // floors want to be parallel, walls orthogonal
+    const Eigen::Vector3d signed_n = sign * n;
+    xx += signed_n.x() * n.x();
+    xy += signed_n.x() * n.y();
+    xz += signed_n.x() * n.z();
+    yy += signed_n.y() * n.y();
+    yz += signed_n.y() * n.z();
+    zz += signed_n.z() * n.z();
   }
+  Eigen::Matrix3d scatter;
+  scatter << xx, xy, xz, xy, yy, yz, xz, yz, zz;
   if (scatter.isZero()) return down;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
   const Eigen::Vector3d refined = solver.eigenvectors().col(0);  // eigenvalues ascend
@@ -108,7 +114,9 @@ Eigen::Vector3f EstimateGravity(const cv::Mat& normals, const GravityOptions& op
   for (int start = 0; start < options.num_starts; ++start) {
     const double pitch = start * std::numbers::pi / 2 / std::max(1, options.num_starts - 1);
     directions.push_back(RefineFrom({0, std::cos(pitch), std::sin(pitch)}, refinement, options));
-    explained.push_back(Explain(valid, directions.back()));
+    const auto known = std::find(directions.begin(), directions.end() - 1, directions.back());
+    explained.push_back(known == directions.end() - 1 ? Explain(valid, directions.back())
+                                                      : explained[known - directions.begin()]);
     best_score = std::max(best_score, explained.back().Score());
   }
   // A wall seen from the front looks like a floor seen from above. What tells them apart is that a

@@ -6,28 +6,43 @@
 #include <vector>
 
 #include "core/seeds/morphology.h"
+#include "core/types/widest_registers.h"
 
 namespace fovea {
 namespace {
 
-constexpr double kOutside = std::numeric_limits<double>::infinity();
+constexpr float kOutside = std::numeric_limits<float>::infinity();
 
-// Minima over 1, 2, 4, … pixels to the right of each pixel, up to `widest` of them.
-std::vector<cv::Mat> RowMinima(const cv::Mat& map, int widest) {
-  std::vector<cv::Mat> minima{map};
-  for (int width = 1; 2 * width <= widest; width *= 2) {
-    const cv::Mat& half = minima.back();
-    cv::Mat whole = half.clone();
-    const int last = half.cols - width;
-    for (int y = 0; y < half.rows; ++y) {
-      const float* from = half.ptr<float>(y);
-      float* to = whole.ptr<float>(y);
-      for (int x = 0; x < last; ++x) to[x] = std::min(from[x], from[x + width]);
+// Minima over 1, 2, 4, … pixels to the right of each pixel of a row, up to `widest` of them. The
+// row has a margin on both sides.
+class RunMinima {
+ public:
+  RunMinima(int cols, int margin, int widest)
+      : margin_(margin),
+        levels_(std::bit_width(static_cast<unsigned>(widest)),
+                std::vector<float>(static_cast<std::size_t>(cols + 2 * margin), kOutside)) {}
+
+  FOVEA_INLINE void Set(const float* row) {
+    std::copy_n(row, levels_[0].size() - 2 * static_cast<std::size_t>(margin_),
+                levels_[0].begin() + margin_);
+    for (std::size_t level = 1; level < levels_.size(); ++level) {
+      const std::size_t width = std::size_t{1} << (level - 1);
+      const float* half = levels_[level - 1].data();
+      float* whole = levels_[level].data();
+      const std::size_t count = levels_[level].size() - width;
+      for (std::size_t x = 0; x < count; ++x) whole[x] = std::min(half[x], half[x + width]);
     }
-    minima.push_back(whole);
   }
-  return minima;
-}
+
+  // Starts at the first pixel of the row.
+  FOVEA_INLINE const float* Level(int level) const {
+    return levels_[static_cast<std::size_t>(level)].data() + margin_;
+  }
+
+ private:
+  int margin_;
+  std::vector<std::vector<float>> levels_;
+};
 
 // A row of the disk. Its minimum is the smaller of two overlapping runs of 2^level pixels.
 struct DiskRow {
@@ -46,8 +61,12 @@ std::vector<DiskRow> DiskRows(int radius_px) {
   return rows;
 }
 
-void TakeRunMinimum(const float* left_run, const float* right_run, int count, float* to) {
-  for (int x = 0; x < count; ++x) {
+// The minima of a row over a row of the disk, taken into another row.
+FOVEA_INLINE void TakeMinima(const RunMinima& runs, const DiskRow& disk_row, int cols, float* to) {
+  const float* left_run = runs.Level(disk_row.level) - disk_row.half_width;
+  const float* right_run =
+      runs.Level(disk_row.level) + disk_row.half_width + 1 - (1 << disk_row.level);
+  for (int x = 0; x < cols; ++x) {
     const float run = std::min(left_run[x], right_run[x]);
     to[x] = std::min(to[x], run);
   }
@@ -56,25 +75,20 @@ void TakeRunMinimum(const float* left_run, const float* right_run, int count, fl
 }  // namespace
 
 cv::Mat ErodeByDisk(const cv::Mat& map, int radius_px) {
-  cv::Mat padded;
-  cv::copyMakeBorder(map, padded, 0, 0, radius_px, radius_px, cv::BORDER_CONSTANT,
-                     cv::Scalar::all(kOutside));
-  const std::vector<cv::Mat> minima = RowMinima(padded, 2 * radius_px + 1);
   const std::vector<DiskRow> disk = DiskRows(radius_px);
-
+  RunMinima runs(map.cols, radius_px, 2 * radius_px + 1);
   cv::Mat eroded(map.size(), CV_32F, cv::Scalar::all(kOutside));
-  for (int y = 0; y < map.rows; ++y) {
-    for (const DiskRow& row : disk) {
-      for (const int from : {y - row.rise, y + row.rise}) {
-        if (from < 0 || from >= map.rows) continue;
-        const float* center =
-            minima[static_cast<std::size_t>(row.level)].ptr<float>(from) + radius_px;
-        const float* left_run = center - row.half_width;
-        const float* right_run = center + row.half_width + 1 - (1 << row.level);
-        TakeRunMinimum(left_run, right_run, map.cols, eroded.ptr<float>(y));
+  RunInWidestRegisters([&] {
+    for (int y = 0; y < map.rows; ++y) {
+      runs.Set(map.ptr<float>(y));
+      for (const DiskRow& row : disk) {
+        for (const int to : {y - row.rise, y + row.rise}) {
+          if (to < 0 || to >= map.rows) continue;
+          TakeMinima(runs, row, map.cols, eroded.ptr<float>(to));
+        }
       }
     }
-  }
+  });
   return eroded;
 }
 

@@ -1,28 +1,18 @@
 #include <algorithm>
 #include <deque>
 #include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include "core/seeds/morphology.h"
+#include "core/seeds/neighbours.h"
+#include "core/types/widest_registers.h"
 
 namespace fovea {
 namespace {
 
-// Calls visit(y, x) for the neighbours of a pixel that lie in the image.
-template <typename Visit>
-void ForEachNeighbour(cv::Size size, cv::Point pixel, Visit visit) {
-  const int first_x = std::max(pixel.x - 1, 0);
-  const int last_x = std::min(pixel.x + 1, size.width - 1);
-  const int last_y = std::min(pixel.y + 1, size.height - 1);
-  for (int y = std::max(pixel.y - 1, 0); y <= last_y; ++y) {
-    for (int x = first_x; x <= last_x; ++x) {
-      if (x != pixel.x || y != pixel.y) visit(y, x);
-    }
-  }
-}
+constexpr int kCheckedTogether = 32;  // pixels of a row
 
 // Raises row `to` from the adjacent row `from`.
-void RaiseFrom(const float* from, const float* mask, int cols, float* to) {
+FOVEA_INLINE void RaiseFrom(const float* from, const float* mask, int cols, float* to) {
   const auto raise = [=](int x, int left, int right) {
     const float highest = std::max(std::max(from[left], from[right]), from[x]);
     to[x] = std::min(std::max(to[x], highest), mask[x]);
@@ -34,7 +24,7 @@ void RaiseFrom(const float* from, const float* mask, int cols, float* to) {
 
 // A step of Vincent's sweeps: raises row `to` from the adjacent row `from` (null at the
 // image's edge), then along itself in the direction of `step`.
-void RaiseRow(const float* from, const float* mask, int cols, int step, float* to) {
+FOVEA_INLINE void RaiseRow(const float* from, const float* mask, int cols, int step, float* to) {
   if (from != nullptr) RaiseFrom(from, mask, cols, to);
   const int first = step > 0 ? 0 : cols - 1;
   float before = to[first];
@@ -44,22 +34,45 @@ void RaiseRow(const float* from, const float* mask, int cols, int step, float* t
   }
 }
 
-// Raises what the two sweeps left, from pixel to pixel.
-void RaiseRest(const cv::Mat& mask, cv::Mat& map) {
-  cv::Mat highest;
-  cv::dilate(map, highest, cv::Mat());
-  std::deque<cv::Point> grown;
-  for (int y = 0; y < map.rows; ++y) {
-    const float* around = highest.ptr<float>(y);
-    const float* limits = mask.ptr<float>(y);
-    float* values = map.ptr<float>(y);
-    for (int x = 0; x < map.cols; ++x) {
-      const float raised = std::min(around[x], limits[x]);
-      if (raised <= values[x]) continue;
-      values[x] = raised;
-      grown.emplace_back(x, y);
-    }
+// Whether some of the pixels first … end - 1 of a row can still rise by the row above or by the
+// pixel on their left; not for the first or last of a row.
+FOVEA_INLINE bool CanRise(const float* above, const float* mask, const float* row, int first,
+                          int end) {
+  int can_rise = 0;
+  for (int x = first; x < end; ++x) {
+    const float highest =
+        std::max(std::max(above[x - 1], above[x]), std::max(above[x + 1], row[x - 1]));
+    can_rise |= std::min(highest, mask[x]) > row[x];
   }
+  return can_rise != 0;
+}
+
+// Raises what the two sweeps left, from pixel to pixel. After the sweep upwards no pixel can rise
+// by the row below or by the pixel on its right.
+void RaiseRest(const cv::Mat& mask, cv::Mat& map) {
+  std::deque<cv::Point> grown;
+  const auto raise = [&](int y, int x) {
+    float highest = map.at<float>(y, x);
+    ForEachNeighbour(map.size(), {x, y}, [&](int other_y, int other_x) {
+      highest = std::max(highest, map.at<float>(other_y, other_x));
+    });
+    const float raised = std::min(highest, mask.at<float>(y, x));
+    if (raised <= map.at<float>(y, x)) return;
+    map.at<float>(y, x) = raised;
+    grown.emplace_back(x, y);
+  };
+  RunInWidestRegisters([&] {
+    for (int y = 0; y < map.rows; ++y) {
+      const float* above = map.ptr<float>(std::max(y - 1, 0));
+      raise(y, 0);
+      for (int first = 1; first < map.cols - 1; first += kCheckedTogether) {
+        const int end = std::min(first + kCheckedTogether, map.cols - 1);
+        if (!CanRise(above, mask.ptr<float>(y), map.ptr<float>(y), first, end)) continue;
+        for (int x = first; x < end; ++x) raise(y, x);
+      }
+      raise(y, map.cols - 1);
+    }
+  });
   for (; !grown.empty(); grown.pop_front()) {
     const float value = map.at<float>(grown.front());
     ForEachNeighbour(map.size(), grown.front(), [&](int y, int x) {
@@ -76,14 +89,16 @@ void RaiseRest(const cv::Mat& mask, cv::Mat& map) {
 cv::Mat ReconstructByDilation(const cv::Mat& marker, const cv::Mat& mask) {
   cv::Mat map = cv::min(marker, mask);
   const int rows = map.rows;
-  for (int y = 0; y < rows; ++y) {
-    const float* above = y > 0 ? map.ptr<float>(y - 1) : nullptr;
-    RaiseRow(above, mask.ptr<float>(y), map.cols, +1, map.ptr<float>(y));
-  }
-  for (int y = rows - 1; y >= 0; --y) {
-    const float* below = y + 1 < rows ? map.ptr<float>(y + 1) : nullptr;
-    RaiseRow(below, mask.ptr<float>(y), map.cols, -1, map.ptr<float>(y));
-  }
+  RunInWidestRegisters([&] {
+    for (int y = 0; y < rows; ++y) {
+      const float* above = y > 0 ? map.ptr<float>(y - 1) : nullptr;
+      RaiseRow(above, mask.ptr<float>(y), map.cols, +1, map.ptr<float>(y));
+    }
+    for (int y = rows - 1; y >= 0; --y) {
+      const float* below = y + 1 < rows ? map.ptr<float>(y + 1) : nullptr;
+      RaiseRow(below, mask.ptr<float>(y), map.cols, -1, map.ptr<float>(y));
+    }
+  });
   RaiseRest(mask, map);
   return map;
 }

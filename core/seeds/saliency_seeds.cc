@@ -1,7 +1,9 @@
 #include "core/seeds/saliency_seeds.h"
 
+#include <algorithm>
 #include <cmath>
-#include <opencv2/core.hpp>
+#include <limits>
+#include <opencv2/imgproc.hpp>
 
 #include "core/seeds/morphology.h"
 
@@ -10,6 +12,34 @@ namespace {
 
 bool HasPoint(const cv::Mat& points, const cv::Point& pixel) {
   return !std::isnan(points.at<cv::Vec3f>(pixel)[2]);
+}
+
+// Maximum of every block; those at the right and lower end may be cut.
+cv::Mat BlockMaxima(const cv::Mat& map, int block_px) {
+  const int rows = (map.rows + block_px - 1) / block_px;
+  const int cols = (map.cols + block_px - 1) / block_px;
+  cv::Mat maxima(rows, cols, CV_32F, cv::Scalar::all(std::numeric_limits<float>::lowest()));
+  for (int y = 0; y < map.rows; ++y) {
+    const float* row = map.ptr<float>(y);
+    float* most = maxima.ptr<float>(y / block_px);
+    for (int block = 0; block < cols; ++block) {
+      const int end = std::min((block + 1) * block_px, map.cols);
+      for (int x = block * block_px; x < end; ++x) most[block] = std::max(most[block], row[x]);
+    }
+  }
+  return maxima;
+}
+
+// The flat peaks of the opened map, numbered. What is flat in a map is flat in its reconstruction,
+// so that one pixel may stand for each block.
+cv::Mat FindPeaks(const cv::Mat& saliency, int radius_px, int block_px) {
+  const cv::Mat eroded = ErodeByDisk(saliency, radius_px);
+  if (block_px == 1) return LabelRegionalMaxima(ReconstructByDilation(eroded, saliency));
+  const cv::Mat opened =
+      ReconstructByDilation(BlockMaxima(eroded, block_px), BlockMaxima(saliency, block_px));
+  cv::Mat peaks;
+  cv::resize(LabelRegionalMaxima(opened), peaks, opened.size() * block_px, 0, 0, cv::INTER_NEAREST);
+  return peaks(cv::Rect({}, saliency.size()));
 }
 
 std::vector<std::vector<cv::Point>> PixelsOfPeaks(const cv::Mat& peaks) {
@@ -58,11 +88,11 @@ std::optional<cv::Point> PixelOfPeak(const std::vector<cv::Point>& pixels, const
 }  // namespace
 
 SeedCandidates FindSeeds(const cv::Mat& saliency, const cv::Mat& points, Seed::Source source,
-                         const SeedOptions& options) {
+                         const SeedOptions& options, int block_px) {
   const int radius_px = cvRound(options.disk_radius_px * saliency.cols / 640);
-  const cv::Mat opened = ReconstructByDilation(ErodeByDisk(saliency, radius_px), saliency);
+  const cv::Mat peaks = FindPeaks(saliency, radius_px, block_px);
   SeedCandidates candidates;
-  for (const std::vector<cv::Point>& peak : PixelsOfPeaks(LabelRegionalMaxima(opened))) {
+  for (const std::vector<cv::Point>& peak : PixelsOfPeaks(peaks)) {
     const std::optional<cv::Point> pixel = PixelOfPeak(peak, points, options.on_peak);
     if (!pixel) {
       ++candidates.without_depth;

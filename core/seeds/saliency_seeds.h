@@ -28,8 +28,9 @@ struct SeedCandidates {
 
 // Opening by reconstruction with a disk, regional maxima, one seed for each flat peak.
 //
-// `saliency`: CV_32FC1 without NaN; `points`: CV_32FC3 of the same size, NaN = none.
+// `saliency`: CV_32FC1 without NaN, constant in square blocks of `block_px` pixels, which saves
+// time if they are more than one; `points`: CV_32FC3 of the same size, NaN = none.
 SeedCandidates FindSeeds(const cv::Mat& saliency, const cv::Mat& points, Seed::Source source,
-                         const SeedOptions& options = {});
+                         const SeedOptions& options = {}, int block_px = 1);
 
 }  // namespace fovea

@@ -1,11 +1,13 @@
 #include "core/segmentation/voxel_grid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <opencv2/core.hpp>
 
 #include "core/segmentation/cell_index.h"
+#include "core/types/widest_registers.h"
 
 namespace fovea {
 namespace {
@@ -26,57 +28,93 @@ std::vector<Eigen::Vector3i> HalfNeighborhood(int reach, int axes) {
   return offsets;
 }
 
-// The cells of the lattice, for points of which many in a row have the same depth.
-class Lattice {
+// The cells of the points of an image row.
+class RowCells {
  public:
-  explicit Lattice(const VoxelOptions& options)
-      : size_(static_cast<float>(options.size_m)), perspective_(options.perspective) {}
+  RowCells(int cols, const VoxelOptions& options)
+      : size_(static_cast<float>(options.size_m)), perspective_(options.perspective) {
+    for (std::vector<float>& places : places_) places.resize(cols);
+    for (std::vector<int>& cells : cells_) cells.resize(cols);
+  }
 
-  Eigen::Vector3i CellOf(const Eigen::Vector3f& p) {
-    const Eigen::Vector3f place =
-        perspective_ ? Eigen::Vector3f(p.x() / p.z(), p.y() / p.z(), LogOf(p.z())) : p;
-    return {cvFloor(place.x() / size_), cvFloor(place.y() / size_), cvFloor(place.z() / size_)};
+  // Cells of pixels without a point mean nothing.
+  FOVEA_INLINE void Set(const cv::Vec3f* points) {
+    const std::size_t cols = places_[0].size();
+    for (std::size_t col = 0; col < cols; ++col) {
+      const cv::Vec3f& p = points[col];
+      const float scale = perspective_ ? p[2] : 1.0F;
+      places_[0][col] = p[0] / scale;
+      places_[1][col] = p[1] / scale;
+      places_[2][col] = p[2];
+    }
+    if (perspective_) TakeLogarithms(places_[2]);
+    for (std::size_t axis = 0; axis < places_.size(); ++axis) {
+      const float* places = places_[axis].data();
+      int* cells = cells_[axis].data();
+      for (std::size_t col = 0; col < cols; ++col) cells[col] = Floor(places[col] / size_);
+    }
+  }
+
+  Eigen::Vector3i At(int col) const { return {cells_[0][col], cells_[1][col], cells_[2][col]}; }
+  bool AreOne(int a, int b) const {
+    return cells_[0][a] == cells_[0][b] && cells_[1][a] == cells_[1][b] &&
+           cells_[2][a] == cells_[2][b];
   }
 
  private:
-  float LogOf(float z) {
-    if (z != last_z_) last_log_ = std::log(z);
-    last_z_ = z;
-    return last_log_;
+  // Many in a row have the same depth.
+  static void TakeLogarithms(std::vector<float>& values) {
+    float last = 1, last_log = 0;
+    for (float& value : values) {
+      if (value != last) last_log = std::log(value);
+      last = value;
+      value = last_log;
+    }
+  }
+  // Without a branch, for loops that the compiler vectorises.
+  static FOVEA_INLINE int Floor(float value) {
+    const int truncated = static_cast<int>(value == value ? value : 0.0F);  // NaN has no int
+    return truncated - (static_cast<float>(truncated) > value ? 1 : 0);
   }
 
   float size_;
   bool perspective_;
-  float last_z_ = 1;
-  float last_log_ = 0;
+  std::array<std::vector<float>, 3> places_;  // x, y, z or x/z, y/z, ln z
+  std::array<std::vector<int>, 3> cells_;
 };
+
+// Adds the points of the pixels first … end - 1 to a voxel.
+void AddPoints(const cv::Vec3f* points, const cv::Vec3f* normals, int first, int end,
+               Voxel& voxel) {
+  Eigen::Vector3f mean = voxel.mean, normal = voxel.normal;
+  for (int col = first; col < end; ++col) {
+    mean += Eigen::Vector3f(points[col][0], points[col][1], points[col][2]);
+    const cv::Vec3f& n = normals[col];
+    if (!std::isnan(n[0])) normal += Eigen::Vector3f(n[0], n[1], n[2]);
+  }
+  voxel.mean = mean;
+  voxel.normal = normal;
+  voxel.num_points += end - first;
+}
 
 // Adds each point to its voxel; means and normals are sums until Finish.
 CellIndex CollectVoxels(const cv::Mat& points, const cv::Mat& normals, const VoxelOptions& options,
                         VoxelGrid& grid) {
-  CellIndex index(points.total() / 16);
-  Lattice lattice(options);
-  int last = -1;  // neighbouring pixels are mostly of the same voxel
+  CellIndex index(points.total() / 64);
+  RowCells cells(points.cols, options);
   for (int row = 0; row < points.rows; ++row) {
     const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
-    const cv::Vec3f* normal = normals.ptr<cv::Vec3f>(row);
     int* voxel_of_pixel = grid.voxel_of_pixel.ptr<int>(row);
-    for (int col = 0; col < points.cols; ++col) {
-      const cv::Vec3f& p = point[col];
-      if (std::isnan(p[2])) continue;
-      const Eigen::Vector3f position(p[0], p[1], p[2]);
-      const Eigen::Vector3i cell = lattice.CellOf(position);
-      if (last < 0 || grid.voxels[last].cell != cell) {
-        const int next = static_cast<int>(grid.voxels.size());
-        last = index.FindOrAdd(cell, next);
-        if (last == next) grid.voxels.push_back({.cell = cell});
-      }
-      Voxel& voxel = grid.voxels[last];
-      voxel.mean += position;
-      const cv::Vec3f& n = normal[col];
-      if (!std::isnan(n[0])) voxel.normal += Eigen::Vector3f(n[0], n[1], n[2]);
-      ++voxel.num_points;
-      voxel_of_pixel[col] = last;
+    RunInWidestRegisters([&] { cells.Set(point); });
+    for (int first = 0, end = 1; first < points.cols; first = end++) {
+      if (std::isnan(point[first][2])) continue;
+      while (end < points.cols && !std::isnan(point[end][2]) && cells.AreOne(first, end)) ++end;
+      const Eigen::Vector3i cell = cells.At(first);
+      const int next = static_cast<int>(grid.voxels.size());
+      const int voxel = index.FindOrAdd(cell, next);
+      if (voxel == next) grid.voxels.push_back({.cell = cell});
+      AddPoints(point, normals.ptr<cv::Vec3f>(row), first, end, grid.voxels[voxel]);
+      std::fill(voxel_of_pixel + first, voxel_of_pixel + end, voxel);
     }
   }
   return index;

@@ -1,13 +1,12 @@
 // Eight floats side by side, in the widest registers that the machine has. Each lane computes what
-// a float on its own would, so the answer has the same bits in registers of any width.
+// a float on its own would, so the answer has the same bits in registers of any width. Source files
+// that use them need -Wno-psabi: they are only passed to inlined functions, so how does not matter.
 #pragma once
 
 #include <cstddef>
 #include <cstring>
 
-// Code on lanes is inlined into a function that may be compiled for wider registers than the rest
-// of the program. Its source files need -Wno-psabi: how lanes are passed does not matter then.
-#define FOVEA_INLINE __attribute__((always_inline)) inline
+#include "core/types/widest_registers.h"
 
 namespace fovea {
 
@@ -38,22 +37,6 @@ FOVEA_INLINE float LargestLane(const Lanes& values) {
   Lanes most = Larger(values, __builtin_shufflevector(values, values, 4, 5, 6, 7, 0, 1, 2, 3));
   most = Larger(most, __builtin_shufflevector(most, most, 2, 3, 0, 1, 6, 7, 4, 5));
   return most[0] > most[1] ? most[0] : most[1];
-}
-
-#ifdef __x86_64__
-template <typename Function>
-__attribute__((target("avx2"), flatten)) void RunWithAvx2(const Function& function) {
-  function();
-}
-#endif
-
-// Calls the function, compiled once more for wider registers where the machine has those.
-template <typename Function>
-void RunInWidestRegisters(const Function& function) {
-#ifdef __x86_64__
-  if (__builtin_cpu_supports("avx2")) return RunWithAvx2(function);
-#endif
-  function();
 }
 
 }  // namespace fovea

@@ -64,6 +64,24 @@ TEST(FindSeeds, ScalesTheDiskWithTheWidth) {
   EXPECT_TRUE(FindSeeds(map, points, kColor, {.disk_radius_px = 20}).seeds.empty());
 }
 
+TEST(FindSeeds, FindsTheSameInAMapOfBlocksWhenToldOfThem) {
+  const cv::Size size(637, 198);  // no multiple of a block
+  cv::Mat small(size.height / 4 + 1, size.width / 4 + 1, CV_8UC1), map;
+  cv::RNG(3).fill(small, cv::RNG::UNIFORM, 0, 12);
+  cv::GaussianBlur(small, small, {5, 5}, 0);
+  cv::resize(small, map, small.size() * 4, 0, 0, cv::INTER_NEAREST);
+  map(cv::Rect({}, size)).convertTo(map, CV_32F);
+  for (const double radius_px : {3.0, 5.0, 20.0}) {
+    const auto all = FindSeeds(map, FlatPoints(size), kColor, {.disk_radius_px = radius_px});
+    const auto blocks = FindSeeds(map, FlatPoints(size), kColor, {.disk_radius_px = radius_px}, 4);
+    ASSERT_EQ(blocks.seeds.size(), all.seeds.size());
+    EXPECT_GE(all.seeds.size(), radius_px < 10 ? 4U : 0U);
+    for (std::size_t i = 0; i < all.seeds.size(); ++i) {
+      EXPECT_EQ(blocks.seeds[i].pixel, all.seeds[i].pixel);
+    }
+  }
+}
+
 TEST(FindSeeds, FindsNothingInAConstantMap) {
   const cv::Mat map(50, 640, CV_32FC1, cv::Scalar(0.5F));
   const auto found = FindSeeds(map, FlatPoints(map.size()), kColor);
