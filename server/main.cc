@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "server/command_line.h"
+#include "server/compute_process.h"
 #include "server/process.h"
 #include "server/server.h"
 #include "server/watching/metrics_endpoint.h"
@@ -70,7 +71,7 @@ int Run(int argc, char** argv) {
   if (!options) return EXIT_SUCCESS;
 
   fovea::server::SetUpLogging(options->log_level);
-  fovea::server::SetUpProcess(NumComputeThreads(*options));
+  fovea::server::SetUpComputing(NumComputeThreads(*options));
   fovea::server::Server server(*options);
   std::cout << "listening on " << server.Address() << std::endl;
   if (options->insecure) spdlog::warn("other machines may call unprotected (--insecure)");

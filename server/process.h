@@ -1,4 +1,4 @@
-// What is set once for the whole process.
+// The log of the whole process.
 #pragma once
 
 #include <string>
@@ -8,8 +8,5 @@ namespace fovea::server {
 // To stderr. `level`: trace, debug, info, warn, error or off.
 void SetUpLogging(const std::string& level);
 void SetLogLevel(const std::string& level);
-
-// Memory and threads for `num_threads` detections side by side. Before any thread starts.
-void SetUpProcess(int num_threads);
 
 }  // namespace fovea::server

@@ -2,7 +2,6 @@
 #include <benchmark/benchmark.h>
 
 #include <iterator>
-#include <opencv2/core/utility.hpp>
 #include <string>
 
 #include "core/detector.h"
@@ -13,7 +12,6 @@ namespace {
 
 // Time per frame; one counter a stage, in milliseconds.
 void DetectFrame(benchmark::State& state) {
-  cv::setNumThreads(1);
   const std::string profile = ProfileNames()[static_cast<std::size_t>(state.range(0))];
   const std::string& name = FrameNames()[static_cast<std::size_t>(state.range(1))];
   const RgbdFrame frame = ReadFrame(name);

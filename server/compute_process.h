@@ -1,0 +1,10 @@
+// What is set once for a process that detects, apart from the service, so that benchmarks run
+// alike.
+#pragma once
+
+namespace fovea::server {
+
+// Memory and threads for `num_threads` detections side by side. Before any thread starts.
+void SetUpComputing(int num_threads);
+
+}  // namespace fovea::server
