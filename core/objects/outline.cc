@@ -7,6 +7,7 @@
 
 #include "core/depth/depth_gap.h"
 #include "core/scene/image_direction.h"
+#include "core/segmentation/labels.h"
 
 namespace fovea {
 namespace {
@@ -128,6 +129,7 @@ std::vector<Outline> FindOutlines(const cv::Mat& labels, const cv::Mat& points,
     for (int col = 0; col < labels.cols; ++col) {
       if (label[col] == 0) continue;
       if (label[col] >= outlines.size()) outlines.resize(label[col] + std::size_t{1});
+      if (IsInterior(labels, row, col)) continue;
       const cv::Point pixel(col, row);
       search.CountSides(pixel, outlines[label[col]]);
       const auto direction = UpInImage(PointAt(points, pixel), intrinsics, up);

@@ -52,6 +52,18 @@ cv::Mat LabelImage(const VoxelGrid& grid, const std::vector<int>& labels) {
   return image;
 }
 
+bool IsInterior(const cv::Mat& labels, int row, int col) {
+  if (row == 0 || col == 0 || row == labels.rows - 1 || col == labels.cols - 1) return false;
+  const std::uint16_t label = labels.at<std::uint16_t>(row, col);
+  for (int r = row - 1; r <= row + 1; ++r) {
+    const auto* line = labels.ptr<std::uint16_t>(r);
+    for (int c = col - 1; c <= col + 1; ++c) {
+      if (line[c] != label) return false;
+    }
+  }
+  return true;
+}
+
 std::size_t CountLabels(const std::vector<int>& labels) {
   return labels.empty() ? 0
                         : static_cast<std::size_t>(*std::max_element(labels.begin(), labels.end()));

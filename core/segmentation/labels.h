@@ -19,6 +19,9 @@ std::vector<int> Renumbered(const std::vector<int>& labels, DisjointSets& sets);
 // The label of every pixel's voxel. Returns CV_16UC1; 0 where there is none. At most 65535 labels.
 cv::Mat LabelImage(const VoxelGrid& grid, const std::vector<int>& labels);
 
+// True if the eight neighbours of a pixel are in the image and have its label. `labels`: CV_16UC1.
+bool IsInterior(const cv::Mat& labels, int row, int col);
+
 // The highest label.
 std::size_t CountLabels(const std::vector<int>& labels);
 

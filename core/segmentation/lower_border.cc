@@ -7,6 +7,7 @@
 
 #include "core/depth/depth_gap.h"
 #include "core/scene/image_direction.h"
+#include "core/segmentation/labels.h"
 
 namespace fovea {
 namespace {
@@ -41,7 +42,7 @@ std::vector<LowerBorder> FindLowerBorders(const cv::Mat& labels, const cv::Mat& 
   for (int row = 0; row < labels.rows; ++row) {
     const auto* label = labels.ptr<std::uint16_t>(row);
     for (int col = 0; col < labels.cols; ++col) {
-      if (label[col] == 0 || !looked_at[label[col]]) continue;
+      if (label[col] == 0 || !looked_at[label[col]] || IsInterior(labels, row, col)) continue;
       const cv::Vec3f& p = points.at<cv::Vec3f>(row, col);
       const auto up_px = UpInImage({p[0], p[1], p[2]}, intrinsics, up);
       if (!up_px) continue;

@@ -33,6 +33,17 @@ TEST(Renumbered, NumbersSetsInOrderOfTheirFirstVoxel) {
   EXPECT_EQ(Renumbered({4, 0, 5, 1, 3, 2}, sets), (std::vector<int>{1, 0, 2, 3, 1, 2}));
 }
 
+TEST(IsInterior, NeedsEightNeighboursOfTheSameLabel) {
+  cv::Mat labels = cv::Mat::zeros(6, 6, CV_16UC1);
+  labels(cv::Rect(1, 1, 4, 4)).setTo(3);
+  EXPECT_TRUE(IsInterior(labels, 2, 3));
+  EXPECT_FALSE(IsInterior(labels, 1, 3));
+  labels.at<std::uint16_t>(1, 2) = 4;  // a corner away
+  EXPECT_FALSE(IsInterior(labels, 2, 3));
+  labels.setTo(3);
+  EXPECT_FALSE(IsInterior(labels, 0, 3));  // at the end of the image
+}
+
 TEST(LabelImage, GivesEachPixelTheLabelOfItsVoxel) {
   VoxelGrid grid = Chain(3);
   grid.voxel_of_pixel = (cv::Mat_<int>(2, 3) << 0, -1, 2, 1, 1, -1);
