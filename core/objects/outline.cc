@@ -12,8 +12,8 @@
 namespace fovea {
 namespace {
 
-constexpr int kEdgePx = 6;         // pixels that sensors mix at an edge
-constexpr int kReachPx = 20;       // how far to look for depth beyond it
+constexpr int kEdgePx = 6;    // pixels that sensors mix at an edge
+constexpr int kReachPx = 20;  // how far to look for depth beyond it
 
 Eigen::Vector3f PointAt(const cv::Mat& points, const cv::Point& pixel) {
   const cv::Vec3f& p = points.at<cv::Vec3f>(pixel);
