@@ -115,6 +115,7 @@ std::vector<std::optional<HollowWall>> FindHollowWalls(const VoxelGrid& grid,
   }
   const HorizontalAxes axes = HorizontalAxesFor(up);
   std::vector<std::optional<HollowWall>> walls;
+  walls.reserve(voxels.size());
   for (const std::vector<int>& of_label : voxels) {
     walls.push_back(FindWall(grid, of_label, up, axes, max_radius_m));
   }

@@ -165,6 +165,7 @@ std::vector<int> MergeUnstable(const VoxelGrid& grid, const std::vector<int>& la
   if (options.max_overhang_m <= 0 || supports.empty()) return labels;
   std::vector<Segment> segments = CollectSegments(grid, labels, supports, support_options, up);
   std::vector<char> is_high;
+  is_high.reserve(segments.size());
   for (const Segment& segment : segments) is_high.push_back(segment.lowest_m > kRest_m ? 1 : 0);
   const auto borders = FindLowerBorders(LabelImage(grid, labels), points, intrinsics, up, is_high);
   for (std::size_t label = 1; label < segments.size(); ++label) {
