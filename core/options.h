@@ -20,11 +20,11 @@
 #include "core/seeds/covering_seeds.h"
 #include "core/seeds/saliency_seeds.h"
 #include "core/segmentation/color_merge.h"
-#include "core/segmentation/mrf_energy.h"
 #include "core/segmentation/hollow_fill.h"
+#include "core/segmentation/mrf_energy.h"
 #include "core/segmentation/occlusion_merge.h"
-#include "core/segmentation/stability_merge.h"
 #include "core/segmentation/shape_merge.h"
+#include "core/segmentation/stability_merge.h"
 #include "core/segmentation/voxel_grid.h"
 
 namespace fovea {

@@ -12,7 +12,6 @@ namespace fovea {
 // The direction in the image in which a point moves when it rises along `up`; length 1 pixel. None
 // where the camera looks almost along it.
 std::optional<cv::Point2f> UpInImage(const Eigen::Vector3f& point,
-                                     const CameraIntrinsics& intrinsics,
-                                     const Eigen::Vector3f& up);
+                                     const CameraIntrinsics& intrinsics, const Eigen::Vector3f& up);
 
 }  // namespace fovea
