@@ -6,6 +6,8 @@
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
+#include "core/scene/level_axes.h"
+
 namespace fovea {
 namespace {
 
@@ -16,9 +18,8 @@ constexpr double kInsideM2 = 1e-6;
 // Any frame with `up` as its third axis; columns are its axes.
 Eigen::Matrix3f LevelFrame(const Eigen::Vector3f& up) {
   Eigen::Matrix3f frame;
+  frame.leftCols<2>() = LevelAxesFor(up).transpose();
   frame.col(2) = up;
-  frame.col(0) = up.unitOrthogonal();
-  frame.col(1) = frame.col(2).cross(frame.col(0));
   return frame;
 }
 

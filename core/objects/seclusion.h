@@ -16,8 +16,7 @@ struct Seclusion {
 };
 
 // `labels`: CV_16UC1; `depth_m`: CV_32FC1 as measured, nothing filled in, no positive number =
-// none; `pixels`: those of one label above 0. Looks up to 30 pixels far (at a width of 640, scaled
-// with it) for something measured. Cost: proportional to the number of pixels.
+// none; `pixels`: those of one label above 0. Cost: proportional to the number of pixels.
 Seclusion FindSeclusion(const cv::Mat& labels, const cv::Mat& depth_m,
                         const std::vector<cv::Point>& pixels);
 

@@ -33,10 +33,8 @@ void FillHull(const cv::Mat& part, cv::Mat& inside) {
 
 Footprint::Footprint(const std::vector<Eigen::Vector3f>& points,
                      const std::vector<Eigen::Vector3f>& above, const SupportSurface& surface,
-                     double min_area_m2, double margin_m) {
-  const Eigen::Vector3f x = surface.normal.unitOrthogonal();
-  axes_.row(0) = x;
-  axes_.row(1) = surface.normal.cross(x);
+                     double min_area_m2, double margin_m)
+    : axes_(LevelAxesFor(surface.normal)) {
   Eigen::Vector2f low = Eigen::Vector2f::Constant(std::numeric_limits<float>::max());
   Eigen::Vector2f high = -low;
   for (const Eigen::Vector3f& point : points) {

@@ -5,6 +5,7 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
+#include "core/scene/level_axes.h"
 #include "core/types/detections.h"
 
 namespace fovea {
@@ -31,9 +32,9 @@ class Footprint {
  private:
   std::vector<cv::Point> CellsOf(const std::vector<Eigen::Vector3f>& points) const;
 
-  Eigen::Matrix<float, 2, 3> axes_;  // rows: the plane's axes
-  Eigen::Vector2f origin_;           // of the grid, in plane coordinates
-  cv::Mat inside_;                   // CV_8UC1; empty = unbounded
+  LevelAxes axes_;
+  Eigen::Vector2f origin_;  // of the grid, in plane coordinates
+  cv::Mat inside_;          // CV_8UC1; empty = unbounded
   double area_m2_ = 0;
 };
 

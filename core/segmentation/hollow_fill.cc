@@ -1,8 +1,11 @@
 #include "core/segmentation/hollow_fill.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
+#include <utility>
 
+#include "core/scene/level_axes.h"
 #include "core/segmentation/disjoint_sets.h"
 #include "core/segmentation/hollow_wall.h"
 #include "core/segmentation/labels.h"
@@ -34,18 +37,30 @@ std::vector<int> JoinPieces(const std::vector<int>& labels, const Walls& walls) 
 // lies outside below a rim is parted from the inside by the wall.
 void Fill(const VoxelGrid& grid, const std::vector<char>& on_wall, const Walls& walls,
           const Eigen::Vector3f& up, std::vector<int>& labels) {
-  const HorizontalAxes axes = HorizontalAxesFor(up);
+  const LevelAxes axes = LevelAxesFor(up);
+  const auto encloses = [&](const std::optional<HollowWall>& wall, int v) {
+    const Eigen::Vector3f& point = grid.voxels[v].mean;
+    return wall && Encloses(*wall, (axes * point).cast<double>(), up.dot(point));
+  };
+  const auto takes_part = [&](int v) {
+    if (labels[v] != 0) return walls[labels[v]].has_value();
+    return !on_wall[v] && std::any_of(walls.begin(), walls.end(),
+                                      [&](const auto& wall) { return encloses(wall, v); });
+  };
+  std::vector<char> parts;
+  parts.reserve(labels.size());
+  for (int v = 0; v < static_cast<int>(labels.size()); ++v) parts.push_back(takes_part(v) ? 1 : 0);
+  std::vector<VoxelEdge> edges;
+  std::copy_if(grid.edges.begin(), grid.edges.end(), std::back_inserter(edges),
+               [&](const VoxelEdge& edge) { return parts[edge.a] != 0 && parts[edge.b] != 0; });
   const auto spread = [&](int from, int to) {
-    const std::optional<HollowWall>& wall = walls[labels[from]];
-    if (!wall || labels[to] != 0 || on_wall[to]) return false;
-    const Eigen::Vector3f& point = grid.voxels[to].mean;
-    if (!Encloses(*wall, (axes * point).cast<double>(), up.dot(point))) return false;
+    if (labels[to] != 0 || !encloses(walls[labels[from]], to)) return false;
     labels[to] = labels[from];
     return true;
   };
   for (bool changed = true; changed;) {
     changed = false;
-    for (const VoxelEdge& edge : grid.edges) {
+    for (const VoxelEdge& edge : edges) {
       if (spread(edge.a, edge.b) || spread(edge.b, edge.a)) changed = true;
     }
   }
@@ -64,8 +79,7 @@ std::vector<int> FillHollows(const VoxelGrid& grid, const std::vector<int>& labe
     return filled;
   }
   Fill(grid, on_wall, walls, up, filled);
-  DisjointSets as_they_are(static_cast<int>(walls.size()));
-  return Renumbered(filled, as_they_are);
+  return Renumbered(std::move(filled));
 }
 
 }  // namespace fovea

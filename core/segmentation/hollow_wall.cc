@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/scene/level_axes.h"
 #include "core/segmentation/labels.h"
 
 namespace fovea {
@@ -62,7 +63,7 @@ std::vector<int> UpperHalf(const VoxelGrid& grid, std::vector<int> voxels,
 
 // Whether the voxels follow the circle and show its inside.
 bool IsInsideOfWall(const VoxelGrid& grid, const std::vector<int>& voxels, const Places& places,
-                    const HorizontalAxes& axes, const HollowWall& wall) {
+                    const LevelAxes& axes, const HollowWall& wall) {
   double squares = 0, inwards = 0, steepness = 0;
   for (std::size_t i = 0; i < voxels.size(); ++i) {
     const Eigen::Vector2d way = wall.center - places[i];
@@ -78,7 +79,7 @@ bool IsInsideOfWall(const VoxelGrid& grid, const std::vector<int>& voxels, const
 }
 
 std::optional<HollowWall> FindWall(const VoxelGrid& grid, const std::vector<int>& voxels,
-                                   const Eigen::Vector3f& up, const HorizontalAxes& axes,
+                                   const Eigen::Vector3f& up, const LevelAxes& axes,
                                    double max_radius_m) {
   if (voxels.size() < kMinVoxels) return std::nullopt;
   const std::vector<int> upper = UpperHalf(grid, voxels, up);
@@ -98,13 +99,6 @@ std::optional<HollowWall> FindWall(const VoxelGrid& grid, const std::vector<int>
 
 }  // namespace
 
-HorizontalAxes HorizontalAxesFor(const Eigen::Vector3f& up) {
-  HorizontalAxes axes;
-  axes.row(0) = up.unitOrthogonal();
-  axes.row(1) = up.cross(axes.row(0).transpose());
-  return axes;
-}
-
 std::vector<std::optional<HollowWall>> FindHollowWalls(const VoxelGrid& grid,
                                                        const std::vector<int>& labels,
                                                        const Eigen::Vector3f& up,
@@ -113,7 +107,7 @@ std::vector<std::optional<HollowWall>> FindHollowWalls(const VoxelGrid& grid,
   for (int v = 0; v < static_cast<int>(labels.size()); ++v) {
     if (labels[v] != 0) voxels[labels[v]].push_back(v);
   }
-  const HorizontalAxes axes = HorizontalAxesFor(up);
+  const LevelAxes axes = LevelAxesFor(up);
   std::vector<std::optional<HollowWall>> walls;
   walls.reserve(voxels.size());
   for (const std::vector<int>& of_label : voxels) {

@@ -11,15 +11,11 @@ namespace fovea {
 
 // A wall that stands around a vertical axis.
 struct HollowWall {
-  Eigen::Vector2d center = Eigen::Vector2d::Zero();  // of its circle; in HorizontalAxes, metres
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();  // of its circle; in LevelAxesFor(up), metres
   double radius_m = 0;
   double rim_m = 0;   // height along up of its top
   double foot_m = 0;  // and of its lowest visible part
 };
-
-// Two axes of the horizontal plane, as rows: what they take a point to is its place.
-using HorizontalAxes = Eigen::Matrix<float, 2, 3>;
-HorizontalAxes HorizontalAxesFor(const Eigen::Vector3f& up);
 
 // One entry a label, the background's first: the wall that a segment is for the most part, none if
 // it bends outwards, hardly at all, or with a larger radius. `labels`: one entry a voxel; `up`:

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 namespace fovea {
-namespace {
-
-// 1 … n in order of first appearance; 0 stays.
-void NumberConsecutively(std::vector<int>& labels) {
+std::vector<int> Renumbered(std::vector<int> labels) {
   std::vector<int> number(CountLabels(labels) + 1, 0);
   int count = 0;
   for (int& label : labels) {
@@ -15,9 +13,8 @@ void NumberConsecutively(std::vector<int>& labels) {
     if (number[label] == 0) number[label] = ++count;
     label = number[label];
   }
+  return labels;
 }
-
-}  // namespace
 
 std::vector<int> SplitIntoSegments(const VoxelGrid& grid, const std::vector<int>& labels) {
   DisjointSets parts(static_cast<int>(labels.size()));
@@ -28,16 +25,14 @@ std::vector<int> SplitIntoSegments(const VoxelGrid& grid, const std::vector<int>
   for (std::size_t v = 0; v < labels.size(); ++v) {
     if (labels[v] != 0) segments[v] = parts.Find(static_cast<int>(v)) + 1;
   }
-  NumberConsecutively(segments);
-  return segments;
+  return Renumbered(std::move(segments));
 }
 
 std::vector<int> Renumbered(const std::vector<int>& labels, DisjointSets& sets) {
   std::vector<int> joined(labels.size());
   std::transform(labels.begin(), labels.end(), joined.begin(),
                  [&](int label) { return sets.Find(label); });
-  NumberConsecutively(joined);
-  return joined;
+  return Renumbered(std::move(joined));
 }
 
 cv::Mat LabelImage(const VoxelGrid& grid, const std::vector<int>& labels) {

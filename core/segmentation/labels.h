@@ -13,8 +13,10 @@ namespace fovea {
 // the argument may be any non-negative numbers.
 std::vector<int> SplitIntoSegments(const VoxelGrid& grid, const std::vector<int>& labels);
 
-// Gives all labels of a set one number, 1 … n in order of their first voxel.
+// Gives all labels of a set one number, or each label its own: 1 … n in order of their first voxel.
 std::vector<int> Renumbered(const std::vector<int>& labels, DisjointSets& sets);
+
+std::vector<int> Renumbered(std::vector<int> labels);
 
 // The label of every pixel's voxel. Returns CV_16UC1; 0 where there is none. At most 65535 labels.
 cv::Mat LabelImage(const VoxelGrid& grid, const std::vector<int>& labels);

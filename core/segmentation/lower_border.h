@@ -20,9 +20,9 @@ struct LowerBorder {
 };
 
 // One entry a label, the background's first; empty for labels of which `looked_at` is 0. `labels`:
-// CV_16UC1, below looked_at.size(); `points`: CV_32FC3, NaN = none; `up`: unit vector. Looks across
-// up to 30 pixels without depth (at a width of 640, scaled with it). A camera that looks straight
-// down sees no lower borders. Cost: proportional to the image.
+// CV_16UC1, below looked_at.size(); `points`: CV_32FC3, NaN = none; `up`: unit vector. Looks
+// across shadows, like DepthBeyond. A camera that looks straight down sees no lower borders. Cost:
+// proportional to the image.
 std::vector<LowerBorder> FindLowerBorders(const cv::Mat& labels, const cv::Mat& points,
                                           const CameraIntrinsics& intrinsics,
                                           const Eigen::Vector3f& up,

@@ -52,7 +52,7 @@ struct Segment {
   // One sees past its lower border, and it is so high for its width that nothing hidden below it
   // can carry it.
   bool HangsFree() const {
-    if (border.num_free <= kMinFree * border.num_pixels) return false;
+    if (places.empty() || border.num_free <= kMinFree * border.num_pixels) return false;
     std::vector<cv::Point2f> hull;
     cv::convexHull(places, hull);
     return lowest_m > std::max(kRest_m, kMinHeight * std::sqrt(cv::contourArea(hull)));
@@ -144,7 +144,7 @@ std::pair<int, int> MostUnstable(const std::vector<Segment>& segments, const Con
   int unstable = 0;
   double largest_m = max_overhang_m;
   for (int label = 1; label < static_cast<int>(segments.size()); ++label) {
-    if (segments[label].places.empty() || !segments[label].HangsFree()) continue;
+    if (!segments[label].HangsFree()) continue;
     const double overhang_m = Overhang(label, segments, contacts);
     if (overhang_m <= largest_m) continue;
     largest_m = overhang_m;
@@ -171,6 +171,9 @@ std::vector<int> MergeUnstable(const VoxelGrid& grid, const std::vector<int>& la
   for (std::size_t label = 1; label < segments.size(); ++label) {
     segments[label].border = borders[label];
   }
+  const bool any_hangs = std::any_of(segments.begin() + 1, segments.end(),
+                                     [](const Segment& segment) { return segment.HangsFree(); });
+  if (!any_hangs) return labels;
   Contacts contacts = CollectContacts(grid, labels);
   DisjointSets objects(static_cast<int>(segments.size()));
   while (true) {

@@ -1,3 +1,4 @@
+// Which threads give way to others.
 #pragma once
 
 namespace fovea::server {
