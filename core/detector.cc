@@ -184,11 +184,13 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   // Section 3.3: touching segments that look alike are one object.
   const std::vector<int> segments = SplitIntoSegments(grid, labels);
   std::vector<int> objects = MergeByColor(grid, segments, frame.color_rgb, options.color_merge);
-  objects = MergeByShape(grid, objects, frame.color_rgb, options.shape_merge);
+  const std::vector<MeanColor> colors = ColorsOfVoxels(grid, segments, frame.color_rgb);
+  objects = MergeParts(grid, objects, colors, frame.intrinsics, -result.gravity.direction,
+                       options.part_merge);
   if (!supports.empty()) {
     objects = FillHollows(grid, objects, on_wall, -result.gravity.direction, options.hollow_fill);
   }
-  objects = MergeOccluded(grid, objects, points, frame.color_rgb, -result.gravity.direction,
+  objects = MergeOccluded(grid, objects, points, colors, -result.gravity.direction,
                           options.occlusion_merge);
   objects = MergeUnstable(grid, objects, points, frame.intrinsics, supports, options.support,
                           -result.gravity.direction, options.stability_merge);
@@ -209,7 +211,7 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
                   options.objects, result);
   counts.messages = ExplainLosses(result);
   clock.Finish("objects");
-  if (trace != nullptr) *trace = {color_saliency, depth_saliency, seeds};
+  if (trace != nullptr) *trace = {color_saliency, depth_saliency, seeds, grid, segments};
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "core/options.h"
+#include "core/trace.h"
 #include "core/types/cancelled.h"
 #include "core/types/detections.h"
 #include "core/types/rgbd_frame.h"

@@ -23,7 +23,7 @@
 #include "core/segmentation/hollow_fill.h"
 #include "core/segmentation/mrf_energy.h"
 #include "core/segmentation/occlusion_merge.h"
-#include "core/segmentation/shape_merge.h"
+#include "core/segmentation/part_merge.h"
 #include "core/segmentation/stability_merge.h"
 #include "core/segmentation/voxel_grid.h"
 
@@ -45,7 +45,7 @@ struct DetectorOptions {
   CoverOptions cover;
   MrfOptions mrf;
   ColorMergeOptions color_merge;
-  ShapeMergeOptions shape_merge;
+  PartMergeOptions part_merge;
   HollowFillOptions hollow_fill;
   OcclusionMergeOptions occlusion_merge;
   StabilityMergeOptions stability_merge;

@@ -51,13 +51,9 @@ DetectorOptions Default() {
   options.mrf.cluster_min_share = 0.85;
   options.mrf.concave_angle_deg = 12;
   options.mrf.step_weight = 0.5;
-  // Shape joins the parts of an object; textures would part them, so colour only adds to it.
+  // Shape, colour and size together tell the parts of an object; textures would part them.
   options.color_merge.min_correlation = 1;
-  options.shape_merge.max_concavity_deg = 15;
-  options.shape_merge.color_weight_deg = 0.3;
-  options.shape_merge.reach_cells = 1;
-  options.shape_merge.min_contact = 1.8;
-  options.shape_merge.plane_noise_per_m = 0.006;
+  options.part_merge.min_probability = 0.5;
   options.hollow_fill.max_radius_m = 0.2;
   options.occlusion_merge.min_shared_surface = 0.3;
   options.occlusion_merge.max_color_distance = 60;

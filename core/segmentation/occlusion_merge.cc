@@ -13,7 +13,7 @@
 #include "core/segmentation/gap.h"
 #include "core/segmentation/image_borders.h"
 #include "core/segmentation/labels.h"
-#include "core/segmentation/segment_color.h"
+#include "core/segmentation/mean_color.h"
 
 namespace fovea {
 namespace {
@@ -106,14 +106,14 @@ double SharedSurface(const VoxelGrid& grid, const std::vector<int>& a, const std
 class Evidence {
  public:
   Evidence(const VoxelGrid& grid, const std::vector<int>& labels, const cv::Mat& points,
-           const cv::Mat& color_rgb, const Eigen::Vector3f& up,
+           const std::vector<MeanColor>& colors, const Eigen::Vector3f& up,
            const OcclusionMergeOptions& options)
       : grid_(grid),
         options_(options),
         points_(points),
         up_(up),
         segments_(Collect(grid, labels, up)),
-        colors_(ColorsOfSegments(grid, labels, color_rgb)),
+        colors_(ColorsOfSegments(labels, colors)),
         image_(LabelImage(grid, labels)),
         borders_(FindImageBorders(image_, points, kBorderReachPx, kBorderStep)) {}
 
@@ -169,16 +169,26 @@ class Evidence {
  private:
   static constexpr int kMinBorderPx = 10;
   static constexpr std::size_t kMinVoxels = 10;
+  // Of the inside's radius: how far the outside lies from the axis, on average and at most; and how
+  // much of it has to.
+  static constexpr double kMinShare = 0.25;
+  static constexpr double kMaxShare = 0.92;
+  static constexpr double kWallShare = 1.1;
+  static constexpr double kMinWithin = 0.75;
 
   // True if the segment is about as far from an axis as the wall around it is: a bowl's outside is
   // narrower below its rim, something beside the bowl is farther away.
   bool LiesAround(int segment, const Eigen::Vector3f& axis, double radius_m) const {
     double sum = 0;
+    double num_within = 0;
     for (const int v : segments_[segment].voxels) {
-      sum += (Horizontal(grid_.voxels[v].mean, up_) - axis).norm();
+      const double radius = (Horizontal(grid_.voxels[v].mean, up_) - axis).norm();
+      sum += radius;
+      if (radius < kWallShare * radius_m) ++num_within;
     }
-    const double share = sum / static_cast<double>(segments_[segment].voxels.size()) / radius_m;
-    return share >= 0.25 && share <= 1.1;
+    const auto count = static_cast<double>(segments_[segment].voxels.size());
+    const double share = sum / count / radius_m;
+    return share >= kMinShare && share <= kMaxShare && num_within >= kMinWithin * count;
   }
 
   const VoxelGrid& grid_;
@@ -186,7 +196,7 @@ class Evidence {
   const cv::Mat& points_;
   const Eigen::Vector3f up_;
   std::vector<Segment> segments_;
-  std::vector<SegmentColor> colors_;
+  std::vector<MeanColor> colors_;
   cv::Mat image_;
   ImageBorders borders_;
 };
@@ -194,10 +204,10 @@ class Evidence {
 }  // namespace
 
 std::vector<int> MergeOccluded(const VoxelGrid& grid, const std::vector<int>& labels,
-                               const cv::Mat& points, const cv::Mat& color_rgb,
+                               const cv::Mat& points, const std::vector<MeanColor>& colors,
                                const Eigen::Vector3f& up, const OcclusionMergeOptions& options) {
   if (options.min_shared_surface <= 0 && options.min_hollow_curvature_per_m <= 0) return labels;
-  const Evidence evidence(grid, labels, points, color_rgb, up, options);
+  const Evidence evidence(grid, labels, points, colors, up, options);
   DisjointSets objects(evidence.NumSegments());
   for (const auto& [pair, border] : evidence.Borders()) {
     const auto [a, b] = pair;

@@ -5,6 +5,7 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
+#include "core/segmentation/mean_color.h"
 #include "core/segmentation/voxel_grid.h"
 
 namespace fovea {
@@ -17,17 +18,17 @@ struct OcclusionMergeOptions {
   double max_offset_m = 0.01;      // of a point from the tangent plane of another
   double max_color_distance = 25;  // of the mean colours, CIELAB units
   // Of what lies between two parts of an object this share may show something farther away; 0 … 1.
-  double max_seen_through = 0.2;
+  double max_seen_through = 0.07;
   // A segment that bends inwards about the vertical with at least this mean curvature and whose
   // near rim another segment hides is the inside of that one; 1/m, 0 switches the merge off.
   double min_hollow_curvature_per_m = 0;
-  double max_rim_step_m = 0.03;  // between the upper ends of inside and outside
+  double max_rim_step_m = 0.02;  // between the upper ends of inside and outside
 };
 
-// `labels`: one entry a voxel, 0 = background; `points`: CV_32FC3 of the frame, `color_rgb`:
-// CV_8UC3; `up`: unit vector. Returns new labels, 1 … n in order of their first voxel.
+// `labels`: one entry a voxel, 0 = background; `points`: CV_32FC3 of the frame; `colors`: one
+// entry a voxel; `up`: unit vector. Returns new labels, 1 … n in order of their first voxel.
 std::vector<int> MergeOccluded(const VoxelGrid& grid, const std::vector<int>& labels,
-                               const cv::Mat& points, const cv::Mat& color_rgb,
+                               const cv::Mat& points, const std::vector<MeanColor>& colors,
                                const Eigen::Vector3f& up,
                                const OcclusionMergeOptions& options = {});
 

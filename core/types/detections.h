@@ -106,11 +106,4 @@ struct Detections {
   std::vector<StageTime> stage_times;  // in the order of the pipeline
 };
 
-// What a caller may want to see of the steps in between; filled only on request.
-struct Trace {
-  cv::Mat color_saliency;   // CV_32FC1 in [0, 1], frame size
-  cv::Mat depth_saliency;   // CV_32FC1 in [0, 1], frame size
-  std::vector<Seed> seeds;  // those that became object hypotheses
-};
-
 }  // namespace fovea

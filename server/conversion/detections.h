@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/trace.h"
 #include "core/types/detections.h"
 #include "fovea/v1/detection.pb.h"
 #include "fovea/v1/frame.pb.h"

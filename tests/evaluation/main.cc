@@ -6,6 +6,7 @@
 #include <opencv2/core/utility.hpp>
 
 #include "tests/evaluation/detection_command.h"
+#include "tests/evaluation/kinship_command.h"
 #include "tests/evaluation/saliency/saliency_command.h"
 
 namespace {
@@ -16,6 +17,7 @@ int Run(int argc, char** argv) {
   app.require_subcommand(1);
   fovea::evaluation::AddDetectionCommand(app);
   fovea::evaluation::AddSaliencyCommand(app);
+  fovea::evaluation::AddKinshipCommand(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,0 +1,28 @@
+// Where two segments of voxels meet.
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "core/segmentation/voxel_grid.h"
+
+namespace fovea {
+
+// Sums over pairs of voxels, one of either segment, so that boundaries of joined segments add up.
+struct Boundary {
+  double num_pairs = 0;
+  double convexity_sum_deg = 0;  // ConvexityDeg of each pair
+  double step_sum_deg = 0;       // StepDeg, without its sign
+
+  void Add(const Boundary& other);
+};
+
+using SegmentPair = std::pair<int, int>;  // first < second
+using Boundaries = std::map<SegmentPair, Boundary>;
+
+// The boundaries of all segments that touch: that have voxels which are neighbours along any of the
+// 26 directions and have normals. `labels`: one entry a voxel; the background, 0, takes no part.
+Boundaries CollectBoundaries(const VoxelGrid& grid, const std::vector<int>& labels);
+
+}  // namespace fovea

@@ -1,0 +1,39 @@
+// How likely two segments that touch are parts of one object.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "core/segmentation/boundary.h"
+#include "core/segmentation/part.h"
+
+namespace fovea {
+
+// What speaks for or against it.
+struct Kinship {
+  // How far the boundary is from one even surface, 0 … 1: edges, grooves and steps.
+  double unevenness = 0;
+  // 1 for one mean colour, towards 0 the farther the colours are apart.
+  double color_likeness = 0;
+  // Between the upper ends, as a share of the height of both: parts of boxes and cans share theirs.
+  double top_step = 0;
+  double height_m = 0;    // of both together,
+  double log_area = 0;    // natural logarithm of the area of both in m²,
+  double distance_m = 0;  // and their mean distance from the camera, along z
+};
+
+Kinship KinshipOf(const Boundary& boundary, const Part& a, const Part& b);
+
+// A linear function of what speaks for and against it, the logarithm of the odds: positive where
+// one object is more likely than two. Weights by logistic regression on segments of scenes whose
+// objects are known (`fovea-eval kinship`; docs/quality.md says which scenes).
+double LogOdds(const Kinship& kinship);
+
+// The same by number and name, for those who fit the weights.
+constexpr std::size_t kNumKinshipTerms = 6;
+using KinshipTerms = std::array<double, kNumKinshipTerms>;
+KinshipTerms TermsOf(const Kinship& kinship);
+double LogOddsOfTerms(const KinshipTerms& terms);
+const std::array<std::string_view, kNumKinshipTerms>& KinshipTermNames();
+
+}  // namespace fovea

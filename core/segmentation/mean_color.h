@@ -1,0 +1,37 @@
+// Mean colours of voxels and segments.
+#pragma once
+
+#include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "core/segmentation/voxel_grid.h"
+
+namespace fovea {
+
+// Sum over pixels, so that colours of joined parts add up.
+struct MeanColor {
+  Eigen::Vector3d lab_sum = Eigen::Vector3d::Zero();  // CIELAB, L in 0 … 100
+  double num_pixels = 0;
+
+  void Add(const MeanColor& other) {
+    lab_sum += other.lab_sum;
+    num_pixels += other.num_pixels;
+  }
+  // Distance of the means in CIELAB units.
+  double DistanceTo(const MeanColor& other) const { return (Mean() - other.Mean()).norm(); }
+
+ private:
+  Eigen::Vector3d Mean() const { return lab_sum / (num_pixels > 0 ? num_pixels : 1); }
+};
+
+// One entry a voxel; empty for voxels outside of the bounding rectangle of all that has a label
+// above 0. `color_rgb`: CV_8UC3 of the frame.
+std::vector<MeanColor> ColorsOfVoxels(const VoxelGrid& grid, const std::vector<int>& labels,
+                                      const cv::Mat& color_rgb);
+
+// One entry a label; that of the background, the first, stays empty.
+std::vector<MeanColor> ColorsOfSegments(const std::vector<int>& labels,
+                                        const std::vector<MeanColor>& voxel_colors);
+
+}  // namespace fovea

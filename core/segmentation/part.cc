@@ -1,0 +1,37 @@
+#include "core/segmentation/part.h"
+
+#include <algorithm>
+
+#include "core/segmentation/labels.h"
+
+namespace fovea {
+
+void Part::Add(const Part& other) {
+  num_voxels += other.num_voxels;
+  z_sum_m += other.z_sum_m;
+  area_m2 += other.area_m2;
+  top_m = std::max(top_m, other.top_m);
+  bottom_m = std::min(bottom_m, other.bottom_m);
+  color.Add(other.color);
+}
+
+std::vector<Part> CollectParts(const VoxelGrid& grid, const std::vector<int>& labels,
+                               const std::vector<MeanColor>& colors,
+                               const CameraIntrinsics& intrinsics, const Eigen::Vector3f& up) {
+  std::vector<Part> parts(CountLabels(labels) + 1);
+  for (std::size_t v = 0; v < labels.size(); ++v) {
+    const Voxel& voxel = grid.voxels[v];
+    const double z = voxel.mean.z();
+    const float height_m = up.dot(voxel.mean);
+    parts[labels[v]].Add(
+        {.num_voxels = 1,
+         .z_sum_m = z,
+         .area_m2 = voxel.num_points * z * z / (intrinsics.fx_px * intrinsics.fy_px),
+         .top_m = height_m,
+         .bottom_m = height_m,
+         .color = colors[v]});
+  }
+  return parts;
+}
+
+}  // namespace fovea

@@ -1,0 +1,40 @@
+// Touching segments, to be joined pair by pair.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "core/segmentation/boundary.h"
+#include "core/segmentation/disjoint_sets.h"
+#include "core/segmentation/kinship.h"
+#include "core/segmentation/part.h"
+
+namespace fovea {
+
+class SegmentGraph {
+ public:
+  // `labels`, `colors`: one entry a voxel; the background, 0, takes no part. `up`: unit vector.
+  SegmentGraph(const VoxelGrid& grid, const std::vector<int>& labels,
+               const std::vector<MeanColor>& colors, const CameraIntrinsics& intrinsics,
+               const Eigen::Vector3f& up);
+
+  // The segments that touch; a joined one goes by its lowest label.
+  const std::map<SegmentPair, Kinship>& Pairs() const { return kinships_; }
+
+  // The label by which the object of a segment goes.
+  int ObjectOf(int label) { return objects_.Find(label); }
+  DisjointSets& Objects() { return objects_; }
+
+  // Makes a pair one segment.
+  void Join(SegmentPair pair);
+
+ private:
+  void UpdateKinships(int label);
+
+  std::vector<Part> parts_;
+  Boundaries boundaries_;
+  std::map<SegmentPair, Kinship> kinships_;
+  DisjointSets objects_;
+};
+
+}  // namespace fovea
