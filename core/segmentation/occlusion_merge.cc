@@ -169,11 +169,10 @@ class Evidence {
  private:
   static constexpr int kMinBorderPx = 10;
   static constexpr std::size_t kMinVoxels = 10;
-  // Of the inside's radius: how far the outside lies from the axis, on average and at most; and how
-  // much of it has to.
+  // Of the inside's radius: how far from the axis the outside lies on average, at least and at
+  // most, and how much of it has to lie within the latter.
   static constexpr double kMinShare = 0.25;
-  static constexpr double kMaxShare = 0.92;
-  static constexpr double kWallShare = 1.1;
+  static constexpr double kMaxShare = 1.1;
   static constexpr double kMinWithin = 0.75;
 
   // True if the segment is about as far from an axis as the wall around it is: a bowl's outside is
@@ -184,7 +183,7 @@ class Evidence {
     for (const int v : segments_[segment].voxels) {
       const double radius = (Horizontal(grid_.voxels[v].mean, up_) - axis).norm();
       sum += radius;
-      if (radius < kWallShare * radius_m) ++num_within;
+      if (radius <= kMaxShare * radius_m) ++num_within;
     }
     const auto count = static_cast<double>(segments_[segment].voxels.size());
     const double share = sum / count / radius_m;

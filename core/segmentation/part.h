@@ -14,8 +14,8 @@ namespace fovea {
 // Sums and extremes, so that joined parts add up.
 struct Part {
   double num_voxels = 0;
-  double z_sum_m = 0;  // over the voxels
-  double area_m2 = 0;  // as seen from the camera
+  double z_sum_m = 0;                                // over the voxels
+  double area_m2 = 0;                                // as seen from the camera
   float top_m = -std::numeric_limits<float>::max();  // heights along up
   float bottom_m = std::numeric_limits<float>::max();
   MeanColor color;

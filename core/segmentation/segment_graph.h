@@ -21,8 +21,7 @@ class SegmentGraph {
   // The segments that touch; a joined one goes by its lowest label.
   const std::map<SegmentPair, Kinship>& Pairs() const { return kinships_; }
 
-  // The label by which the object of a segment goes.
-  int ObjectOf(int label) { return objects_.Find(label); }
+  // The segments of each joined one, under its lowest label.
   DisjointSets& Objects() { return objects_; }
 
   // Makes a pair one segment.

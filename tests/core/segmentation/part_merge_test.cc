@@ -1,8 +1,9 @@
-#include "core/segmentation/shape_merge.h"
+#include "core/segmentation/part_merge.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/core.hpp>
 
 namespace fovea {
@@ -37,77 +38,96 @@ Scene TwoFaces(float slope, const cv::Vec3b& right_color) {
   return scene;
 }
 
-constexpr ShapeMergeOptions kOptions{.max_concavity_deg = 12, .color_weight_deg = 0.2};
-
-std::size_t SegmentsLeft(const Scene& scene, const ShapeMergeOptions& options) {
-  const auto merged = MergeByShape(scene.grid, scene.labels, scene.color, options);
-  return static_cast<std::size_t>(*std::max_element(merged.begin(), merged.end()));
-}
+constexpr PartMergeOptions kOptions{.min_probability = 0.5};
+constexpr CameraIntrinsics kCamera{100, 100, 19.5, 9.5};  // a pixel is a centimetre at 1 m
+const Eigen::Vector3f kUp(0, -1, 0);
 
 const cv::Vec3b kGrey(100, 100, 100);
 const cv::Vec3b kWhite(255, 255, 255);
 
-TEST(MergeByShape, JoinsFlatAndConvexFacesAndKeepsConcaveOnesApart) {
+std::size_t SegmentsLeft(const Scene& scene, const PartMergeOptions& options) {
+  const auto colors = ColorsOfVoxels(scene.grid, scene.labels, scene.color);
+  const auto merged = MergeParts(scene.grid, scene.labels, colors, kCamera, kUp, options);
+  return static_cast<std::size_t>(*std::max_element(merged.begin(), merged.end()));
+}
+
+TEST(MergeParts, JoinsOneEvenSurfaceAndKeepsGroovesApart) {
   EXPECT_EQ(SegmentsLeft(TwoFaces(0, kGrey), kOptions), 1U);
-  EXPECT_EQ(SegmentsLeft(TwoFaces(1, kGrey), kOptions), 1U);   // falls away: an edge
-  EXPECT_EQ(SegmentsLeft(TwoFaces(-1, kGrey), kOptions), 2U);  // comes nearer: a groove
+  EXPECT_EQ(SegmentsLeft(TwoFaces(-1, kWhite), kOptions), 2U);
 }
 
-TEST(MergeByShape, AcceptsGroovesUpToTheLimit) {
-  const Scene groove = TwoFaces(-0.3F, kGrey);  // 16.7°
-  EXPECT_EQ(SegmentsLeft(groove, {.max_concavity_deg = 16}), 2U);
-  EXPECT_EQ(SegmentsLeft(groove, {.max_concavity_deg = 18}), 1U);
+TEST(MergeParts, IsOffAtOne) {
+  EXPECT_EQ(SegmentsLeft(TwoFaces(0, kGrey), {.min_probability = 1}), 2U);
 }
 
-TEST(MergeByShape, WeighsAColorDifferenceAgainstShape) {
-  const Scene flat = TwoFaces(0, kWhite);  // L* 42 against 100
-  EXPECT_EQ(SegmentsLeft(flat, {.max_concavity_deg = 12, .color_weight_deg = 0.1}), 1U);
-  EXPECT_EQ(SegmentsLeft(flat, {.max_concavity_deg = 12, .color_weight_deg = 0.3}), 2U);
-}
-
-TEST(MergeByShape, IsOffAtZero) {
-  EXPECT_EQ(SegmentsLeft(TwoFaces(0, kGrey), {.max_concavity_deg = 0}), 2U);
-}
-
-TEST(MergeByShape, DoesNotTouchTheBackground) {
+TEST(MergeParts, DoesNotTouchTheBackground) {
   Scene scene = TwoFaces(0, kGrey);
   std::replace(scene.labels.begin(), scene.labels.end(), 2, 0);
-  EXPECT_EQ(MergeByShape(scene.grid, scene.labels, scene.color, kOptions), scene.labels);
+  const auto colors = ColorsOfVoxels(scene.grid, scene.labels, scene.color);
+  EXPECT_EQ(MergeParts(scene.grid, scene.labels, colors, kCamera, kUp, kOptions), scene.labels);
 }
 
-// The left face reaches the right one in its first rows only.
-Scene WithContactOf(int rows) {
+SegmentGraph GraphOf(const Scene& scene) {
+  return {scene.grid, scene.labels, ColorsOfVoxels(scene.grid, scene.labels, scene.color), kCamera,
+          kUp};
+}
+
+Kinship KinshipIn(const Scene& scene) { return GraphOf(scene).Pairs().at({1, 2}); }
+
+TEST(MergeParts, JoinsWhatIsLikelyEnough) {
+  const Scene groove = TwoFaces(-1, kWhite);
+  const double probability = 1 / (1 + std::exp(-LogOdds(KinshipIn(groove))));
+  EXPECT_EQ(SegmentsLeft(groove, {.min_probability = 0.99 * probability}), 1U);
+  EXPECT_EQ(SegmentsLeft(groove, {.min_probability = 1.01 * probability}), 2U);
+}
+
+TEST(KinshipOf, MeasuresWhatSpeaksForOneObject) {
+  const Kinship flat = KinshipIn(TwoFaces(0, kGrey));
+  EXPECT_NEAR(flat.unevenness, 0, 1e-6);
+  EXPECT_NEAR(flat.color_likeness, 1, 1e-6);
+  EXPECT_NEAR(flat.top_step, 0, 1e-6);
+  EXPECT_NEAR(flat.height_m, 0.19, 1e-6);            // between the centres of 20 rows
+  EXPECT_NEAR(flat.log_area, std::log(0.08), 0.02);  // 20 × 40 pixels at 1.005 m
+  EXPECT_NEAR(flat.distance_m, 1.005, 1e-6);
+}
+
+TEST(KinshipOf, FallsWithBendsAndDifferencesOfColor) {
+  const Kinship flat = KinshipIn(TwoFaces(0, kGrey));
+  const Kinship groove = KinshipIn(TwoFaces(-1, kGrey));
+  const Kinship edge = KinshipIn(TwoFaces(1, kGrey));
+  EXPECT_GT(groove.unevenness, 0.8);  // 45°
+  EXPECT_NEAR(groove.unevenness, edge.unevenness, 0.05);
+  EXPECT_LT(LogOdds(groove), LogOdds(flat));
+  const Kinship two_colors = KinshipIn(TwoFaces(0, kWhite));  // L* 42 and 100
+  EXPECT_NEAR(two_colors.color_likeness, std::exp(-58.0 / 12), 0.002);
+  EXPECT_LT(LogOdds(two_colors), LogOdds(flat));
+}
+
+TEST(KinshipOf, SeesTheStepBetweenTheTops) {
   Scene scene = TwoFaces(0, kGrey);
-  for (std::size_t v = 0; v < scene.labels.size(); ++v) {
+  for (std::size_t v = 0; v < scene.labels.size(); ++v) {  // the right face begins 10 rows lower
     const Voxel& voxel = scene.grid.voxels[v];
-    const bool at_edge = voxel.mean.x() < 0 && voxel.mean.x() > -0.02F;
-    if (at_edge && voxel.mean.y() > 0.01F * static_cast<float>(rows)) scene.labels[v] = 0;
+    if (scene.labels[v] == 2 && voxel.mean.y() < 0.1F) scene.labels[v] = 0;
   }
-  return scene;
+  EXPECT_NEAR(KinshipIn(scene).top_step, 0.1 / 0.19, 1e-3);
 }
 
-TEST(MergeByShape, KeepsApartWhatMerelyTouches) {
-  ShapeMergeOptions options = kOptions;
-  options.reach_cells = 1;
-  EXPECT_EQ(SegmentsLeft(WithContactOf(2), options), 1U);
-  options.min_contact = 1.8;  // of 20 voxels; each voxel of contact makes about three pairs
-  EXPECT_EQ(SegmentsLeft(WithContactOf(2), options), 2U);
-  EXPECT_EQ(SegmentsLeft(WithContactOf(18), options), 1U);
-}
-
-TEST(MergeByShape, JoinsAPlaneWhoseNormalsAreNoise) {
+TEST(SegmentGraph, AddsUpWhatItJoins) {
   Scene scene = TwoFaces(0, kGrey);
-  for (Voxel& voxel : scene.grid.voxels) {  // as at a groove
-    voxel.normal = Eigen::Vector3f(voxel.mean.x() < 0 ? 0.5F : -0.5F, 0, -1).normalized();
-    voxel.mean.z() += 0.002F * static_cast<float>(voxel.cell.x() % 2);
+  for (std::size_t v = 0; v < scene.labels.size(); ++v) {  // a third one in the lower right
+    const Voxel& voxel = scene.grid.voxels[v];
+    if (scene.labels[v] == 2 && voxel.mean.y() > 0.1F) scene.labels[v] = 3;
   }
-  ShapeMergeOptions options = kOptions;
-  EXPECT_EQ(SegmentsLeft(scene, options), 2U);
-  options.plane_noise_per_m = 0.0005;
-  EXPECT_EQ(SegmentsLeft(scene, options), 2U);
-  options.plane_noise_per_m = 0.006;
-  EXPECT_EQ(SegmentsLeft(scene, options), 1U);
-  EXPECT_EQ(SegmentsLeft(TwoFaces(-1, kGrey), options), 2U);
+  SegmentGraph graph = GraphOf(scene);
+  ASSERT_EQ(graph.Pairs().size(), 3U);
+  graph.Join({2, 3});
+  ASSERT_EQ(graph.Pairs().size(), 1U);
+  EXPECT_EQ(graph.Objects().Find(3), 2);
+  const KinshipTerms joined = TermsOf(graph.Pairs().at({1, 2}));
+  const KinshipTerms whole = TermsOf(KinshipIn(TwoFaces(0, kGrey)));
+  for (std::size_t i = 0; i < kNumKinshipTerms; ++i) {
+    EXPECT_NEAR(joined[i], whole[i], 1e-9) << KinshipTermNames()[i];
+  }
 }
 
 TEST(ConvexityDeg, IsTheSignedAngle) {
