@@ -1,6 +1,5 @@
 #include "client/resuming_stream.h"
 
-#include <thread>
 #include <utility>
 
 #include "client/retry.h"
@@ -16,16 +15,23 @@ ResumingStream::ResumingStream(std::shared_ptr<v1::DetectionService::Stub> stub,
       stream_(Open()) {}
 
 void ResumingStream::Send(const v1::DetectStreamRequest& request) {
-  const std::lock_guard lock(mutex_);
-  ++num_sent_;
-  if (request.has_options()) last_options_ = request.options();
-  if (!std::exchange(repeat_options_, false) || request.has_options()) {
-    stream_->Send(request);
+  std::shared_ptr<DetectStream> current;
+  std::optional<v1::DetectOptions> options;
+  {
+    const std::lock_guard lock(mutex_);
+    ++num_sent_;
+    if (request.has_options()) last_options_ = request.options();
+    if (std::exchange(repeat_options_, false) && !request.has_options()) options = last_options_;
+    current = stream_;
+  }
+  // Not under the lock: where the server takes nothing in, this waits, and Cancel() has to end it.
+  if (!options) {
+    current->Send(request);
     return;
   }
   v1::DetectStreamRequest with_options = request;
-  *with_options.mutable_options() = last_options_;
-  stream_->Send(with_options);
+  *with_options.mutable_options() = std::move(*options);
+  current->Send(with_options);
 }
 
 void ResumingStream::DoneSending() {
@@ -38,6 +44,7 @@ void ResumingStream::Cancel() {
   const std::lock_guard lock(mutex_);
   canceled_ = true;
   stream_->Cancel();
+  changed_.notify_all();
 }
 
 std::optional<ResumingStream::Answer> ResumingStream::Receive() {
@@ -72,10 +79,9 @@ void ResumingStream::Resume(const DetectStream& broken) {
   const Clock::time_point now = Clock::now();
   const bool too_late = now + wait >= deadline_ || now - broken_since_ >= options_.timeout;
   if (too_late || !IsWorthRetrying(*broken.status(), broken.context())) throw;
-  std::this_thread::sleep_for(wait);
 
-  const std::lock_guard lock(mutex_);
-  if (canceled_) throw;
+  std::unique_lock lock(mutex_);
+  if (changed_.wait_for(lock, wait, [this] { return canceled_; })) throw;
   num_lost_ += num_sent_ - next_expected_;
   next_expected_ = first_of_stream_ = num_sent_;
   stream_ = Open();

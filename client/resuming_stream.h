@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -31,7 +32,7 @@ class ResumingStream {
   void Send(const v1::DetectStreamRequest& request);
   void DoneSending();
 
-  // Ends the stream, connected or not; Receive() then throws. From any thread.
+  // Ends the stream at once, connected or not; Receive() then throws. From any thread.
   void Cancel();
 
   // The next answer. Empty at the end, after DoneSending(). Throws RpcError where trying again
@@ -53,6 +54,7 @@ class ResumingStream {
   const Clock::time_point deadline_;
 
   mutable std::mutex mutex_;
+  std::condition_variable changed_;  // canceled_
   std::shared_ptr<DetectStream> stream_;
   v1::DetectOptions last_options_;
   bool repeat_options_ = false;  // the new stream does not know them yet

@@ -2,6 +2,7 @@
 #include <signal.h>
 #include <spdlog/spdlog.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -11,6 +12,7 @@
 #include "server/compute_process.h"
 #include "server/process.h"
 #include "server/server.h"
+#include "server/spare_memory.h"
 #include "server/watching/metrics_endpoint.h"
 
 namespace {
@@ -72,6 +74,7 @@ int Run(int argc, char** argv) {
 
   fovea::server::SetUpLogging(options->log_level);
   fovea::server::SetUpComputing(NumComputeThreads(*options));
+  const fovea::server::SpareMemory spare_memory(std::chrono::minutes{1});
   fovea::server::Server server(*options);
   std::cout << "listening on " << server.Address() << std::endl;
   if (options->insecure) spdlog::warn("other machines may call unprotected (--insecure)");

@@ -10,11 +10,13 @@ StreamPlaces::Place StreamPlaces::Take(const std::string& robot) {
   constexpr std::chrono::seconds kRetryAfter{1};
   const std::lock_guard lock(mutex_);
   if (num_streams_ >= max_streams_) {
-    throw Overloaded("all " + std::to_string(max_streams_) + " streams are open", kRetryAfter);
+    throw Overloaded("STREAM_LIMIT", "all " + std::to_string(max_streams_) + " streams are open",
+                     kRetryAfter);
   }
   const auto of_robot = by_robot_.find(robot);
   if (of_robot != by_robot_.end() && of_robot->second >= max_per_robot_) {
-    throw Overloaded("this robot has " + std::to_string(max_per_robot_) +
+    throw Overloaded("ROBOT_STREAM_LIMIT",
+                     "this robot has " + std::to_string(max_per_robot_) +
                          " streams open, the most that one may have",
                      kRetryAfter);
   }

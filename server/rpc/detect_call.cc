@@ -28,7 +28,7 @@ void DetectCall::Proceed(const std::function<void()>& step) {
     step();
   } catch (const Overloaded& full) {
     AddRetryAfter(full.retry_after, &context_);
-    Refuse(StatusOfCurrentException(/*deadline_passed=*/false));
+    Refuse(StatusOfCurrentException(/*deadline_passed=*/false), full.reason);
   } catch (...) {  // whatever it is, the caller gets a status
     Refuse(StatusOfCurrentException(/*deadline_passed=*/false));
   }
@@ -90,8 +90,9 @@ void DetectCall::OnGone() {
   Refuse(caller_.StatusOfGone());
 }
 
-void DetectCall::Refuse(const grpc::Status& status) {
+void DetectCall::Refuse(const grpc::Status& status, const char* reason) {
   environment_.answerer.Refuse(Request(), caller_, status);
+  environment_.metrics.OnRefused(reason != nullptr ? reason : NameOf(status.error_code()));
   const bool full = status.error_code() == grpc::StatusCode::RESOURCE_EXHAUSTED;
   stream_.FinishWithError(
       status, Then([self = shared_from_this(), full](bool) {

@@ -27,7 +27,8 @@ class DetectCall : public std::enable_shared_from_this<DetectCall> {
   void TakeTurn();
   void Deliver();
   void OnGone();
-  void Refuse(const grpc::Status& status);
+  // `reason` is what it is counted as; null: the status code.
+  void Refuse(const grpc::Status& status, const char* reason = nullptr);
   FrameRequest Request() const;
 
   const CallEnvironment& environment_;

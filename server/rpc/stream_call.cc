@@ -4,6 +4,7 @@
 
 #include "server/rpc/parse.h"
 #include "server/status.h"
+#include "server/watching/request_log.h"
 
 namespace fovea::server {
 namespace {
@@ -47,10 +48,17 @@ void StreamCall::OnRequest() {
     Open();
   } catch (const Overloaded& full) {
     AddRetryAfter(full.retry_after, &context_);
-    Finish(StatusOfCurrentException(/*deadline_passed=*/false));
+    Refuse(StatusOfCurrentException(/*deadline_passed=*/false), full.reason);
   } catch (...) {
-    Finish(StatusOfCurrentException(/*deadline_passed=*/false));
+    const grpc::Status status = StatusOfCurrentException(/*deadline_passed=*/false);
+    Refuse(status, NameOf(status.error_code()));
   }
+}
+
+void StreamCall::Refuse(const grpc::Status& status, const char* reason) {
+  LogRefusedStream(caller_.request_id(), caller_.robot(), status);
+  environment_.metrics.OnRefused(reason);
+  Finish(status);
 }
 
 void StreamCall::Open() {
@@ -59,7 +67,8 @@ void StreamCall::Open() {
     if (const auto self = weak.lock()) self->End();
   });
   if (!begun_) {
-    Finish(StatusOfStopping());
+    const grpc::Status stopping = StatusOfStopping();
+    Refuse(stopping, NameOf(stopping.error_code()));
     return;
   }
   place_ = environment_.stream_places.Take(caller_.robot());

@@ -35,6 +35,8 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
 
   void OnRequest();
   void Open();  // mutex_ is held
+  // The stream is not let in; mutex_ is held. `reason` is what it is counted as.
+  void Refuse(const grpc::Status& status, const char* reason);
   void Read();
   void OnRead();
   void OnGone();

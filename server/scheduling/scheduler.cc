@@ -65,7 +65,8 @@ std::size_t Scheduler::NumWaiting() const {
 void Scheduler::FindRoom(const std::string& robot) {
   const auto of_robot = counted_by_robot_.find(robot);
   if (of_robot != counted_by_robot_.end() && of_robot->second >= limits_.max_per_robot) {
-    throw Overloaded("this robot has " + std::to_string(of_robot->second) +
+    throw Overloaded("ROBOT_LIMIT",
+                     "this robot has " + std::to_string(of_robot->second) +
                          " frames waiting or computed, the most that one may have",
                      RetryAfter(0));
   }
@@ -78,7 +79,7 @@ void Scheduler::FindRoom(const std::string& robot) {
   turned_away_.Keep(robot, now + retry_after + kGrace);
   std::string text = "the queue is full with " + std::to_string(num_counted_) + " frames";
   if (ahead > 0) text += " and " + std::to_string(ahead) + " robots in line";
-  throw Overloaded(text, retry_after);
+  throw Overloaded("QUEUE_FULL", text, retry_after);
 }
 
 std::chrono::milliseconds Scheduler::RetryAfter(std::size_t ahead) const {

@@ -20,9 +20,11 @@ namespace fovea::server {
 // Thrown where there is too much of something already.
 class Overloaded : public std::runtime_error {
  public:
-  Overloaded(const std::string& text, std::chrono::milliseconds wait)
-      : std::runtime_error(text), retry_after(wait) {}
+  Overloaded(const char* what_is_full, const std::string& text, std::chrono::milliseconds wait)
+      : std::runtime_error(text), reason(what_is_full), retry_after(wait) {}
 
+  // Which limit it is, by which such refusals are counted: a string literal.
+  const char* const reason;
   // When there should be room, going by what recent work took.
   const std::chrono::milliseconds retry_after;
 };

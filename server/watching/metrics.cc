@@ -43,6 +43,9 @@ Metrics::Metrics(std::function<std::size_t()> num_waiting)
                               "Frames that came in, by robot; those beyond 64 are \"other\"")),
       answered_(CounterFamily(registry_, "fovea_frames_answered_total",
                               "Frames with an answer, by its status code")),
+      refused_(CounterFamily(registry_, "fovea_refused_total",
+                             "Calls and streams that were not let in, or were given up before "
+                             "their turn, by reason: a limit, else the status code")),
       dropped_(Counter(registry_, "fovea_frames_dropped_total",
                        "Frames of streams that a newer one took the place of")),
       objects_(Counter(registry_, "fovea_objects_total", "Objects detected")),
@@ -76,6 +79,8 @@ void Metrics::OnAnswered(const grpc::Status& status, const Detections& detection
     stages_.Add({{"stage", time.stage}}, Buckets()).Observe(time.duration_ms / 1000);
   }
 }
+
+void Metrics::OnRefused(const char* reason) { refused_.Add({{"reason", reason}}).Increment(); }
 
 void Metrics::OnTurnedAway(std::chrono::nanoseconds took) {
   turning_away_.Observe(std::chrono::duration<double>(took).count());

@@ -34,6 +34,9 @@ class Metrics : public prometheus::Collectable {
   void OnDropped();
   // Whatever became of it; `detections` is empty where the status is not OK.
   void OnAnswered(const grpc::Status& status, const Detections& detections);
+  // A call or a stream that was not let in, or was given up before its turn. `reason` is one of
+  // few.
+  void OnRefused(const char* reason);
   // A call that found no room, `took` after it came.
   void OnTurnedAway(std::chrono::nanoseconds took);
   void OnSent(std::size_t bytes);
@@ -48,6 +51,7 @@ class Metrics : public prometheus::Collectable {
   prometheus::Registry registry_;
   prometheus::Family<prometheus::Counter>& received_;  // by robot
   prometheus::Family<prometheus::Counter>& answered_;  // by status code
+  prometheus::Family<prometheus::Counter>& refused_;   // by reason
   prometheus::Counter& dropped_;
   prometheus::Counter& objects_;
   prometheus::Counter& bytes_received_;

@@ -47,4 +47,10 @@ void LogFrame(const FrameRecord& record, std::chrono::milliseconds slow) {
   if (slow.count() > 0 && record.took > slow) LogStages(record);
 }
 
+void LogRefusedStream(const std::string& request_id, const std::string& robot,
+                      const grpc::Status& status) {
+  spdlog::warn("stream request={} robot={} code={} error={}", Quoted(request_id), Quoted(robot),
+               NameOf(status.error_code()), Quoted(status.error_message()));
+}
+
 }  // namespace fovea::server

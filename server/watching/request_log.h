@@ -24,4 +24,8 @@ struct FrameRecord {
 // is quoted, escaped and shortened.
 void LogFrame(const FrameRecord& record, std::chrono::milliseconds slow);
 
+// One line, at warning, for a stream that was not let in.
+void LogRefusedStream(const std::string& request_id, const std::string& robot,
+                      const grpc::Status& status);
+
 }  // namespace fovea::server

@@ -1,9 +1,11 @@
 // What a client does when its server is busy, gone or back.
 #include <gmock/gmock.h>
+#include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <optional>
+#include <thread>
 
 #include "client/client.h"
 #include "tests/server/detectors.h"
@@ -132,6 +134,40 @@ TEST(ResumingStream, GivesUpInTheEnd) {
   const auto stream = Client(address, options).OpenResumingStream(kPatience);
   EXPECT_EQ(testing::StatusOf([&] { stream->Receive(); }).error_code(),
             grpc::StatusCode::UNAVAILABLE);
+}
+
+// Takes streams and never reads what comes.
+class Deaf final : public v1::DetectionService::Service {
+  using Stream = grpc::ServerReaderWriter<v1::DetectStreamResponse, v1::DetectStreamRequest>;
+  grpc::Status DetectStream(grpc::ServerContext* context, Stream* /*stream*/) override {
+    while (!context->IsCancelled()) std::this_thread::yield();
+    return grpc::Status::CANCELLED;
+  }
+};
+
+TEST(ResumingStream, IsCancelledWhileItCannotSend) {
+  Deaf deaf;
+  grpc::ServerBuilder builder;
+  int port = 0;
+  builder.AddListeningPort("127.0.0.1:0", grpc::InsecureServerCredentials(), &port);
+  builder.RegisterService(&deaf);
+  const auto server = builder.BuildAndStart();
+  const Client client("127.0.0.1:" + std::to_string(port), Persistent());
+  const auto stream = client.OpenResumingStream(kPatience);
+  std::atomic<bool> sending = false;
+  std::jthread sender([&] {
+    // More than any window of flow control.
+    v1::DetectStreamRequest request;
+    request.mutable_frame()->mutable_color()->set_data(std::string(100 << 20, 'x'));
+    sending = true;
+    stream->Send(request);
+  });
+  while (!sending) std::this_thread::yield();
+  std::jthread receiver([&] {  // of a deadline it would say DEADLINE_EXCEEDED
+    EXPECT_EQ(testing::StatusOf([&] { stream->Receive(); }).error_code(),
+              grpc::StatusCode::CANCELLED);
+  });
+  stream->Cancel();
 }
 
 }  // namespace

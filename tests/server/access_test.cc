@@ -188,7 +188,10 @@ TEST_F(Tokens, KeepOutWhoHasNone) {
     EXPECT_TRUE(unauthenticated([&] { client.OpenStream(kPatience)->Receive(); }));
     EXPECT_TRUE(client.IsServing());  // probes have no token
   }
-  EXPECT_EQ(MetricValue(*loopback.server.metrics(), "fovea_frames_received_total"), 0);
+  const server::Metrics& metrics = *loopback.server.metrics();
+  EXPECT_EQ(MetricValue(metrics, "fovea_frames_received_total"), 0);
+  // A call and a stream with each token.
+  EXPECT_EQ(MetricValue(metrics, "fovea_refused_total", "UNAUTHENTICATED"), 8);
 }
 
 TEST_F(Tokens, Expire) {
@@ -252,6 +255,9 @@ TEST(Limits, StreamsAreCountedByRobotAndInAll) {
   const grpc::Status full = StatusOf([&] { open_stream("c"); });
   EXPECT_EQ(full.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
   EXPECT_EQ(full.error_message(), "all 3 streams are open");
+  const server::Metrics& metrics = *loopback.server.metrics();
+  EXPECT_EQ(MetricValue(metrics, "fovea_refused_total", "ROBOT_STREAM_LIMIT"), 1);
+  EXPECT_EQ(MetricValue(metrics, "fovea_refused_total", "STREAM_LIMIT"), 1);
   open.clear();
   AwaitMetric(*loopback.server.metrics(), "fovea_streams", 0);
   open_stream("c");

@@ -151,6 +151,7 @@ TEST(Scheduling, RefusesAtOnceWhatDoesNotFit) {
   EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
   EXPECT_THAT(status.error_message(), HasSubstr("the queue is full with 2 frames"));
   EXPECT_GE(std::stoi(call.Trailer("retry-after-ms")), 10);
+  EXPECT_EQ(MetricValue(*held.loopback.server.metrics(), "fovea_refused_total", "QUEUE_FULL"), 1);
   AwaitMetric(*held.loopback.server.metrics(), "fovea_refusal_seconds", 1);
   held.gate.Let(2);
   EXPECT_THAT(crowd.Answered(), ElementsAre("second"));
@@ -186,6 +187,7 @@ TEST(Scheduling, OneRobotCannotTakeAllPlaces) {
   const grpc::Status status = again.Run();
   EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
   EXPECT_THAT(status.error_message(), HasSubstr("this robot has 1 frames"));
+  EXPECT_EQ(MetricValue(*held.loopback.server.metrics(), "fovea_refused_total", "ROBOT_LIMIT"), 1);
   Crowd crowd(held.loopback);
   crowd.Join("other");
   held.gate.Let(2);

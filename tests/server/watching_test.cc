@@ -145,6 +145,19 @@ TEST(RequestLog, NamesRequestRobotAndFrame) {
   EXPECT_THAT(log.text(), Not(HasSubstr("slow ")));
 }
 
+TEST(RequestLog, NamesStreamsThatWereNotLetIn) {
+  const CapturedLog log;
+  {
+    const Loopback loopback(FindOne);
+    client::ClientOptions nameless = PatientOptions();
+    nameless.robot = std::string(65, 'x');
+    const client::Client client(loopback.server.Address(), nameless);
+    StatusOf([&] { client.OpenStream(kPatience)->Receive(); });
+  }
+  EXPECT_THAT(log.text(), HasSubstr("stream request="));
+  EXPECT_THAT(log.text(), HasSubstr("code=INVALID_ARGUMENT error=\"metadata fovea-robot: must be"));
+}
+
 TEST(RequestLog, NamesTheStagesOfSlowFrames) {
   const CapturedLog log;
   {
