@@ -7,9 +7,10 @@ namespace fovea {
 namespace {
 
 // Beyond these an angle or a difference of colour says hardly more.
-constexpr double kUnevenness_deg = 25;
+constexpr double kUnevennessDeg = 25;
 constexpr double kColorScale = 12;  // CIELAB units
 constexpr double kMinHeight_m = 0.05;
+constexpr double kMaxDistance_m = 3;  // of the scenes of the fit
 
 constexpr double kBias = -4.374;
 constexpr KinshipTerms kWeights = {-9.501, 5.959, -5.437, 6.654, -2.201, 1.308};
@@ -23,12 +24,12 @@ Kinship KinshipOf(const Boundary& boundary, const Part& a, const Part& b) {
   both.Add(b);
   const double height_m = both.top_m - both.bottom_m;
   return {
-      .unevenness = 1 - std::exp(-(bend_deg + step_deg) / kUnevenness_deg),
+      .unevenness = 1 - std::exp(-(bend_deg + step_deg) / kUnevennessDeg),
       .color_likeness = std::exp(-a.color.DistanceTo(b.color) / kColorScale),
       .top_step = std::abs(a.top_m - b.top_m) / std::max(kMinHeight_m, height_m),
       .height_m = height_m,
       .log_area = std::log(both.area_m2),
-      .distance_m = both.z_sum_m / both.num_voxels,
+      .distance_m = std::min(both.z_sum_m / both.num_voxels, kMaxDistance_m),
   };
 }
 

@@ -19,7 +19,7 @@ struct Kinship {
   double top_step = 0;
   double height_m = 0;    // of both together,
   double log_area = 0;    // natural logarithm of the area of both in m²,
-  double distance_m = 0;  // and their mean distance from the camera, along z
+  double distance_m = 0;  // and their mean distance from the camera, along z, at most 3 m
 };
 
 Kinship KinshipOf(const Boundary& boundary, const Part& a, const Part& b);

@@ -112,6 +112,12 @@ TEST(KinshipOf, SeesTheStepBetweenTheTops) {
   EXPECT_NEAR(KinshipIn(scene).top_step, 0.1 / 0.19, 1e-3);
 }
 
+TEST(KinshipOf, KnowsNoDistanceBeyondThatOfItsFit) {
+  Scene scene = TwoFaces(0, kGrey);
+  for (Voxel& voxel : scene.grid.voxels) voxel.mean.z() += 6;
+  EXPECT_EQ(KinshipIn(scene).distance_m, 3);
+}
+
 TEST(SegmentGraph, AddsUpWhatItJoins) {
   Scene scene = TwoFaces(0, kGrey);
   for (std::size_t v = 0; v < scene.labels.size(); ++v) {  // a third one in the lower right
