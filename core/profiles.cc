@@ -44,13 +44,13 @@ DetectorOptions Default() {
   options.voxels.neighbor_axes = 1;
   options.voxels.normal_smoothing = 1;
   options.mrf.gamma_per_m2 = 30;
-  options.mrf.lambda = 7;
+  options.mrf.lambda = 6;
   options.mrf.reach_m = 0.15;
   options.mrf.max_sweeps = 1;
   options.mrf.cluster_voxels = 6;
   options.mrf.cluster_min_share = 0.85;
   options.mrf.concave_angle_deg = 12;
-  options.mrf.step_weight = 0.5;
+  options.mrf.step_weight = 0.6;
   // Shape, colour and size together tell the parts of an object; textures would part them.
   options.color_merge.min_correlation = 1;
   options.part_merge.min_probability = 0.45;
