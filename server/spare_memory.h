@@ -1,3 +1,4 @@
+// Memory that the server does not use goes back to the system.
 #pragma once
 
 #include <chrono>

@@ -43,12 +43,11 @@ const std::array<std::string_view, kNumKinshipTerms>& KinshipTermNames() {
   return kNames;
 }
 
-double LogOddsOfTerms(const KinshipTerms& terms) {
+double LogOdds(const Kinship& kinship) {
+  const KinshipTerms terms = TermsOf(kinship);
   double log_odds = kBias;
   for (std::size_t i = 0; i < terms.size(); ++i) log_odds += kWeights[i] * terms[i];
   return log_odds;
 }
-
-double LogOdds(const Kinship& kinship) { return LogOddsOfTerms(TermsOf(kinship)); }
 
 }  // namespace fovea

@@ -29,11 +29,10 @@ Kinship KinshipOf(const Boundary& boundary, const Part& a, const Part& b);
 // objects are known (`fovea-eval kinship`; docs/quality.md says which scenes).
 double LogOdds(const Kinship& kinship);
 
-// The same by number and name, for those who fit the weights.
+// What is in Kinship by number and name, for those who fit the weights.
 constexpr std::size_t kNumKinshipTerms = 6;
 using KinshipTerms = std::array<double, kNumKinshipTerms>;
 KinshipTerms TermsOf(const Kinship& kinship);
-double LogOddsOfTerms(const KinshipTerms& terms);
 const std::array<std::string_view, kNumKinshipTerms>& KinshipTermNames();
 
 }  // namespace fovea

@@ -179,7 +179,7 @@ class Evidence {
   // narrower below its rim, something beside the bowl is farther away.
   bool LiesAround(int segment, const Eigen::Vector3f& axis, double radius_m) const {
     double sum = 0;
-    double num_within = 0;
+    int num_within = 0;
     for (const int v : segments_[segment].voxels) {
       const double radius = (Horizontal(grid_.voxels[v].mean, up_) - axis).norm();
       sum += radius;

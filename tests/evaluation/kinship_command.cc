@@ -28,6 +28,7 @@ struct Flags {
 // The samples of all folders, one a row.
 struct Rows {
   std::vector<KinshipTerms> terms;
+  std::vector<double> log_odds;  // by the weights that the detector has
   std::vector<double> is_true;
   std::vector<double> weights;
   std::vector<std::size_t> folds;  // by scene
@@ -55,6 +56,7 @@ void AddFolder(const std::string& text, LabelEncoding encoding, const Flags& fla
   for (std::size_t i = 0; i < samples.size(); ++i) {
     for (const KinshipSample& sample : samples[i]) {
       rows.terms.push_back(TermsOf(sample.kinship));
+      rows.log_odds.push_back(LogOdds(sample.kinship));
       rows.is_true.push_back(sample.one_object ? 1 : 0);
       rows.weights.push_back(folder_weight * sample.weight / total);
       rows.folds.push_back(i * kNumFolds / samples.size());
@@ -117,13 +119,8 @@ void Run(const Flags& flags) {
   WriteText(flags.csv, ToCsv(rows));
   const Problem all = Select(rows, kNumFolds, false);
   const LogisticModel model = FitLogistic(all.x, all.is_true, all.weights);
-  const auto current = [&] {
-    Eigen::VectorXd odds(all.x.rows());
-    for (Eigen::Index r = 0; r < odds.size(); ++r) {
-      odds[r] = LogOddsOfTerms(rows.terms[static_cast<std::size_t>(r)]);
-    }
-    return odds;
-  }();
+  const Eigen::VectorXd current = Eigen::Map<const Eigen::VectorXd>(
+      rows.log_odds.data(), static_cast<Eigen::Index>(rows.log_odds.size()));
   fmt::print("{} pairs of segments, {:.0f} % of one object\n", rows.terms.size(),
              100 * all.is_true.mean());
   fmt::print(
