@@ -170,7 +170,7 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   std::vector<char> is_background =
       VoxelsOfBackground(grid, background, frame.intrinsics, options.region);
   const std::vector<char> on_wall =
-      FindWalls(grid, -result.gravity.direction, options.support, options.walls);
+      FindWalls(grid, -result.gravity.direction, supports, options.support, options.walls);
   AddWalls(on_wall, is_background);
   seeds = CoverWithSeeds(grid, is_background, seeds, options.cover);
   clock.Finish("voxels");
@@ -181,20 +181,20 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   const std::vector<int> labels = LabelVoxels(energy, options.mrf);
   clock.Finish("graph_cut");
 
-  // Section 3.3: touching segments that look alike are one object.
-  const std::vector<int> segments = SplitIntoSegments(grid, labels);
-  std::vector<int> objects = MergeByColor(grid, segments, frame.color_rgb, options.color_merge);
-  const std::vector<MeanColor> colors = ColorsOfVoxels(grid, segments, frame.color_rgb);
-  objects = MergeParts(grid, objects, colors, frame.intrinsics, -result.gravity.direction,
-                       options.part_merge);
+  // Section 3.3: segments that look alike are one object.
+  std::vector<int> segments = SplitIntoSegments(grid, labels);
+  counts.num_segments = CountLabels(segments);
+  segments = MergeByColor(grid, segments, frame.color_rgb, options.color_merge);
   if (!supports.empty()) {
-    objects = FillHollows(grid, objects, on_wall, -result.gravity.direction, options.hollow_fill);
+    segments = FillHollows(grid, segments, on_wall, -result.gravity.direction, options.hollow_fill);
   }
+  const std::vector<MeanColor> colors = ColorsOfVoxels(grid, segments, frame.color_rgb);
+  std::vector<int> objects = MergeParts(grid, segments, colors, frame.intrinsics,
+                                        -result.gravity.direction, options.part_merge);
   objects = MergeOccluded(grid, objects, points, colors, -result.gravity.direction,
                           options.occlusion_merge);
   objects = MergeUnstable(grid, objects, points, frame.intrinsics, supports, options.support,
                           -result.gravity.direction, options.stability_merge);
-  counts.num_segments = CountLabels(segments);
   counts.num_merged = counts.num_segments - CountLabels(objects);
   PlausibleSegments plausible =
       RemoveImplausible(grid, objects, supports, options.support, options.plausibility);

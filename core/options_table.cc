@@ -218,6 +218,10 @@ const std::vector<OptionEntry>& OptionTable() {
             [](O& o) { return &o.plausibility.max_hang_m; }),
       Entry("plausibility.max_height_m", 0.05, 100, "taller segments are no objects; metres",
             [](O& o) { return &o.plausibility.max_height_m; }),
+      Entry("plausibility.max_support_share", 0.01, 100,
+            "wide segments with a side larger than this share of their support, unless that is the "
+            "dominating one, are its parts",
+            [](O& o) { return &o.plausibility.max_support_share; }),
       Entry("plausibility.max_rest_m", 0.005, 100,
             "segments higher above their surface must touch another; metres",
             [](O& o) { return &o.plausibility.max_rest_m; }),

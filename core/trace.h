@@ -14,7 +14,7 @@ struct Trace {
   cv::Mat depth_saliency;   // CV_32FC1 in [0, 1], frame size
   std::vector<Seed> seeds;  // those that became object hypotheses
   VoxelGrid voxels;
-  std::vector<int> segments;  // one entry a voxel, before segments are joined; 0 = background
+  std::vector<int> segments;  // one entry a voxel, before parts are joined; 0 = background
 };
 
 }  // namespace fovea

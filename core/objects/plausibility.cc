@@ -11,9 +11,12 @@
 namespace fovea {
 namespace {
 
+constexpr float kMinBack_m = 0.3F;  // width of the back of a chair
+
 struct Segment {
   std::vector<Eigen::Vector3f> points;                 // means of its voxels
   float lowest_m = std::numeric_limits<float>::max();  // above the support below it
+  std::vector<int> num_above;                          // of its voxels, by the support below
   // Of the voxels that a support covers from above: how many, and the least distance to it.
   std::size_t num_covered = 0;
   float least_depth_m = std::numeric_limits<float>::max();
@@ -43,6 +46,8 @@ std::vector<Segment> Collect(const VoxelGrid& grid, const std::vector<int>& labe
     Segment& segment = segments[labels[v]];
     segment.points.push_back(point);
     if (const auto below = SupportBelow(supports, point, support_options)) {
+      segment.num_above.resize(supports.size());
+      ++segment.num_above[*below];
       segment.lowest_m = std::min(segment.lowest_m, supports[*below].surface.HeightOf(point));
     }
     if (const auto depth = DepthBelowSupport(supports, point, support_options)) {
@@ -53,10 +58,23 @@ std::vector<Segment> Collect(const VoxelGrid& grid, const std::vector<int>& labe
   return segments;
 }
 
-bool IsTooLarge(const Segment& segment, const Eigen::Vector3f& up,
+// As large as what it stands on, if that is not the dominating surface, whose other parts may hide.
+bool IsPartOfItsSupport(const Segment& segment, const Eigen::Vector3f& size_m,
+                        const std::vector<Support>& supports, double max_support_share) {
+  const float width_m = size_m.head<2>().maxCoeff();
+  const auto most = std::max_element(segment.num_above.begin(), segment.num_above.end());
+  if (most == segment.num_above.begin() || most == segment.num_above.end()) return false;
+  const Support& support = supports[most - segment.num_above.begin()];
+  return width_m >= kMinBack_m &&
+         width_m * size_m.z() > max_support_share * support.footprint.AreaM2();
+}
+
+bool IsTooLarge(const Segment& segment, const std::vector<Support>& supports,
                 const PlausibilityOptions& options) {
+  const Eigen::Vector3f up = supports.front().surface.normal;
   const Eigen::Vector3f size_m = FitOrientedBox(segment.points, up, std::nullopt).size_m;
-  return size_m.maxCoeff() > options.max_size_m || size_m.z() > options.max_height_m;
+  return size_m.maxCoeff() > options.max_size_m || size_m.z() > options.max_height_m ||
+         IsPartOfItsSupport(segment, size_m, supports, options.max_support_share);
 }
 
 // Most of it lies under a support, and it reaches up to it.
@@ -91,12 +109,11 @@ PlausibleSegments RemoveImplausible(const VoxelGrid& grid, const std::vector<int
   PlausibleSegments result{labels, 0};
   if (supports.empty()) return result;
   const std::vector<Segment> segments = Collect(grid, labels, supports, support_options);
-  const Eigen::Vector3f up = supports.front().surface.normal;
   std::vector<char> stays(segments.size(), 0);
   std::vector<char> rests(segments.size(), 0);
   for (std::size_t label = 1; label < segments.size(); ++label) {
-    stays[label] =
-        !IsTooLarge(segments[label], up, options) && !Hangs(segments[label], options.max_hang_m);
+    stays[label] = !IsTooLarge(segments[label], supports, options) &&
+                   !Hangs(segments[label], options.max_hang_m);
     rests[label] = segments[label].lowest_m <= options.max_rest_m;
   }
   SpreadRest(grid, labels, stays, rests);

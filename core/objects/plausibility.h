@@ -18,6 +18,9 @@ struct PlausibilityOptions {
   double max_hang_m = 0;
   // Segments taller than this along the vertical do not stand by themselves; metres.
   double max_height_m = 100;
+  // Segments at least 30 cm wide on another surface than the dominating one, with a side of more
+  // than this share of its visible area, are a part of it: the back of a chair.
+  double max_support_share = 100;
   // Segments whose lowest point is higher than this above their support must touch another one;
   // metres.
   double max_rest_m = 100;
@@ -29,8 +32,9 @@ struct PlausibleSegments {
 };
 
 // `labels`: one entry a voxel, 0 = background, 1 … n without gaps. Removed are segments that are
-// too large, that hang from a support, or that neither rest on a support nor touch, directly or
-// through others, one that does. Nothing is removed where there is no support.
+// too large by themselves or for their support, that hang from a support, or that neither rest on
+// one nor touch, directly or through others, one that does. Nothing is removed where there is no
+// support.
 PlausibleSegments RemoveImplausible(const VoxelGrid& grid, const std::vector<int>& labels,
                                     const std::vector<Support>& supports,
                                     const SupportOptions& support_options,

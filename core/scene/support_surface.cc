@@ -187,4 +187,13 @@ std::optional<std::size_t> SupportBelow(const std::vector<Support>& supports,
   return below;
 }
 
+bool IsOnSupport(const std::vector<Support>& supports, const Eigen::Vector3f& point,
+                 const SupportOptions& options) {
+  const float tolerance = SupportTolerance(point.z(), options);
+  return std::any_of(supports.begin(), supports.end(), [&](const Support& support) {
+    return std::abs(support.surface.HeightOf(point)) <= tolerance &&
+           support.footprint.Covers(point);
+  });
+}
+
 }  // namespace fovea

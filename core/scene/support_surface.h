@@ -63,4 +63,8 @@ std::optional<std::size_t> SupportBelow(const std::vector<Support>& supports,
                                         const Eigen::Vector3f& point,
                                         const SupportOptions& options);
 
+// Whether a point lies on one of the supports: inside its footprint and within its tolerance.
+bool IsOnSupport(const std::vector<Support>& supports, const Eigen::Vector3f& point,
+                 const SupportOptions& options);
+
 }  // namespace fovea

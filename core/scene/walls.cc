@@ -150,11 +150,14 @@ class LargeParts {
 }  // namespace
 
 std::vector<char> FindWalls(const VoxelGrid& grid, const Eigen::Vector3f& up,
-                            const SupportOptions& tolerance, const WallOptions& options) {
+                            const std::vector<Support>& supports, const SupportOptions& tolerance,
+                            const WallOptions& options) {
   std::vector<char> on_wall(grid.voxels.size(), 0);
   if (options.min_extent_m <= 0) return on_wall;
   const std::vector<Eigen::Vector3f> directions = Directions(up);
   std::vector<int> candidates = UprightVoxels(grid, up);
+  std::erase_if(candidates,
+                [&](int v) { return IsOnSupport(supports, grid.voxels[v].mean, tolerance); });
   std::vector<int> all(grid.voxels.size());
   std::iota(all.begin(), all.end(), 0);
   for (int i = 0; i < options.max_planes && candidates.size() >= 3; ++i) {

@@ -21,9 +21,12 @@ struct WallOptions {
 };
 
 // Finds upright planes by voting for their direction and distance, fits each by least squares and
-// keeps its large connected parts. `tolerance`: the distance from a plane that still belongs to it,
-// as of a support. Returns one entry a voxel, 1 = on a wall.
+// keeps its large connected parts. What lies on one of `supports` counts for none: noise tilts the
+// normals of a floor far away, and its strip would connect all that stands on it in one line.
+// `tolerance`: the distance from a plane that still belongs to it, as of a support. Returns one
+// entry a voxel, 1 = on a wall.
 std::vector<char> FindWalls(const VoxelGrid& grid, const Eigen::Vector3f& up,
-                            const SupportOptions& tolerance, const WallOptions& options = {});
+                            const std::vector<Support>& supports, const SupportOptions& tolerance,
+                            const WallOptions& options = {});
 
 }  // namespace fovea

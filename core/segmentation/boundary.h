@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/segmentation/mean_color.h"
 #include "core/segmentation/voxel_grid.h"
 
 namespace fovea {
@@ -14,6 +15,7 @@ struct Boundary {
   double num_pairs = 0;
   double convexity_sum_deg = 0;  // ConvexityDeg of each pair
   double step_sum_deg = 0;       // StepDeg, without its sign
+  double contrast_sum = 0;       // distance of the mean colours, CIELAB units
 
   void Add(const Boundary& other);
 };
@@ -22,7 +24,9 @@ using SegmentPair = std::pair<int, int>;  // first < second
 using Boundaries = std::map<SegmentPair, Boundary>;
 
 // The boundaries of all segments that touch: that have voxels which are neighbours along any of the
-// 26 directions and have normals. `labels`: one entry a voxel; the background, 0, takes no part.
-Boundaries CollectBoundaries(const VoxelGrid& grid, const std::vector<int>& labels);
+// 26 directions and have normals. `labels`, `colors`: one entry a voxel; the background, 0, takes
+// no part.
+Boundaries CollectBoundaries(const VoxelGrid& grid, const std::vector<int>& labels,
+                             const std::vector<MeanColor>& colors);
 
 }  // namespace fovea

@@ -20,6 +20,14 @@ struct Kinship {
   double height_m = 0;    // of both together,
   double log_area = 0;    // natural logarithm of the area of both in m²,
   double distance_m = 0;  // and their mean distance from the camera, along z, at most 3 m
+  // 1 where one of them has no height, towards 0 the higher the lower of both is: tops and lids are
+  // parts, hardly anything that flat is an object beside another.
+  double flatness = 0;
+  // Mean angle along the boundary, positive for an edge and negative for a groove, times
+  // (1 − flatness): what is flat touches everything in a groove.
+  double convexity_deg = 0;
+  // 1 where the colour goes on across the boundary, towards 0 the more it changes there.
+  double color_continuity = 0;
 };
 
 Kinship KinshipOf(const Boundary& boundary, const Part& a, const Part& b);
@@ -30,7 +38,7 @@ Kinship KinshipOf(const Boundary& boundary, const Part& a, const Part& b);
 double LogOdds(const Kinship& kinship);
 
 // What is in Kinship by number and name, for those who fit the weights.
-constexpr std::size_t kNumKinshipTerms = 6;
+constexpr std::size_t kNumKinshipTerms = 9;
 using KinshipTerms = std::array<double, kNumKinshipTerms>;
 KinshipTerms TermsOf(const Kinship& kinship);
 const std::array<std::string_view, kNumKinshipTerms>& KinshipTermNames();

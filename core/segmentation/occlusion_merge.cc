@@ -14,6 +14,7 @@
 #include "core/segmentation/image_borders.h"
 #include "core/segmentation/labels.h"
 #include "core/segmentation/mean_color.h"
+#include "core/segmentation/roundness.h"
 
 namespace fovea {
 namespace {
@@ -22,43 +23,11 @@ constexpr int kBorderReachPx = 4;
 constexpr float kBorderStep = 0.01F;
 constexpr std::size_t kMaxSamples = 150;  // voxels of a segment that are compared
 
-// An upright cylinder, from the regression of normals on positions in the horizontal plane.
-struct Roundness {
-  double curvature_per_m = 0;  // 1/R seen from outside, −1/R from inside, 0 for a plane
-  Eigen::Vector3f axis = Eigen::Vector3f::Zero();  // a point on it; only for a curvature not 0
-};
-
 struct Segment {
   std::vector<int> voxels;
   Roundness roundness;
   float top_m = -std::numeric_limits<float>::max();  // along `up`
 };
-
-Eigen::Vector3f Horizontal(const Eigen::Vector3f& v, const Eigen::Vector3f& up) {
-  return v - up.dot(v) * up;
-}
-
-Roundness FitRoundness(const VoxelGrid& grid, const std::vector<int>& voxels,
-                       const Eigen::Vector3f& up) {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  for (const int v : voxels) {
-    position += Horizontal(grid.voxels[v].mean, up).cast<double>();
-    normal += Horizontal(grid.voxels[v].normal, up).cast<double>();
-  }
-  position /= static_cast<double>(voxels.size());
-  normal /= static_cast<double>(voxels.size());
-  double covariance = 0;
-  double variance = 0;
-  for (const int v : voxels) {
-    const Eigen::Vector3d offset = Horizontal(grid.voxels[v].mean, up).cast<double>() - position;
-    covariance += offset.dot(Horizontal(grid.voxels[v].normal, up).cast<double>());
-    variance += offset.squaredNorm();
-  }
-  if (variance == 0 || covariance == 0) return {};
-  const double curvature = covariance / variance;  // normal = curvature · (position − axis)
-  return {curvature, (position - normal / curvature).cast<float>()};
-}
 
 std::vector<Segment> Collect(const VoxelGrid& grid, const std::vector<int>& labels,
                              const Eigen::Vector3f& up) {
@@ -163,31 +132,27 @@ class Evidence {
     return -curvature >= options_.min_hollow_curvature_per_m && Hides(outside, inside) &&
            std::abs(segments_[inside].top_m - segments_[outside].top_m) <=
                options_.max_rim_step_m &&
-           LiesAround(outside, segments_[inside].roundness.axis, -1 / curvature);
+           LiesAround(outside, segments_[inside].roundness);
   }
 
  private:
   static constexpr int kMinBorderPx = 10;
   static constexpr std::size_t kMinVoxels = 10;
-  // Of the inside's radius: how far from the axis the outside lies on average, at least and at
-  // most, and how much of it has to lie within the latter.
+  // How far from the axis the outside lies on average, of the inside's radius, and how much it
+  // faces away from the axis.
   static constexpr double kMinShare = 0.25;
-  static constexpr double kMaxShare = 1.1;
-  static constexpr double kMinWithin = 0.75;
+  static constexpr double kMaxShare = 1.2;
+  static constexpr double kMinFacing = 0.3;
 
-  // True if the segment is about as far from an axis as the wall around it is: a bowl's outside is
-  // narrower below its rim, something beside the bowl is farther away.
-  bool LiesAround(int segment, const Eigen::Vector3f& axis, double radius_m) const {
-    double sum = 0;
-    int num_within = 0;
-    for (const int v : segments_[segment].voxels) {
-      const double radius = (Horizontal(grid_.voxels[v].mean, up_) - axis).norm();
-      sum += radius;
-      if (radius <= kMaxShare * radius_m) ++num_within;
-    }
-    const auto count = static_cast<double>(segments_[segment].voxels.size());
-    const double share = sum / count / radius_m;
-    return share >= kMinShare && share <= kMaxShare && num_within >= kMinWithin * count;
+  // True if the segment goes around an axis like the outside of the wall around it: a bowl's is
+  // narrower below its rim; something beside the bowl is farther away or faces elsewhere.
+  bool LiesAround(int segment, const Roundness& wall) const {
+    const std::vector<int>& voxels = segments_[segment].voxels;
+    double sum_m = 0;
+    for (const int v : voxels) sum_m += (Horizontal(grid_.voxels[v].mean, up_) - wall.axis).norm();
+    const double mean_m = sum_m / static_cast<double>(voxels.size());
+    return mean_m >= kMinShare * wall.radius_m && mean_m <= kMaxShare * wall.radius_m &&
+           MeanFacing(grid_, voxels, wall.axis, up_) >= kMinFacing;
   }
 
   const VoxelGrid& grid_;

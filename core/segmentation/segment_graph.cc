@@ -8,7 +8,7 @@ SegmentGraph::SegmentGraph(const VoxelGrid& grid, const std::vector<int>& labels
                            const std::vector<MeanColor>& colors, const CameraIntrinsics& intrinsics,
                            const Eigen::Vector3f& up)
     : parts_(CollectParts(grid, labels, colors, intrinsics, up)),
-      boundaries_(CollectBoundaries(grid, labels)),
+      boundaries_(CollectBoundaries(grid, labels, colors)),
       objects_(static_cast<int>(parts_.size())) {
   for (const auto& [pair, boundary] : boundaries_) {
     kinships_[pair] = KinshipOf(boundary, parts_[pair.first], parts_[pair.second]);

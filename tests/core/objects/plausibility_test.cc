@@ -76,6 +76,25 @@ TEST(RemoveImplausible, RemovesWhatIsTooLargeAlongAnyAxis) {
   EXPECT_EQ(plausible.num_removed, 2U);
 }
 
+TEST(RemoveImplausible, RemovesTheBackOfAChairFromItsSeat) {
+  Scene scene;
+  scene.Add(1, {5, 70, 150}, {45, 105, 155});   // 39 cm wide, 34 cm high
+  scene.Add(2, {55, 70, 110}, {95, 75, 140});   // as wide, but flat
+  scene.Add(3, {55, 70, 150}, {80, 115, 155});  // as large, but narrow
+  const Support seat = Table();
+  PlausibilityOptions options = kOptions;
+  options.max_support_share = 0.12 / seat.footprint.AreaM2();
+  const auto plausible =
+      RemoveImplausible(scene.grid, scene.labels, {kFloor, seat}, kSupport, options);
+  EXPECT_FALSE(scene.Has(1, plausible));
+  EXPECT_TRUE(scene.Has(2, plausible));
+  EXPECT_TRUE(scene.Has(3, plausible));
+  // Something close to the camera may be larger than what is seen of the surface below.
+  EXPECT_EQ(
+      RemoveImplausible(scene.grid, scene.labels, {seat, kFloor}, kSupport, options).num_removed,
+      0U);
+}
+
 TEST(RemoveImplausible, RemovesALegThatHangsFromItsTable) {
   Scene scene;
   scene.Add(1, {5, 25, 105}, {8, 68, 108});      // a leg, 2 cm below the top

@@ -38,7 +38,7 @@ TEST(FindWalls, FindsWallsInAnyDirectionAndLeavesBoxes) {
   AddUpright(grid, {1, 0, 1.8F}, Eigen::Vector3f(-0.8F, 0, -0.6F), 1, 1);
   const std::size_t walls = grid.voxels.size();
   AddUpright(grid, {0, 0, 1.2F}, -Eigen::Vector3f::UnitZ(), 0.2F, 0.3F);  // a box's front
-  const std::vector<char> on_wall = FindWalls(grid, kUp, kTolerance, kOptions);
+  const std::vector<char> on_wall = FindWalls(grid, kUp, {}, kTolerance, kOptions);
   ASSERT_EQ(on_wall.size(), grid.voxels.size());
   EXPECT_GT(Count(on_wall, 0, walls), 0.98 * static_cast<double>(walls));
   EXPECT_EQ(Count(on_wall, walls, grid.voxels.size()), 0);
@@ -48,23 +48,42 @@ TEST(FindWalls, BoxesInOnePlaneAreNoWall) {
   VoxelGrid grid;
   AddUpright(grid, {-0.3F, 0, 1.2F}, -Eigen::Vector3f::UnitZ(), 0.2F, 0.3F);
   AddUpright(grid, {0.3F, 0, 1.2F}, -Eigen::Vector3f::UnitZ(), 0.2F, 0.3F);
-  const std::vector<char> on_wall = FindWalls(grid, kUp, kTolerance, kOptions);
+  const std::vector<char> on_wall = FindWalls(grid, kUp, {}, kTolerance, kOptions);
   EXPECT_EQ(Count(on_wall, 0, on_wall.size()), 0);
+}
+
+// Noise tilts the normals of a floor far away until they look upright.
+TEST(FindWalls, AStripOfFloorDoesNotMakeAWallOfBoxesInOnePlane) {
+  VoxelGrid grid;
+  for (const float x : {-0.3F, 0.3F}) {
+    AddUpright(grid, {x, 0, 1.2F}, -Eigen::Vector3f::UnitZ(), 0.2F, 0.3F);
+  }
+  for (float x = -0.5F; x <= 0.5F; x += 0.02F) {
+    grid.voxels.push_back(
+        {.mean = {x, 0.16F, 1.2F}, .normal = -Eigen::Vector3f::UnitZ(), .num_points = 4});
+  }
+  const std::vector<Support> floor = {{{kUp, 0.16F, 1}, Footprint()}};
+  const auto count = [&](const std::vector<Support>& supports) {
+    const std::vector<char> on_wall = FindWalls(grid, kUp, supports, kTolerance, kOptions);
+    return Count(on_wall, 0, on_wall.size());
+  };
+  EXPECT_GT(count({}), 0);
+  EXPECT_EQ(count(floor), 0);
 }
 
 TEST(FindWalls, LevelSurfacesAreNoWall) {
   VoxelGrid grid;
   AddUpright(grid, {0, 0, 1.5F}, -Eigen::Vector3f::UnitZ(), 1, 1);
   for (Voxel& voxel : grid.voxels) voxel.normal = kUp;
-  const std::vector<char> on_wall = FindWalls(grid, kUp, kTolerance, kOptions);
+  const std::vector<char> on_wall = FindWalls(grid, kUp, {}, kTolerance, kOptions);
   EXPECT_EQ(Count(on_wall, 0, on_wall.size()), 0);
 }
 
 TEST(FindWalls, IsOffWithoutAnExtentAndTakesNoVoxels) {
   VoxelGrid grid;
-  EXPECT_TRUE(FindWalls(grid, kUp, kTolerance, kOptions).empty());
+  EXPECT_TRUE(FindWalls(grid, kUp, {}, kTolerance, kOptions).empty());
   AddUpright(grid, {0, 0, 2.5F}, -Eigen::Vector3f::UnitZ(), 2, 1);
-  const std::vector<char> on_wall = FindWalls(grid, kUp, kTolerance, {});
+  const std::vector<char> on_wall = FindWalls(grid, kUp, {}, kTolerance, {});
   EXPECT_EQ(Count(on_wall, 0, on_wall.size()), 0);
 }
 

@@ -195,6 +195,14 @@ TEST(MergeOccluded, WhatStandsBesideACupIsNotItsOutside) {
   EXPECT_FALSE(AreJoined(scene, kInside, kOutside, kHollow));
 }
 
+TEST(MergeOccluded, WhatFacesTheAxisOfACupIsNotItsOutside) {
+  Scene scene = Cup();
+  for (Voxel& voxel : scene.grid.voxels) {  // the outer wall, moved behind the axis
+    if (voxel.mean.z() < 1 - 0.001F) voxel.mean.z() += 0.06F;
+  }
+  EXPECT_FALSE(AreJoined(scene, kInside, kOutside, kHollow));
+}
+
 TEST(MergeOccluded, TheInsideBendsAtLeastAsMuchAsAsked) {
   // The radius of 4 cm is a curvature of 25/m.
   EXPECT_TRUE(AreJoined(Cup(), kInside, kOutside, {.min_hollow_curvature_per_m = 24}));

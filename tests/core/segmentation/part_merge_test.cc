@@ -89,6 +89,34 @@ TEST(KinshipOf, MeasuresWhatSpeaksForOneObject) {
   EXPECT_NEAR(flat.height_m, 0.19, 1e-6);            // between the centres of 20 rows
   EXPECT_NEAR(flat.log_area, std::log(0.08), 0.02);  // 20 × 40 pixels at 1.005 m
   EXPECT_NEAR(flat.distance_m, 1.005, 1e-6);
+  EXPECT_NEAR(flat.flatness, std::exp(-0.19 / 0.025), 1e-6);
+  EXPECT_NEAR(flat.convexity_deg, 0, 1e-6);
+  EXPECT_NEAR(flat.color_continuity, 1, 1e-6);
+}
+
+TEST(KinshipOf, TellsEdgesFromGrooves) {
+  EXPECT_GT(KinshipIn(TwoFaces(1, kGrey)).convexity_deg, 30);  // 45° less the flatness
+  EXPECT_LT(KinshipIn(TwoFaces(-1, kGrey)).convexity_deg, -30);
+}
+
+TEST(KinshipOf, GroovesOfWhatIsFlatCountLittle) {
+  Scene scene = TwoFaces(-1, kGrey);
+  for (std::size_t v = 0; v < scene.labels.size(); ++v) {  // of the right face only two rows
+    const Voxel& voxel = scene.grid.voxels[v];
+    if (scene.labels[v] == 2 && voxel.mean.y() > 0.02F) scene.labels[v] = 0;
+  }
+  const Kinship kinship = KinshipIn(scene);
+  EXPECT_NEAR(kinship.flatness, std::exp(-0.01 / 0.025), 1e-4);
+  EXPECT_GT(kinship.convexity_deg, -45 * (1 - kinship.flatness) - 1);
+}
+
+TEST(KinshipOf, ColorGoesOnWhereOnlyTheMeansDiffer) {
+  Scene scene = TwoFaces(0, kWhite);
+  scene.color.col(20).setTo(cv::Scalar(100, 100, 100));  // the right face begins in the left's grey
+  const Kinship kinship = KinshipIn(scene);
+  EXPECT_NEAR(kinship.color_continuity, 1, 1e-6);
+  EXPECT_LT(kinship.color_likeness, 0.05);
+  EXPECT_LT(KinshipIn(TwoFaces(0, kWhite)).color_continuity, 1e-4);
 }
 
 TEST(KinshipOf, FallsWithBendsAndDifferencesOfColor) {
