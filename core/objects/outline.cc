@@ -8,12 +8,14 @@
 #include "core/depth/depth_gap.h"
 #include "core/scene/image_direction.h"
 #include "core/segmentation/labels.h"
+#include "core/types/pixels.h"
 
 namespace fovea {
 namespace {
 
-constexpr int kEdgePx = 6;    // pixels that sensors mix at an edge
-constexpr int kReachPx = 20;  // how far to look for depth beyond it
+// In an image 640 wide:
+constexpr double kEdgePx = 6;    // what sensors mix at an edge
+constexpr double kReachPx = 40;  // how far to look for depth beyond it
 
 Eigen::Vector3f PointAt(const cv::Mat& points, const cv::Point& pixel) {
   const cv::Vec3f& p = points.at<cv::Vec3f>(pixel);
@@ -55,6 +57,8 @@ class Search {
         points_(points),
         on_wall_(on_wall),
         up_(up),
+        edge_px_(ScaledPx(kEdgePx, labels.cols, 1)),
+        reach_px_(ScaledPx(kReachPx, labels.cols, 4)),
         measured_(MeasuredArea(points)) {}
 
   void CountSides(const cv::Point& pixel, Outline& outline) const {
@@ -65,7 +69,7 @@ class Search {
       const cv::Point next = pixel + side;
       if (image.contains(next) && labels_.at<std::uint16_t>(next) == label) continue;
       ++outline.num_sides;
-      if (!measured_.contains(pixel + kEdgePx * side)) ++outline.num_sides_at_end;
+      if (!measured_.contains(pixel + edge_px_ * side)) ++outline.num_sides_at_end;
     }
   }
 
@@ -74,7 +78,7 @@ class Search {
                   Outline::Upper& upper) const {
     const std::uint16_t label = labels_.at<std::uint16_t>(pixel);
     const cv::Rect image({}, labels_.size());
-    for (int step = 1; step <= kReachPx; ++step) {
+    for (int step = 1; step <= reach_px_; ++step) {
       const cv::Point beyond(cvRound(static_cast<float>(pixel.x) + step * direction.x),
                              cvRound(static_cast<float>(pixel.y) + step * direction.y));
       if (!image.contains(beyond)) {
@@ -87,7 +91,7 @@ class Search {
         ++upper.open;
         return;
       }
-      if (step < kEdgePx || std::isnan(points_.at<cv::Vec3f>(beyond)[2])) continue;
+      if (step < edge_px_ || std::isnan(points_.at<cv::Vec3f>(beyond)[2])) continue;
       Compare(pixel, beyond, upper);
       return;
     }
@@ -114,6 +118,8 @@ class Search {
   const cv::Mat& points_;
   const cv::Mat& on_wall_;
   const Eigen::Vector3f& up_;
+  const int edge_px_;
+  const int reach_px_;
   const cv::Rect measured_;
 };
 

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/seeds/morphology.h"
+#include "core/types/pixels.h"
 
 namespace fovea {
 namespace {
@@ -89,7 +90,7 @@ std::optional<cv::Point> PixelOfPeak(const std::vector<cv::Point>& pixels, const
 
 SeedCandidates FindSeeds(const cv::Mat& saliency, const cv::Mat& points, Seed::Source source,
                          const SeedOptions& options, int block_px) {
-  const int radius_px = cvRound(options.disk_radius_px * saliency.cols / 640);
+  const int radius_px = ScaledPx(options.disk_radius_px, saliency.cols, 0);
   const cv::Mat peaks = FindPeaks(saliency, radius_px, block_px);
   SeedCandidates candidates;
   for (const std::vector<cv::Point>& peak : PixelsOfPeaks(peaks)) {

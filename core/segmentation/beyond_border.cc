@@ -1,8 +1,9 @@
 #include "core/segmentation/beyond_border.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
+
+#include "core/types/pixels.h"
 
 namespace fovea {
 namespace {
@@ -17,7 +18,7 @@ std::optional<float> DepthBeyond(const cv::Mat& labels, const cv::Mat& depth_m,
                                  int edge_px) {
   const cv::Rect image({}, labels.size());
   const std::uint16_t label = labels.at<std::uint16_t>(pixel);
-  const int reach_px = std::max(kLeastReachPx, cvRound(kReachPx * labels.cols / 640.0));
+  const int reach_px = ScaledPx(kReachPx, labels.cols, kLeastReachPx);
   for (int step = 1; step <= reach_px; ++step) {
     const cv::Point beyond(cvRound(static_cast<float>(pixel.x) + step * direction.x),
                            cvRound(static_cast<float>(pixel.y) + step * direction.y));

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/types/pixels.h"
+
 namespace fovea {
 namespace {
 
-constexpr int kMaxShadowPx = 60;  // unmeasured beside something in front
+constexpr double kMaxShadowPx = 60;  // unmeasured beside something in front
 
 }  // namespace
 
@@ -26,10 +28,11 @@ ImageBorders FindImageBorders(const cv::Mat& labels, const cv::Mat& points, int 
     if (depth_a < depth_b - limit) ++(a < b ? border.first_in_front : border.second_in_front);
     if (depth_b < depth_a - limit) ++(b < a ? border.first_in_front : border.second_in_front);
   };
+  const int max_shadow_px = ScaledPx(kMaxShadowPx, labels.cols, 8);
   const auto visit_next = [&](const cv::Point& p, const cv::Point& step_px) {
     const cv::Rect image({}, labels.size());
     cv::Point q = p + reach_px * step_px;
-    for (int i = 0; i < kMaxShadowPx && image.contains(q); ++i, q += step_px) {
+    for (int i = 0; i < max_shadow_px && image.contains(q); ++i, q += step_px) {
       const bool is_shadow =
           labels.at<std::uint16_t>(q) == 0 && std::isnan(points.at<cv::Vec3f>(q)[2]);
       if (is_shadow) continue;

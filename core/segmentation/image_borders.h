@@ -18,8 +18,8 @@ using ImageBorders = std::map<std::pair<int, int>, ImageBorder>;
 
 // `labels`: CV_16UC1; `points`: CV_32FC3, NaN = none. Segments meet where two pixels `reach_px`
 // apart along a row or column have different labels, so that thin gaps are bridged; so are wider
-// ones, up to 60 pixels, where nothing was measured: the shadow of what is in front.
-// `step`: how much nearer is in front, as a share of the depth.
+// ones, up to 60 pixels in an image 640 wide, where nothing was measured: the shadow of what is in
+// front. `step`: how much nearer is in front, as a share of the depth.
 ImageBorders FindImageBorders(const cv::Mat& labels, const cv::Mat& points, int reach_px,
                               float step);
 

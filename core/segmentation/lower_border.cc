@@ -8,11 +8,12 @@
 #include "core/scene/image_direction.h"
 #include "core/segmentation/beyond_border.h"
 #include "core/segmentation/labels.h"
+#include "core/types/pixels.h"
 
 namespace fovea {
 namespace {
 
-constexpr int kEdgePx = 2;
+constexpr double kEdgePx = 2;  // in an image 640 wide
 
 }  // namespace
 
@@ -21,6 +22,7 @@ std::vector<LowerBorder> FindLowerBorders(const cv::Mat& labels, const cv::Mat& 
                                           const Eigen::Vector3f& up,
                                           const std::vector<char>& looked_at) {
   std::vector<LowerBorder> borders(looked_at.size());
+  const int edge_px = ScaledPx(kEdgePx, labels.cols, 1);
   cv::Mat depth_m;
   cv::extractChannel(points, depth_m, 2);
   for (int row = 0; row < labels.rows; ++row) {
@@ -30,7 +32,7 @@ std::vector<LowerBorder> FindLowerBorders(const cv::Mat& labels, const cv::Mat& 
       const cv::Vec3f& p = points.at<cv::Vec3f>(row, col);
       const auto up_px = UpInImage({p[0], p[1], p[2]}, intrinsics, up);
       if (!up_px) continue;
-      const auto below_m = DepthBeyond(labels, depth_m, {col, row}, -*up_px, kEdgePx);
+      const auto below_m = DepthBeyond(labels, depth_m, {col, row}, -*up_px, edge_px);
       if (!below_m || std::isnan(*below_m)) continue;
       ++borders[label[col]].num_pixels;
       if (*below_m > p[2] + DepthGap_m(p[2])) ++borders[label[col]].num_free;

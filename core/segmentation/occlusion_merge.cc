@@ -15,11 +15,14 @@
 #include "core/segmentation/labels.h"
 #include "core/segmentation/mean_color.h"
 #include "core/segmentation/roundness.h"
+#include "core/types/pixels.h"
 
 namespace fovea {
 namespace {
 
-constexpr int kBorderReachPx = 4;
+// In an image 640 wide:
+constexpr double kBorderReachPx = 4;
+constexpr double kMinBorderPx = 10;
 constexpr float kBorderStep = 0.01F;
 constexpr std::size_t kMaxSamples = 150;  // voxels of a segment that are compared
 
@@ -84,7 +87,9 @@ class Evidence {
         segments_(Collect(grid, labels, up)),
         colors_(ColorsOfSegments(labels, colors)),
         image_(LabelImage(grid, labels)),
-        borders_(FindImageBorders(image_, points, kBorderReachPx, kBorderStep)) {}
+        min_border_px_(ScaledPx(kMinBorderPx, points.cols, 4)),
+        borders_(FindImageBorders(image_, points, ScaledPx(kBorderReachPx, points.cols, 2),
+                                  kBorderStep)) {}
 
   const ImageBorders& Borders() const { return borders_; }
 
@@ -92,8 +97,8 @@ class Evidence {
   std::set<std::pair<int, int>> PairsWithCommonOccluder() const {
     std::map<int, std::vector<int>> hidden_by;
     for (const auto& [pair, border] : borders_) {
-      if (border.first_in_front >= kMinBorderPx) hidden_by[pair.first].push_back(pair.second);
-      if (border.second_in_front >= kMinBorderPx) hidden_by[pair.second].push_back(pair.first);
+      if (border.first_in_front >= min_border_px_) hidden_by[pair.first].push_back(pair.second);
+      if (border.second_in_front >= min_border_px_) hidden_by[pair.second].push_back(pair.first);
     }
     std::set<std::pair<int, int>> pairs;
     for (auto& [front, hidden] : hidden_by) {
@@ -114,7 +119,7 @@ class Evidence {
     if (border == borders_.end()) return false;
     const int in_front =
         front < back ? border->second.first_in_front : border->second.second_in_front;
-    return in_front >= kMinBorderPx;
+    return in_front >= min_border_px_;
   }
 
   bool AreOneBehindAnOccluder(int a, int b) const {
@@ -136,7 +141,6 @@ class Evidence {
   }
 
  private:
-  static constexpr int kMinBorderPx = 10;
   static constexpr std::size_t kMinVoxels = 10;
   // How far from the axis the outside lies on average, of the inside's radius, and how much it
   // faces away from the axis.
@@ -162,6 +166,7 @@ class Evidence {
   std::vector<Segment> segments_;
   std::vector<MeanColor> colors_;
   cv::Mat image_;
+  int min_border_px_;
   ImageBorders borders_;
 };
 
