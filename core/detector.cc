@@ -186,7 +186,8 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   counts.num_segments = CountLabels(segments);
   segments = MergeByColor(grid, segments, frame.color_rgb, options.color_merge);
   if (!supports.empty()) {
-    segments = FillHollows(grid, segments, on_wall, -result.gravity.direction, options.hollow_fill);
+    segments = FillHollows(grid, segments, points, frame.intrinsics, on_wall,
+                           -result.gravity.direction, options.hollow_fill);
   }
   const std::vector<MeanColor> colors = ColorsOfVoxels(grid, segments, frame.color_rgb);
   std::vector<int> objects = MergeParts(grid, segments, colors, frame.intrinsics,

@@ -1,10 +1,13 @@
 #include "core/segmentation/hollow_fill.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <numbers>
 #include <optional>
 #include <utility>
 
+#include "core/depth/depth_gap.h"
 #include "core/scene/level_axes.h"
 #include "core/segmentation/disjoint_sets.h"
 #include "core/segmentation/hollow_wall.h"
@@ -14,12 +17,47 @@ namespace fovea {
 namespace {
 
 constexpr double kFloor_m = 0.03;  // below the lowest visible part of the wall
+// A rim is looked for in these directions, and up to this share of the radius farther out, as the
+// fitted circle may be too small; where one sees through it in more than that share, it is open.
+constexpr int kRimDirections = 24;
+constexpr double kRimReach = 0.3;
+constexpr double kRimStep = 0.1;
+constexpr double kMaxOpen = 0.5;
 
 using Walls = std::vector<std::optional<HollowWall>>;
 
 bool Encloses(const HollowWall& wall, const Eigen::Vector2d& place, double height_m) {
   return (place - wall.center).norm() < wall.radius_m && height_m < wall.rim_m &&
          height_m > wall.foot_m - kFloor_m;
+}
+
+// Whether one sees something farther away where the point is.
+bool IsSeenThrough(const Eigen::Vector3f& point, const cv::Mat& points,
+                   const CameraIntrinsics& intrinsics) {
+  const cv::Point pixel(cvRound(intrinsics.fx_px * point.x() / point.z() + intrinsics.cx_px),
+                        cvRound(intrinsics.fy_px * point.y() / point.z() + intrinsics.cy_px));
+  if (point.z() <= 0 || !cv::Rect({}, points.size()).contains(pixel)) return false;
+  return points.at<cv::Vec3f>(pixel)[2] > point.z() + DepthGap_m(point.z());  // false for NaN
+}
+
+// Whether a rim goes all around, for what one can see: that of a banana's inner side does not.
+bool HasRim(const HollowWall& wall, const cv::Mat& points, const CameraIntrinsics& intrinsics,
+            const Eigen::Vector3f& up) {
+  const LevelAxes axes = LevelAxesFor(up);
+  int num_open = 0;
+  for (int i = 0; i < kRimDirections; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kRimDirections;
+    const Eigen::Vector2d way(std::cos(angle), std::sin(angle));
+    bool is_open = true;
+    for (double reach = 0; reach <= kRimReach && is_open; reach += kRimStep) {
+      const Eigen::Vector2d place = wall.center + (1 + reach) * wall.radius_m * way;
+      const Eigen::Vector3f rim =
+          axes.transpose() * place.cast<float>() + static_cast<float>(wall.rim_m) * up;
+      is_open = IsSeenThrough(rim, points, intrinsics);
+    }
+    num_open += is_open ? 1 : 0;
+  }
+  return num_open <= kMaxOpen * kRimDirections;
 }
 
 std::vector<int> JoinPieces(const std::vector<int>& labels, const Walls& walls) {
@@ -69,12 +107,16 @@ void Fill(const VoxelGrid& grid, const std::vector<char>& on_wall, const Walls& 
 }  // namespace
 
 std::vector<int> FillHollows(const VoxelGrid& grid, const std::vector<int>& labels,
+                             const cv::Mat& points, const CameraIntrinsics& intrinsics,
                              const std::vector<char>& on_wall, const Eigen::Vector3f& up,
                              const HollowFillOptions& options) {
   if (options.max_radius_m <= 0) return labels;
   std::vector<int> filled =
       JoinPieces(labels, FindHollowWalls(grid, labels, up, options.max_radius_m));
-  const Walls walls = FindHollowWalls(grid, filled, up, options.max_radius_m);
+  Walls walls = FindHollowWalls(grid, filled, up, options.max_radius_m);
+  for (std::optional<HollowWall>& wall : walls) {
+    if (wall && !HasRim(*wall, points, intrinsics, up)) wall.reset();
+  }
   if (std::none_of(walls.begin(), walls.end(), [](const auto& wall) { return wall.has_value(); })) {
     return filled;
   }

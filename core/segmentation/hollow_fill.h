@@ -4,9 +4,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
 #include <vector>
 
 #include "core/segmentation/voxel_grid.h"
+#include "core/types/rgbd_frame.h"
 
 namespace fovea {
 
@@ -16,12 +18,13 @@ struct HollowFillOptions {
 };
 
 // Joins segments that are pieces of one round wall and gives them the background within its circle
-// and below its rim.
+// and below its rim, unless one sees that the rim is open for more than half of the circle.
 //
-// `labels`: one entry a voxel, 0 = background; `on_wall`: one entry a voxel, not 0 on walls of the
-// room, which stay background; `up`: unit vector. Returns new labels, 1 … n in order of their first
-// voxel.
+// `labels`: one entry a voxel, 0 = background; `points`: CV_32FC3 of the frame; `on_wall`: one
+// entry a voxel, not 0 on walls of the room, which stay background; `up`: unit vector. Returns new
+// labels, 1 … n in order of their first voxel.
 std::vector<int> FillHollows(const VoxelGrid& grid, const std::vector<int>& labels,
+                             const cv::Mat& points, const CameraIntrinsics& intrinsics,
                              const std::vector<char>& on_wall, const Eigen::Vector3f& up,
                              const HollowFillOptions& options = {});
 

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <opencv2/core.hpp>
 
 #include "core/segmentation/hollow_wall.h"
 #include "core/segmentation/labels.h"
@@ -13,6 +15,11 @@ namespace {
 
 const Eigen::Vector3f kUp = -Eigen::Vector3f::UnitY();
 constexpr HollowFillOptions kOptions{.max_radius_m = 0.2};
+constexpr CameraIntrinsics kCamera{100, 100, 31.5, 23.5};
+
+// The same depth everywhere, NaN = nothing measured.
+cv::Mat PointsAt(float z) { return {48, 64, CV_32FC3, cv::Scalar(0, 0, z)}; }
+const cv::Mat kUnmeasured = PointsAt(std::numeric_limits<float>::quiet_NaN());
 
 // A cup of 5 cm radius and 8 cm height on a table, most of its wall seen from inside: labels 1 and
 // 2 left and right of the middle. Its floor and the table around it are background.
@@ -52,8 +59,9 @@ struct Cup {
     on_wall.assign(labels.size(), 0);
   }
 
-  std::vector<int> Fill(const HollowFillOptions& options = kOptions) const {
-    return FillHollows(grid, labels, on_wall, kUp, options);
+  std::vector<int> Fill(const HollowFillOptions& options = kOptions,
+                        const cv::Mat& points = kUnmeasured) const {
+    return FillHollows(grid, labels, points, kCamera, on_wall, kUp, options);
   }
   // The label of the table's voxel nearest to a place.
   int LabelAt(const std::vector<int>& result, float x, float z) const {
@@ -93,6 +101,15 @@ TEST(FillHollows, JoinsThePiecesOfOneWallAndFillsInItsFloor) {
   EXPECT_EQ(CountLabels(filled), 1U);
   EXPECT_EQ(cup.LabelAt(filled, 0, 1.02F), 1);
   EXPECT_EQ(cup.LabelAt(filled, 0.08F, 1), 0);  // the table beside it
+}
+
+TEST(FillHollows, LeavesWhatHasNoRimForMostOfItsCircle) {
+  const Cup cup;
+  EXPECT_EQ(cup.LabelAt(cup.Fill(kOptions, PointsAt(0.9F)), 0, 1.02F), 1);  // a rim in front of it
+  cv::Mat beyond = PointsAt(3);  // one sees through where a rim would be …
+  EXPECT_EQ(cup.LabelAt(cup.Fill(kOptions, beyond), 0, 1.02F), 0);
+  beyond.colRange(0, 32).setTo(cv::Scalar(0, 0, 1));  // … but for its left half
+  EXPECT_EQ(cup.LabelAt(cup.Fill(kOptions, beyond), 0, 1.02F), 1);
 }
 
 TEST(FillHollows, KeepsApartWallsThatStandBesideEachOther) {
