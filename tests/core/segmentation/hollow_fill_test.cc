@@ -108,7 +108,7 @@ TEST(FillHollows, LeavesWhatHasNoRimForMostOfItsCircle) {
   EXPECT_EQ(cup.LabelAt(cup.Fill(kOptions, PointsAt(0.9F)), 0, 1.02F), 1);  // a rim in front of it
   cv::Mat beyond = PointsAt(3);  // one sees through where a rim would be …
   EXPECT_EQ(cup.LabelAt(cup.Fill(kOptions, beyond), 0, 1.02F), 0);
-  beyond.colRange(0, 34).setTo(cv::Scalar(0, 0, 1));  // … but for its left half
+  beyond.colRange(0, 34).setTo(cv::Scalar(0, 0, 0.9));  // … but for its left half
   EXPECT_EQ(cup.LabelAt(cup.Fill(kOptions, beyond), 0, 1.02F), 1);
 }
 
