@@ -41,8 +41,8 @@ std::vector<Eigen::Vector3f> NearSeeds(const Voxel& voxel, float radius, const P
   const Eigen::ArrayXf squared_distance =
       (seeds.col(0) - voxel.mean.x()).square() +
       ((seeds.col(1) - voxel.mean.y()).square() + (seeds.col(2) - voxel.mean.z()).square());
-  // A little more for rounding.
-  const float limit = std::sqrt(squared_distance.minCoeff()) + 2.01F * radius;
+  // A little more for rounding, also where the voxel is a single point.
+  const float limit = 1.00001F * std::sqrt(squared_distance.minCoeff()) + 2.01F * radius;
   std::vector<Eigen::Vector3f> near;
   for (Eigen::Index i = 0; i < seeds.rows(); ++i) {
     if (squared_distance[i] <= limit * limit) near.emplace_back(seeds.row(i).matrix());

@@ -14,7 +14,7 @@ struct Scene {
   std::vector<Seed> seeds;
 };
 
-Scene RandomScene(unsigned seed) {
+Scene RandomScene(unsigned seed, double voxel_m = 0.05) {
   Scene scene;
   std::mt19937 random(seed);
   const auto uniform = [&] { return static_cast<float>(random() % 1001) / 1000.0F; };
@@ -22,7 +22,7 @@ Scene RandomScene(unsigned seed) {
     *it = {0.1F * uniform(), 0.1F * uniform(), 1 + 0.1F * uniform()};
   }
   const cv::Mat normals(scene.points.size(), CV_32FC3, cv::Scalar(0, 0, -1));
-  scene.grid = BuildVoxelGrid(scene.points, normals, {.size_m = 0.05});
+  scene.grid = BuildVoxelGrid(scene.points, normals, {.size_m = voxel_m});
   for (int i = 0; i < 3; ++i) {
     scene.seeds.push_back({{}, {0.1F * uniform(), 0.1F * uniform(), 1.0F}});
   }
@@ -69,6 +69,18 @@ TEST(BuildEnergy, HasTheDataTermAsPrinted) {
       EXPECT_NEAR(choice.cost, LiteralCost(scene, choice.node, label, options), 2e-3)
           << "voxel " << choice.node << " label " << label;
     }
+  }
+}
+
+// Their only point is as far from the nearest seed as their mean: rounding must not lose that seed.
+TEST(BuildEnergy, BackgroundOfSinglePointsKnowsTheirNearestSeed) {
+  const Scene scene = RandomScene(12, 1e-4);
+  ASSERT_EQ(scene.grid.voxels.size(), scene.points.total());
+  const MrfOptions options;
+  const std::vector<char> none(scene.grid.voxels.size(), 0);
+  const PottsEnergy energy = BuildEnergy(scene.grid, scene.points, none, scene.seeds, options);
+  for (const auto& choice : energy.choices[0]) {
+    EXPECT_NEAR(choice.cost, LiteralCost(scene, choice.node, 0, options), 2e-3) << choice.node;
   }
 }
 
