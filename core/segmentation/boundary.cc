@@ -12,16 +12,50 @@ void Boundary::Add(const Boundary& other) {
   contrast_sum += other.contrast_sum;
 }
 
-Boundaries CollectBoundaries(const VoxelGrid& grid, const std::vector<int>& labels,
-                             const std::vector<MeanColor>& colors) {
+namespace {
+
+constexpr int kGapCells = 2;
+constexpr double kMinGapPairs = 4;
+
+Boundaries CollectWithin(int reach_cells, const VoxelGrid& grid, const std::vector<int>& labels,
+                         const std::vector<MeanColor>& colors) {
   Boundaries boundaries;
-  for (const VoxelEdge& pair : PairsWithin(grid, labels, 1)) {
+  for (const VoxelEdge& pair : PairsWithin(grid, labels, reach_cells)) {
     const auto [low, high] = std::minmax(labels[pair.a], labels[pair.b]);
     const Voxel& a = grid.voxels[pair.a];
     const Voxel& b = grid.voxels[pair.b];
     if (low == high || a.normal.isZero() || b.normal.isZero()) continue;
     boundaries[{low, high}].Add({1, ConvexityDeg(a, b), std::abs(StepDeg(a, b)),
                                  colors[pair.a].DistanceTo(colors[pair.b])});
+  }
+  return boundaries;
+}
+
+// The labels without those of voxels in the midst of a segment, which is a sheet of voxels: they
+// have no neighbour of another one.
+std::vector<int> LabelsOfRims(const VoxelGrid& grid, std::vector<int> labels) {
+  constexpr int kNeighborsInSheet = 4;  // by faces
+  std::vector<int> num_alike(labels.size());
+  for (const VoxelEdge& edge : grid.edges) {
+    const Eigen::Vector3i step = grid.voxels[edge.a].cell - grid.voxels[edge.b].cell;
+    if (labels[edge.a] != labels[edge.b] || step.cwiseAbs().sum() != 1) continue;
+    ++num_alike[edge.a];
+    ++num_alike[edge.b];
+  }
+  for (std::size_t v = 0; v < labels.size(); ++v) {
+    if (num_alike[v] >= kNeighborsInSheet) labels[v] = 0;
+  }
+  return labels;
+}
+
+}  // namespace
+
+Boundaries CollectBoundaries(const VoxelGrid& grid, const std::vector<int>& labels,
+                             const std::vector<MeanColor>& colors) {
+  Boundaries boundaries = CollectWithin(1, grid, labels, colors);
+  for (const auto& [pair, boundary] :
+       CollectWithin(kGapCells, grid, LabelsOfRims(grid, labels), colors)) {
+    if (boundary.num_pairs >= kMinGapPairs) boundaries.try_emplace(pair, boundary);
   }
   return boundaries;
 }

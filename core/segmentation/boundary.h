@@ -24,8 +24,9 @@ using SegmentPair = std::pair<int, int>;  // first < second
 using Boundaries = std::map<SegmentPair, Boundary>;
 
 // The boundaries of all segments that touch: that have voxels which are neighbours along any of the
-// 26 directions and have normals. `labels`, `colors`: one entry a voxel; the background, 0, takes
-// no part.
+// 26 directions and have normals. Of those that do not, the boundaries across gaps of one voxel, if
+// at least 4 pairs face each other there: at edges sensors leave voxels out. `labels`, `colors`:
+// one entry a voxel; the background, 0, takes no part.
 Boundaries CollectBoundaries(const VoxelGrid& grid, const std::vector<int>& labels,
                              const std::vector<MeanColor>& colors);
 

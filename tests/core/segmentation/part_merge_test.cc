@@ -164,6 +164,24 @@ TEST(SegmentGraph, AddsUpWhatItJoins) {
   }
 }
 
+TEST(CollectBoundaries, BridgesGapsOfOneVoxelWhereNothingTouches) {
+  for (const int gap : {0, 1, 2}) {
+    Scene scene = TwoFaces(0, kGrey);
+    for (std::size_t v = 0; v < scene.labels.size(); ++v) {  // the right face begins later
+      const float x = scene.grid.voxels[v].mean.x();
+      if (x > 0 && x < 0.01F * static_cast<float>(gap)) scene.labels[v] = 0;
+    }
+    EXPECT_EQ(GraphOf(scene).Pairs().count({1, 2}), gap < 2 ? 1U : 0U) << gap;
+  }
+  Scene corner = TwoFaces(0, kGrey);  // of the right face only one voxel, beyond a gap
+  for (std::size_t v = 0; v < corner.labels.size(); ++v) {
+    const Eigen::Vector3f& mean = corner.grid.voxels[v].mean;
+    const bool stays = mean.x() > 0.01F && mean.x() < 0.02F && mean.y() < 0.01F;
+    if (corner.labels[v] == 2 && !stays) corner.labels[v] = 0;
+  }
+  EXPECT_TRUE(GraphOf(corner).Pairs().empty());
+}
+
 TEST(ConvexityDeg, IsTheSignedAngle) {
   const Voxel left{.mean = {0, 0, 1}, .normal = Eigen::Vector3f(-1, 0, -1).normalized()};
   const Voxel right{.mean = {0.01F, 0, 1}, .normal = Eigen::Vector3f(1, 0, -1).normalized()};
