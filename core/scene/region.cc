@@ -1,5 +1,7 @@
 #include "core/scene/region.h"
 
+#include "core/types/projection.h"
+
 namespace fovea {
 
 bool IsInRegion(const Eigen::Vector3f& point, const CameraIntrinsics& intrinsics,
@@ -8,8 +10,8 @@ bool IsInRegion(const Eigen::Vector3f& point, const CameraIntrinsics& intrinsics
   const Eigen::Vector3d low(options.min_x_m, options.min_y_m, options.min_z_m);
   const Eigen::Vector3d high(options.max_x_m, options.max_y_m, options.max_z_m);
   if ((p.array() < low.array()).any() || (p.array() > high.array()).any()) return false;
-  const double u = intrinsics.fx_px * p.x() / p.z() + intrinsics.cx_px - options.x_px;
-  const double v = intrinsics.fy_px * p.y() / p.z() + intrinsics.cy_px - options.y_px;
+  const cv::Point2d pixel = Project(point, intrinsics);
+  const double u = pixel.x - options.x_px, v = pixel.y - options.y_px;
   return u >= 0 && v >= 0 && (options.width_px == 0 || u < options.width_px) &&
          (options.height_px == 0 || v < options.height_px);
 }

@@ -1,6 +1,7 @@
 #include "core/segmentation/hollow_fill.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <numbers>
@@ -12,16 +13,16 @@
 #include "core/segmentation/disjoint_sets.h"
 #include "core/segmentation/hollow_wall.h"
 #include "core/segmentation/labels.h"
+#include "core/types/projection.h"
 
 namespace fovea {
 namespace {
 
 constexpr double kFloor_m = 0.03;  // below the lowest visible part of the wall
-// A rim is looked for in these directions, and up to this share of the radius farther out, as the
-// fitted circle may be too small; where one sees through it in more than that share, it is open.
+// A rim is looked for in these directions, at these multiples of the radius, as the fitted circle
+// may be too small; where one sees through it in more than that share, it is open.
 constexpr int kRimDirections = 24;
-constexpr double kRimReach = 0.3;
-constexpr double kRimStep = 0.1;
+constexpr std::array<double, 3> kRimRadii = {1, 1.1, 1.2};
 constexpr double kMaxOpen = 0.5;
 
 using Walls = std::vector<std::optional<HollowWall>>;
@@ -34,9 +35,9 @@ bool Encloses(const HollowWall& wall, const Eigen::Vector2d& place, double heigh
 // Whether one sees something farther away where the point is.
 bool IsSeenThrough(const Eigen::Vector3f& point, const cv::Mat& points,
                    const CameraIntrinsics& intrinsics) {
-  const cv::Point pixel(cvRound(intrinsics.fx_px * point.x() / point.z() + intrinsics.cx_px),
-                        cvRound(intrinsics.fy_px * point.y() / point.z() + intrinsics.cy_px));
-  if (point.z() <= 0 || !cv::Rect({}, points.size()).contains(pixel)) return false;
+  if (point.z() <= 0) return false;
+  const cv::Point pixel = Project(point, intrinsics);  // rounds
+  if (!cv::Rect({}, points.size()).contains(pixel)) return false;
   return points.at<cv::Vec3f>(pixel)[2] > point.z() + DepthGap_m(point.z());  // false for NaN
 }
 
@@ -48,13 +49,12 @@ bool HasRim(const HollowWall& wall, const cv::Mat& points, const CameraIntrinsic
   for (int i = 0; i < kRimDirections; ++i) {
     const double angle = 2 * std::numbers::pi * i / kRimDirections;
     const Eigen::Vector2d way(std::cos(angle), std::sin(angle));
-    bool is_open = true;
-    for (double reach = 0; reach <= kRimReach && is_open; reach += kRimStep) {
-      const Eigen::Vector2d place = wall.center + (1 + reach) * wall.radius_m * way;
+    const bool is_open = std::all_of(kRimRadii.begin(), kRimRadii.end(), [&](double multiple) {
+      const Eigen::Vector2d place = wall.center + multiple * wall.radius_m * way;
       const Eigen::Vector3f rim =
           axes.transpose() * place.cast<float>() + static_cast<float>(wall.rim_m) * up;
-      is_open = IsSeenThrough(rim, points, intrinsics);
-    }
+      return IsSeenThrough(rim, points, intrinsics);
+    });
     num_open += is_open ? 1 : 0;
   }
   return num_open <= kMaxOpen * kRimDirections;

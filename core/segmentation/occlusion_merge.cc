@@ -36,6 +36,7 @@ std::vector<Segment> Collect(const VoxelGrid& grid, const std::vector<int>& labe
                              const Eigen::Vector3f& up) {
   std::vector<Segment> segments(CountLabels(labels) + 1);
   for (int v = 0; v < static_cast<int>(labels.size()); ++v) {
+    if (labels[v] == 0) continue;
     Segment& segment = segments[labels[v]];
     segment.voxels.push_back(v);
     segment.top_m = std::max(segment.top_m, up.dot(grid.voxels[v].mean));

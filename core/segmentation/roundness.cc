@@ -1,5 +1,6 @@
 #include "core/segmentation/roundness.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace fovea {

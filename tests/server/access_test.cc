@@ -1,12 +1,7 @@
-// TLS, mutual TLS, tokens and limits over real connections, with callers of bad intent.
-#include <arpa/inet.h>
+// TLS, mutual TLS and tokens over real connections.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
-#include <filesystem>
-#include <iterator>
 #include <string>
 
 #include "server/access/token_table.h"
@@ -230,97 +225,6 @@ TEST_F(Tokens, FileMistakesAreNamed) {
     EXPECT_THAT([&] { server::TokenTable::FromFile(path); },
                 ThrowsMessage<std::invalid_argument>(StartsWith("--tokens: " + path + error)));
   }
-}
-
-TEST(Limits, StreamsAreCountedByRobotAndInAll) {
-  server::ServerOptions options = LoopbackOptions();
-  options.max_streams = 3;
-  options.max_streams_per_robot = 2;
-  const Loopback loopback(FindOne, options);
-  std::vector<std::unique_ptr<client::DetectStream>> open;
-  const auto open_stream = [&](const std::string& robot) {
-    ClientOptions of_robot = PatientOptions();
-    of_robot.robot = robot;
-    auto stream = Client(loopback.server.Address(), of_robot).OpenStream(kPatience);
-    v1::DetectStreamRequest request;
-    *request.mutable_frame() = TestFrame();
-    stream->Send(request);
-    stream->Receive();
-    open.push_back(std::move(stream));
-  };
-  open_stream("a");
-  open_stream("a");
-  EXPECT_THAT(StatusOf([&] { open_stream("a"); }).error_message(), HasSubstr("this robot has 2"));
-  open_stream("b");
-  const grpc::Status full = StatusOf([&] { open_stream("c"); });
-  EXPECT_EQ(full.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
-  EXPECT_EQ(full.error_message(), "all 3 streams are open");
-  const server::Metrics& metrics = *loopback.server.metrics();
-  EXPECT_EQ(MetricValue(metrics, "fovea_refused_total", "ROBOT_STREAM_LIMIT"), 1);
-  EXPECT_EQ(MetricValue(metrics, "fovea_refused_total", "STREAM_LIMIT"), 1);
-  open.clear();
-  AwaitMetric(*loopback.server.metrics(), "fovea_streams", 0);
-  open_stream("c");
-}
-
-TEST(Limits, MessagesAreBounded) {
-  server::ServerOptions options = LoopbackOptions();
-  options.max_message_mib = 1;
-  const Loopback loopback(FindOne, options);
-  v1::DetectRequest request = TestRequest();
-  request.mutable_frame()->mutable_color()->set_data(std::string(2 << 20, 'x'));
-  EXPECT_EQ(StatusOf([&] { loopback.client.Detect(request); }).error_code(),
-            grpc::StatusCode::RESOURCE_EXHAUSTED);
-  EXPECT_NO_THROW(loopback.client.Detect(TestRequest()));
-}
-
-// A connection that speaks no gRPC.
-class BareConnection {
- public:
-  explicit BareConnection(const std::string& address) : socket_(socket(AF_INET, SOCK_STREAM, 0)) {
-    sockaddr_in to{};
-    to.sin_family = AF_INET;
-    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    to.sin_port =
-        htons(static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1))));
-    EXPECT_EQ(connect(socket_, reinterpret_cast<const sockaddr*>(&to), sizeof to), 0);
-  }
-  ~BareConnection() { close(socket_); }
-  void Send(const std::string& bytes) const {
-    EXPECT_EQ(send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL),
-              static_cast<ssize_t>(bytes.size()));
-  }
-
- private:
-  const int socket_;
-};
-
-std::ptrdiff_t NumOpenFiles() {
-  return std::distance(std::filesystem::directory_iterator("/proc/self/fd"), {});
-}
-
-TEST_F(Tls, HalfAHandshakeHoldsUpNobody) {
-  Loopback loopback(FindOne, options_);
-  std::vector<std::unique_ptr<BareConnection>> stuck;
-  for (int i = 0; i < 20; ++i) {
-    stuck.push_back(std::make_unique<BareConnection>(loopback.server.Address()));
-    stuck.back()->Send(std::string("\x16\x03\x01\x02\x00\x01", 6));  // a ClientHello's start
-  }
-  EXPECT_EQ(CodeOf(Client(loopback.server.Address(), Trusting(authority_))), grpc::StatusCode::OK);
-  loopback.server.Drain();
-}
-
-TEST(Connections, ComeAndGo) {
-  const Loopback loopback(FindOne);
-  loopback.client.Detect(TestRequest());
-  const std::ptrdiff_t before = NumOpenFiles();
-  for (int i = 0; i < 1000; ++i) {
-    const BareConnection connection(loopback.server.Address());
-    if (i % 2 == 0) connection.Send("PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n");
-    if (i % 3 == 0) connection.Send("garbage");
-  }
-  loopback.client.Detect(TestRequest());
-  while (NumOpenFiles() > before) std::this_thread::yield();
 }
 
 }  // namespace
