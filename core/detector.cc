@@ -7,6 +7,7 @@
 #include <opencv2/core.hpp>
 
 #include "core/depth/back_projection.h"
+#include "core/depth/flying_pixels.h"
 #include "core/explanation.h"
 #include "core/segmentation/alpha_expansion.h"
 #include "core/segmentation/contraction.h"
@@ -116,7 +117,10 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
 
   // Section 1: the smoothed depth image and the point cloud.
   const cv::Mat measured = CleanDepth(frame.depth_m);
-  const cv::Mat depth = FillDepthHoles(measured, options.depth_fill);
+  const cv::Mat depth =
+      FillDepthHoles(RemoveFlyingPixels(measured, frame.intrinsics.fx_px, frame.intrinsics.fy_px,
+                                        options.flying_pixels),
+                     options.depth_fill);
   const cv::Mat points = BackProject(depth, frame.intrinsics, options.max_depth_m);
   counts.num_pixels = measured.total();
   counts.num_measured = CountMeasured(measured);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/depth/fill_depth_holes.h"
+#include "core/depth/flying_pixels.h"
 #include "core/depth/normals.h"
 #include "core/objects/continuation.h"
 #include "core/objects/describe_objects.h"
@@ -33,6 +34,7 @@ namespace fovea {
 struct DetectorOptions {
   double max_depth_m = 10;  // points farther away are left out
   RegionOptions region;
+  FlyingPixelOptions flying_pixels;
   DepthFillOptions depth_fill;
   NormalOptions normals;
   StrengthSaliencyOptions color_saliency;

@@ -42,6 +42,10 @@ const std::vector<OptionEntry>& OptionTable() {
       Entry("region.max_z_m", 0, 100, "workspace in the camera frame; metres",
             [](O& o) { return &o.region.max_z_m; }),
 
+      Entry("flying_pixels.max_angle_deg", 45, 90,
+            "surfaces seen at more than this are flying pixels; degrees; 90: none",
+            [](O& o) { return &o.flying_pixels.max_angle_deg; }),
+
       Entry("depth_fill.passes", 0, 10, "repetitions of the 5x5 hole filling; paper: unstated",
             [](O& o) { return &o.depth_fill.passes; }),
       Entry("depth_fill.bin_m", 0, 0.1, "width of the interval that the mode is; metres",
