@@ -1,6 +1,5 @@
 #include "core/depth/flying_pixels.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -16,6 +15,16 @@ bool IsOnRamp(float before, float here, float after, float step) {
   return ((rise > step) & (go_on > step)) | ((rise < -step) & (go_on < -step));
 }
 
+// Of `count` pixels; `before` and `after` point to the neighbours of the first. `slope` is the rise
+// to a neighbour as a share of the depth.
+void RemoveRamps(const float* before, const float* here, const float* after, int count, float slope,
+                 float* out) {
+  for (int i = 0; i < count; ++i) {
+    const bool is_flying = IsOnRamp(before[i], here[i], after[i], slope * here[i]);
+    out[i] = is_flying ? std::numeric_limits<float>::quiet_NaN() : out[i];
+  }
+}
+
 }  // namespace
 
 cv::Mat RemoveFlyingPixels(const cv::Mat& depth_m, double fx_px, double fy_px,
@@ -24,20 +33,16 @@ cv::Mat RemoveFlyingPixels(const cv::Mat& depth_m, double fx_px, double fy_px,
   if (options.max_angle_deg >= 90) return kept;
   const int stride = ScaledPx(1, depth_m.cols, 1);
   const double slope = std::tan(options.max_angle_deg * std::numbers::pi / 180) * stride;
-  const auto step_x = static_cast<float>(slope / fx_px), step_y = static_cast<float>(slope / fy_px);
+  const auto slope_x = static_cast<float>(slope / fx_px);
+  const auto slope_y = static_cast<float>(slope / fy_px);
   for (int row = 0; row < depth_m.rows; ++row) {
-    const float* above = depth_m.ptr<float>(std::max(0, row - stride));
     const float* line = depth_m.ptr<float>(row);
-    const float* below = depth_m.ptr<float>(std::min(depth_m.rows - 1, row + stride));
     float* out = kept.ptr<float>(row);
-    for (int col = 0; col < depth_m.cols; ++col) {
-      const float left = line[std::max(0, col - stride)];
-      const float right = line[std::min(depth_m.cols - 1, col + stride)];
-      const float z = line[col];
-      if (IsOnRamp(left, z, right, step_x * z) || IsOnRamp(above[col], z, below[col], step_y * z)) {
-        out[col] = std::numeric_limits<float>::quiet_NaN();
-      }
-    }
+    RemoveRamps(line, line + stride, line + 2 * stride, depth_m.cols - 2 * stride, slope_x,
+                out + stride);
+    if (row < stride || row >= depth_m.rows - stride) continue;
+    RemoveRamps(depth_m.ptr<float>(row - stride), line, depth_m.ptr<float>(row + stride),
+                depth_m.cols, slope_y, out);
   }
   return kept;
 }
