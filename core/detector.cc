@@ -196,8 +196,8 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   const std::vector<MeanColor> colors = ColorsOfVoxels(grid, segments, frame.color_rgb);
   std::vector<int> objects = MergeParts(grid, segments, colors, frame.intrinsics,
                                         -result.gravity.direction, options.part_merge);
-  objects = MergeOccluded(grid, objects, points, colors, -result.gravity.direction,
-                          options.occlusion_merge);
+  objects = MergeOccluded(grid, objects, points, colors, frame.intrinsics,
+                          -result.gravity.direction, options.occlusion_merge);
   objects = MergeUnstable(grid, objects, points, frame.intrinsics, supports, options.support,
                           -result.gravity.direction, options.stability_merge);
   counts.num_merged = counts.num_segments - CountLabels(objects);

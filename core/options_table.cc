@@ -210,6 +210,9 @@ const std::vector<OptionEntry>& OptionTable() {
       Entry("occlusion_merge.max_rim_step_m", 0, 1,
             "between the tops of inside and outside; metres",
             [](O& o) { return &o.occlusion_merge.max_rim_step_m; }),
+      Entry("occlusion_merge.min_share_in_hull", 0, 1,
+            "share of a handle that lies in the hull of what hides its ends; 0: never; paper: 0",
+            [](O& o) { return &o.occlusion_merge.min_share_in_hull; }),
       Entry(
           "stability_merge.max_overhang_m", 0, 1,
           "that something can stand with beside what holds it; metres; 0: joins nothing; paper: 0",

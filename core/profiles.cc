@@ -61,6 +61,7 @@ DetectorOptions Default() {
   options.occlusion_merge.min_shared_surface = 0.3;
   options.occlusion_merge.max_color_distance = 60;
   options.occlusion_merge.min_hollow_curvature_per_m = 3;
+  options.occlusion_merge.min_share_in_hull = 0.5;
   options.stability_merge.max_overhang_m = 0.01;
   options.objects.selection.min_pixels = 120;
   options.objects.selection.min_area_m2 = 0.0018;

@@ -2,7 +2,6 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "core/segmentation/labels.h"
 #include "core/types/lab.h"
 
 namespace fovea {
@@ -22,15 +21,6 @@ std::vector<MeanColor> ColorsOfVoxels(const VoxelGrid& grid, const std::vector<i
       const cv::Vec3b& c = color[col];  // OpenCV scales L to 255; one unit of L is 2.55 there
       colors[voxel[col]].Add({{c[0] / 2.55, double(c[1]), double(c[2])}, 1});
     }
-  }
-  return colors;
-}
-
-std::vector<MeanColor> ColorsOfSegments(const std::vector<int>& labels,
-                                        const std::vector<MeanColor>& voxel_colors) {
-  std::vector<MeanColor> colors(CountLabels(labels) + 1);
-  for (std::size_t v = 0; v < labels.size(); ++v) {
-    if (labels[v] != 0) colors[labels[v]].Add(voxel_colors[v]);
   }
   return colors;
 }

@@ -30,8 +30,4 @@ struct MeanColor {
 std::vector<MeanColor> ColorsOfVoxels(const VoxelGrid& grid, const std::vector<int>& labels,
                                       const cv::Mat& color_rgb);
 
-// One entry a label; that of the background, the first, stays empty.
-std::vector<MeanColor> ColorsOfSegments(const std::vector<int>& labels,
-                                        const std::vector<MeanColor>& voxel_colors);
-
 }  // namespace fovea

@@ -4,17 +4,18 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <opencv2/core.hpp>
 #include <set>
 #include <utility>
 
 #include "core/segmentation/disjoint_sets.h"
-#include "core/segmentation/gap.h"
 #include "core/segmentation/image_borders.h"
+#include "core/segmentation/image_hull.h"
 #include "core/segmentation/labels.h"
 #include "core/segmentation/mean_color.h"
+#include "core/segmentation/part.h"
 #include "core/segmentation/roundness.h"
+#include "core/segmentation/shared_surface.h"
 #include "core/types/pixels.h"
 
 namespace fovea {
@@ -24,69 +25,45 @@ namespace {
 constexpr double kBorderReachPx = 4;
 constexpr double kMinBorderPx = 10;
 constexpr float kBorderStep = 0.01F;
-constexpr std::size_t kMaxSamples = 150;  // voxels of a segment that are compared
+// What fills a notch of something in front:
+constexpr double kMaxNotchShare = 0.25;  // of the voxels of what is in front
+constexpr double kMaxNotchDepth = 0.5;   // behind it, as a share of the root of its area
+constexpr double kMinNotchHeight = 0.2;  // above its foot, as a share of its height
 
 struct Segment {
   std::vector<int> voxels;
   Roundness roundness;
-  float top_m = -std::numeric_limits<float>::max();  // along `up`
+  Part part;
+
+  double MeanZ() const { return part.z_sum_m / part.num_voxels; }
 };
 
 std::vector<Segment> Collect(const VoxelGrid& grid, const std::vector<int>& labels,
-                             const Eigen::Vector3f& up) {
-  std::vector<Segment> segments(CountLabels(labels) + 1);
+                             const std::vector<MeanColor>& colors,
+                             const CameraIntrinsics& intrinsics, const Eigen::Vector3f& up) {
+  const std::vector<Part> parts = CollectParts(grid, labels, colors, intrinsics, up);
+  std::vector<Segment> segments(parts.size());
   for (int v = 0; v < static_cast<int>(labels.size()); ++v) {
-    if (labels[v] == 0) continue;
-    Segment& segment = segments[labels[v]];
-    segment.voxels.push_back(v);
-    segment.top_m = std::max(segment.top_m, up.dot(grid.voxels[v].mean));
+    if (labels[v] != 0) segments[labels[v]].voxels.push_back(v);
   }
-  for (Segment& segment : segments) {
-    segment.roundness = FitRoundness(grid, segment.voxels, up);
+  for (std::size_t label = 1; label < segments.size(); ++label) {
+    segments[label].part = parts[label];
+    segments[label].roundness = FitRoundness(grid, segments[label].voxels, up);
   }
   return segments;
-}
-
-// At most kMaxSamples of the voxels, evenly.
-std::vector<int> Sample(const std::vector<int>& voxels) {
-  const std::size_t stride = voxels.size() / kMaxSamples + 1;
-  std::vector<int> sample;
-  for (std::size_t i = 0; i < voxels.size(); i += stride) sample.push_back(voxels[i]);
-  return sample;
-}
-
-bool OnOneSurface(const Voxel& a, const Voxel& b, const OcclusionMergeOptions& options) {
-  if (a.normal.dot(b.normal) < std::cos(options.max_angle_deg * std::numbers::pi / 180)) {
-    return false;
-  }
-  const Eigen::Vector3f step = a.mean - b.mean;
-  return std::abs(a.normal.dot(step)) <= options.max_offset_m &&
-         std::abs(b.normal.dot(step)) <= options.max_offset_m;
-}
-
-// Share of the voxels of `a` that lie on a surface of `b`.
-double SharedSurface(const VoxelGrid& grid, const std::vector<int>& a, const std::vector<int>& b,
-                     const OcclusionMergeOptions& options) {
-  const auto shared = std::count_if(a.begin(), a.end(), [&](int v) {
-    return std::any_of(b.begin(), b.end(), [&](int w) {
-      return OnOneSurface(grid.voxels[v], grid.voxels[w], options);
-    });
-  });
-  return a.empty() ? 0 : static_cast<double>(shared) / static_cast<double>(a.size());
 }
 
 // Finds the pairs to join. Holds what all tests look at.
 class Evidence {
  public:
   Evidence(const VoxelGrid& grid, const std::vector<int>& labels, const cv::Mat& points,
-           const std::vector<MeanColor>& colors, const Eigen::Vector3f& up,
-           const OcclusionMergeOptions& options)
+           const std::vector<MeanColor>& colors, const CameraIntrinsics& intrinsics,
+           const Eigen::Vector3f& up, const OcclusionMergeOptions& options)
       : grid_(grid),
         options_(options),
         points_(points),
         up_(up),
-        segments_(Collect(grid, labels, up)),
-        colors_(ColorsOfSegments(labels, colors)),
+        segments_(Collect(grid, labels, colors, intrinsics, up)),
         image_(LabelImage(grid, labels)),
         min_border_px_(ScaledPx(kMinBorderPx, points.cols, 4)),
         borders_(FindImageBorders(image_, points, ScaledPx(kBorderReachPx, points.cols, 2),
@@ -124,11 +101,12 @@ class Evidence {
   }
 
   bool AreOneBehindAnOccluder(int a, int b) const {
-    if (colors_[a].DistanceTo(colors_[b]) > options_.max_color_distance) return false;
-    const std::vector<int> in_a = Sample(segments_[a].voxels);
-    const std::vector<int> in_b = Sample(segments_[b].voxels);
-    return SharedSurface(grid_, in_a, in_b, options_) >= options_.min_shared_surface &&
-           SharedSurface(grid_, in_b, in_a, options_) >= options_.min_shared_surface &&
+    if (segments_[a].part.color.DistanceTo(segments_[b].part.color) > options_.max_color_distance) {
+      return false;
+    }
+    return SharedSurface(grid_, segments_[a].voxels, segments_[b].voxels,
+                         {options_.max_angle_deg, options_.max_offset_m}) >=
+               options_.min_shared_surface &&
            ShareSeenThrough(image_, points_, a, b) <= options_.max_seen_through;
   }
 
@@ -136,9 +114,22 @@ class Evidence {
     if (options_.min_hollow_curvature_per_m <= 0) return false;
     const double curvature = segments_[inside].roundness.curvature_per_m;
     return -curvature >= options_.min_hollow_curvature_per_m && Hides(outside, inside) &&
-           std::abs(segments_[inside].top_m - segments_[outside].top_m) <=
+           std::abs(segments_[inside].part.top_m - segments_[outside].part.top_m) <=
                options_.max_rim_step_m &&
            LiesAround(outside, segments_[inside].roundness);
+  }
+
+  // True if `part` fills a notch of the outline of `front`, just behind it, and neither rises above
+  // it nor reaches its foot: a handle that meets the body out of sight.
+  bool IsInNotchOf(int front, int part) const {
+    if (options_.min_share_in_hull <= 0) return false;
+    const Part& small = segments_[part].part;
+    const Part& large = segments_[front].part;
+    const double behind_m = segments_[part].MeanZ() - segments_[front].MeanZ();
+    return small.num_voxels <= kMaxNotchShare * large.num_voxels && Hides(front, part) &&
+           behind_m <= kMaxNotchDepth * std::sqrt(large.area_m2) && small.top_m <= large.top_m &&
+           small.bottom_m >= large.bottom_m + kMinNotchHeight * (large.top_m - large.bottom_m) &&
+           ShareInHull(image_, part, front) >= options_.min_share_in_hull;
   }
 
  private:
@@ -165,7 +156,6 @@ class Evidence {
   const cv::Mat& points_;
   const Eigen::Vector3f up_;
   std::vector<Segment> segments_;
-  std::vector<MeanColor> colors_;
   cv::Mat image_;
   int min_border_px_;
   ImageBorders borders_;
@@ -175,13 +165,20 @@ class Evidence {
 
 std::vector<int> MergeOccluded(const VoxelGrid& grid, const std::vector<int>& labels,
                                const cv::Mat& points, const std::vector<MeanColor>& colors,
-                               const Eigen::Vector3f& up, const OcclusionMergeOptions& options) {
-  if (options.min_shared_surface <= 0 && options.min_hollow_curvature_per_m <= 0) return labels;
-  const Evidence evidence(grid, labels, points, colors, up, options);
+                               const CameraIntrinsics& intrinsics, const Eigen::Vector3f& up,
+                               const OcclusionMergeOptions& options) {
+  if (options.min_shared_surface <= 0 && options.min_hollow_curvature_per_m <= 0 &&
+      options.min_share_in_hull <= 0) {
+    return labels;
+  }
+  const Evidence evidence(grid, labels, points, colors, intrinsics, up, options);
   DisjointSets objects(evidence.NumSegments());
   for (const auto& [pair, border] : evidence.Borders()) {
     const auto [a, b] = pair;
-    if (evidence.IsInsideOf(a, b) || evidence.IsInsideOf(b, a)) objects.Join(a, b);
+    if (evidence.IsInsideOf(a, b) || evidence.IsInsideOf(b, a) || evidence.IsInNotchOf(a, b) ||
+        evidence.IsInNotchOf(b, a)) {
+      objects.Join(a, b);
+    }
   }
   if (options.min_shared_surface > 0) {
     for (const auto& [a, b] : evidence.PairsWithCommonOccluder()) {

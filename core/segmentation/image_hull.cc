@@ -1,4 +1,4 @@
-#include "core/segmentation/gap.h"
+#include "core/segmentation/image_hull.h"
 
 #include <cmath>
 #include <opencv2/imgproc.hpp>
@@ -71,6 +71,13 @@ double ShareSeenThrough(const cv::Mat& labels, const cv::Mat& points, int a, int
     if (seen < (1 - kDepthMargin) * expected) ++seen_through;  // false for NaN
   }
   return gap.empty() ? 0 : static_cast<double>(seen_through) / static_cast<double>(gap.size());
+}
+
+double ShareInHull(const cv::Mat& labels, int part, int whole) {
+  const cv::Mat is_part = labels == part, is_whole = labels == whole;
+  const cv::Rect box = cv::boundingRect(is_whole);
+  const cv::Mat hull = HullOf(PixelsOf(is_whole(box), box), box);
+  return static_cast<double>(cv::countNonZero(is_part(box) & hull)) / cv::countNonZero(is_part);
 }
 
 }  // namespace fovea

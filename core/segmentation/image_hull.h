@@ -1,4 +1,4 @@
-// What is seen between two segments of the image.
+// Convex hulls of segments in the image: what one sees within them.
 #pragma once
 
 #include <opencv2/core/mat.hpp>
@@ -13,5 +13,9 @@ namespace fovea {
 // `labels`: CV_16UC1; `points`: CV_32FC3 of the same size, NaN = none. Both labels must occur at
 // three points that are not on a line. Cost: proportional to the image.
 double ShareSeenThrough(const cv::Mat& labels, const cv::Mat& points, int a, int b);
+
+// The share of the pixels of `part` that lie in the convex hull of `whole`: 1 for what fills a
+// notch of its outline. Both labels must occur.
+double ShareInHull(const cv::Mat& labels, int part, int whole);
 
 }  // namespace fovea
