@@ -2,6 +2,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "core/segmentation/labels.h"
 #include "core/types/lab.h"
 
 namespace fovea {
