@@ -144,7 +144,8 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   }
   SeedCandidates from_depth;
   if (options.seeds.from_depth) {
-    from_depth = FindSeeds(depth_saliency, points, Seed::Source::kDepthSaliency, options.seeds);
+    from_depth = FindSeeds(depth_saliency, points, Seed::Source::kDepthSaliency, options.seeds,
+                           options.depth_saliency.downscale);
   }
   counts.seeds_from_color = from_color.seeds.size() + from_color.without_depth;
   counts.seeds_from_depth = from_depth.seeds.size() + from_depth.without_depth;

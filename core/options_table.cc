@@ -62,6 +62,8 @@ const std::vector<OptionEntry>& OptionTable() {
       Entry("color_saliency.downscale", 1, 8, "factor that the image is reduced by; paper: 1",
             [](O& o) { return &o.color_saliency.downscale; }),
 
+      Entry("depth_saliency.downscale", 1, 8, "factor that the depth image is reduced by; Ju: 1",
+            [](O& o) { return &o.depth_saliency.downscale; }),
       Entry("depth_saliency.superpixels_per_diagonal", 0, 4,
             "superpixels per pixel of the image diagonal; 0: every pixel; Ju 2014: 1",
             [](O& o) { return &o.depth_saliency.superpixels_per_diagonal; }),

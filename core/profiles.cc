@@ -12,9 +12,11 @@ DetectorOptions Default() {
   DetectorOptions options;
   // No camera measures a surface seen so flatly.
   options.flying_pixels.max_angle_deg = 80;
-  // A quarter of the resolution finds the same objects at a twentieth of the cost.
+  // A quarter of the resolution, and half of it in depth, finds the same objects at a twentieth and
+  // a third of the cost.
   options.color_saliency.downscale = 4;
   options.depth_saliency.superpixels_per_diagonal = 0;
+  options.depth_saliency.downscale = 2;
   // Smaller peaks, and seeds wherever something above the support has none.
   options.seeds.disk_radius_px = 5;
   options.cover.spacing_m = 0.05;

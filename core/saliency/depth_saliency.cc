@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/saliency/blocks.h"
 #include "core/saliency/line_contrast.h"
 #include "core/saliency/nearness.h"
 
@@ -74,14 +75,13 @@ void ApplyCenterPrior(cv::Mat& map) {
   }
 }
 
-}  // namespace
-
-cv::Mat DepthSaliency(const cv::Mat& depth_m, const DepthSaliencyOptions& options) {
+cv::Mat SaliencyOfPixels(const cv::Mat& depth_m, const DepthSaliencyOptions& options,
+                         int line_step_px) {
   const cv::Mat nearness = SmoothNearness(depth_m);
   if (cv::countNonZero(nearness != kNoNearness) == 0) return cv::Mat::zeros(depth_m.size(), CV_32F);
 
   const double diagonal_px = std::hypot(depth_m.cols, depth_m.rows);
-  const auto lines = ScanLines(options.line_length * diagonal_px, options.line_step_px);
+  const auto lines = ScanLines(options.line_length * diagonal_px, line_step_px);
   const auto superpixels =
       static_cast<int>(std::lround(options.superpixels_per_diagonal * diagonal_px));
   cv::Mat saliency = superpixels > 0 ? ContrastOfSuperpixels(nearness, lines, superpixels)
@@ -90,6 +90,15 @@ cv::Mat DepthSaliency(const cv::Mat& depth_m, const DepthSaliencyOptions& option
   if (options.depth_prior) ApplyDepthPrior(nearness, saliency);
   if (options.center_prior) ApplyCenterPrior(saliency);
   return saliency;
+}
+
+}  // namespace
+
+cv::Mat DepthSaliency(const cv::Mat& depth_m, const DepthSaliencyOptions& options) {
+  const int line_step_px = std::max(1, cvRound(double(options.line_step_px) / options.downscale));
+  const cv::Mat saliency =
+      SaliencyOfPixels(ReduceDepthByBlocks(depth_m, options.downscale), options, line_step_px);
+  return EnlargeBlocks(saliency, options.downscale, depth_m.size());
 }
 
 }  // namespace fovea

@@ -10,9 +10,12 @@ struct DepthSaliencyOptions {
   // Number of superpixels on which the map is constant, as a multiple of the image diagonal in
   // pixels (Ju: 1); 0 evaluates every pixel on its own, which is faster.
   double superpixels_per_diagonal = 1.0;
+  // The depth image is reduced by this factor first (average) and the map enlarged afterwards; 1 …
+  // 8. Ju: 1.
+  int downscale = 1;
   // Length of the scan lines as a share of the image diagonal. Ju: 0.4.
   double line_length = 0.4;
-  // Distance between samples on a scan line, in pixels. Ju: 5.
+  // Distance between samples on a scan line, in pixels of the depth image. Ju: 5.
   int line_step_px = 5;
   // Weights the farther half of the pixels down (Ju's depth prior).
   bool depth_prior = true;

@@ -1,34 +1,14 @@
 #include "core/saliency/strength_saliency.h"
 
 #include <cmath>
-#include <opencv2/imgproc.hpp>
+#include <opencv2/core.hpp>
 #include <vector>
 
+#include "core/saliency/blocks.h"
 #include "core/types/lab.h"
 
 namespace fovea {
 namespace {
-
-int PaddingToMultiple(int size, int factor) { return (factor - size % factor) % factor; }
-
-// Averages blocks of factor × factor pixels; the last row and column are repeated where the size
-// is no multiple of the factor.
-cv::Mat Reduce(const cv::Mat& image, int factor) {
-  if (factor == 1) return image;
-  cv::Mat padded, reduced;
-  cv::copyMakeBorder(image, padded, 0, PaddingToMultiple(image.rows, factor), 0,
-                     PaddingToMultiple(image.cols, factor), cv::BORDER_REPLICATE);
-  cv::resize(padded, reduced, padded.size() / factor, 0, 0, cv::INTER_AREA);
-  return reduced;
-}
-
-// Undoes Reduce in size: each value becomes a flat block.
-cv::Mat Enlarge(const cv::Mat& map, int factor, cv::Size size) {
-  if (factor == 1) return map;
-  cv::Mat enlarged;
-  cv::resize(map, enlarged, map.size() * factor, 0, 0, cv::INTER_NEAREST);
-  return enlarged(cv::Rect({0, 0}, size)).clone();
-}
 
 void Accumulate(const cv::Mat& strength, cv::Mat& saliency) {
   for (int y = 0; y < saliency.rows; ++y) {
@@ -56,7 +36,7 @@ void NormalizeL2(cv::Mat& map) {
 }  // namespace
 
 cv::Mat StrengthSaliency(const cv::Mat& color_rgb, const StrengthSaliencyOptions& options) {
-  const cv::Mat lab = LabOf(Reduce(color_rgb, options.downscale));
+  const cv::Mat lab = LabOf(ReduceByBlocks(color_rgb, options.downscale));
   std::vector<cv::Mat> channels;
   cv::split(lab, channels);
 
@@ -66,7 +46,7 @@ cv::Mat StrengthSaliency(const cv::Mat& color_rgb, const StrengthSaliencyOptions
       Accumulate(PropagateStrength(channel, scale), saliency);
     }
   }
-  saliency = Enlarge(saliency, options.downscale, color_rgb.size());
+  saliency = EnlargeBlocks(saliency, options.downscale, color_rgb.size());
   NormalizeL2(saliency);
   return saliency;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 #include <random>
 #include <vector>
 
@@ -230,6 +231,25 @@ TEST(DepthSaliency, FallsTowardsTheBorderWithTheCenterPrior) {
   const double down = (10 - 29.5) / 30, across = (10 - 39.5) / 40;
   const auto weight = static_cast<float>(std::exp(-down * down - across * across));
   EXPECT_NEAR(weighted.at<float>(10, 10), weight * plain.at<float>(10, 10), 1e-5F);
+}
+
+TEST(DepthSaliency, IsTheMapOfTheReducedDepthInFlatBlocks) {
+  const cv::Mat depth = BoxOnAPlane({24, 20, 20, 20});
+  DepthSaliencyOptions options = kPerPixel;
+  options.line_step_px = 4;
+  options.downscale = 2;
+  const cv::Mat map = DepthSaliency(depth, options);
+  options.downscale = 1;
+  options.line_step_px = 2;
+  cv::Mat reduced, enlarged;
+  cv::resize(depth, reduced, depth.size() / 2, 0, 0, cv::INTER_AREA);
+  cv::resize(DepthSaliency(reduced, options), enlarged, depth.size(), 0, 0, cv::INTER_NEAREST);
+  EXPECT_LT(cv::norm(map, enlarged, cv::NORM_INF), 1e-5);
+}
+
+TEST(DepthSaliency, KeepsTheSizeWhereTheReductionDoesNotDivideIt) {
+  const cv::Mat depth = GeneratedDepth({47, 31}, 5);
+  EXPECT_EQ(DepthSaliency(depth, {.downscale = 4}).size(), depth.size());
 }
 
 TEST(DepthSaliency, AnswersTheSameEveryTime) {

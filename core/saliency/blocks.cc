@@ -1,0 +1,55 @@
+#include "core/saliency/blocks.h"
+
+#include <algorithm>
+#include <limits>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+namespace fovea {
+namespace {
+
+int NumBlocks(int size, int block) { return (size + block - 1) / block; }
+
+}  // namespace
+
+cv::Mat ReduceByBlocks(const cv::Mat& image, int size_px) {
+  if (size_px == 1) return image;
+  const cv::Size blocks(NumBlocks(image.cols, size_px), NumBlocks(image.rows, size_px));
+  cv::Mat padded, reduced;
+  cv::copyMakeBorder(image, padded, 0, blocks.height * size_px - image.rows, 0,
+                     blocks.width * size_px - image.cols, cv::BORDER_REPLICATE);
+  cv::resize(padded, reduced, blocks, 0, 0, cv::INTER_AREA);
+  return reduced;
+}
+
+cv::Mat ReduceDepthByBlocks(const cv::Mat& depth_m, int size_px) {
+  if (size_px == 1) return depth_m;
+  const int cols = NumBlocks(depth_m.cols, size_px);
+  cv::Mat reduced(NumBlocks(depth_m.rows, size_px), cols, CV_32FC1);
+  for (int block_row = 0; block_row < reduced.rows; ++block_row) {
+    std::vector<float> sums(cols), counts(cols);
+    const int end_row = std::min((block_row + 1) * size_px, depth_m.rows);
+    for (int row = block_row * size_px; row < end_row; ++row) {
+      const float* depth = depth_m.ptr<float>(row);
+      for (int col = 0; col < depth_m.cols; ++col) {
+        const bool is_measured =
+            (depth[col] > 0) & (depth[col] < std::numeric_limits<float>::infinity());
+        sums[col / size_px] += is_measured ? depth[col] : 0.0F;
+        counts[col / size_px] += is_measured ? 1.0F : 0.0F;
+      }
+    }
+    float* mean = reduced.ptr<float>(block_row);
+    for (int col = 0; col < cols; ++col) mean[col] = sums[col] / counts[col];  // 0/0 is NaN
+  }
+  return reduced;
+}
+
+cv::Mat EnlargeBlocks(const cv::Mat& map, int size_px, const cv::Size& size) {
+  if (size_px == 1) return map;
+  cv::Mat enlarged;
+  cv::resize(map, enlarged, map.size() * size_px, 0, 0, cv::INTER_NEAREST);
+  return enlarged(cv::Rect({0, 0}, size)).clone();
+}
+
+}  // namespace fovea
