@@ -25,7 +25,7 @@ std::string ObjectLine(const v1::Object& object) {
   return fmt::sprintf("%3u  %4.0f%%  %5.1f x %5.1f x %5.1f  %6.3f %6.3f %6.3f  %6.3f  %7u  %7s%s\n",
                       object.label(), object.confidence() * 100, size.x() * 100, size.y() * 100,
                       size.z() * 100, at.x(), at.y(), at.z(), Norm(at), object.num_pixels(),
-                      opening.c_str(), object.truncated() ? "  cut by the image border" : "");
+                      opening.c_str(), object.truncated() ? "  cut by the border" : "");
 }
 
 std::string GravityLine(const v1::Gravity& gravity) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "core/objects/measured_area.h"
 #include "core/objects/selection.h"
 
 namespace fovea {
@@ -26,11 +27,6 @@ void SetColoredCloud(const RgbdFrame& frame, const cv::Mat& points,
   for (int channel = 0; channel < 3; ++channel) {
     object.mean_color[channel] = static_cast<std::uint8_t>(std::lround(color_sum[channel] / count));
   }
-}
-
-bool TouchesBorder(const cv::Rect& bounds, const cv::Size& image) {
-  return bounds.x == 0 || bounds.y == 0 || bounds.br().x == image.width ||
-         bounds.br().y == image.height;
 }
 
 float LowestHeight(const std::vector<Eigen::Vector3f>& positions, const SupportSurface& support) {
@@ -58,7 +54,8 @@ std::optional<SupportSurface> OwnSupport(const std::vector<Support>& supports,
   return highest;
 }
 
-DetectedObject Describe(const RgbdFrame& frame, const cv::Mat& points, const Candidate& candidate,
+DetectedObject Describe(const RgbdFrame& frame, const cv::Mat& points,
+                        const cv::Rect& measured_area, const Candidate& candidate,
                         const std::vector<Support>& supports, const Eigen::Vector3f& gravity,
                         const ObjectOptions& options) {
   const std::vector<cv::Point>& pixels = candidate.pixels;
@@ -67,7 +64,7 @@ DetectedObject Describe(const RgbdFrame& frame, const cv::Mat& points, const Can
   object.saliency = candidate.saliency;
   object.bounds_px = cv::boundingRect(pixels);
   object.num_pixels = pixels.size();
-  object.truncated = TouchesBorder(object.bounds_px, frame.depth_m.size());
+  object.truncated = EndsWithArea(object.bounds_px, measured_area, points.size());
   SetColoredCloud(frame, points, pixels, object);
 
   std::vector<Eigen::Vector3f> positions;
@@ -90,9 +87,10 @@ void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points, const cv::Ma
   detections.diagnostics.segments_too_small = selection.num_too_small;
   detections.diagnostics.objects_less_salient = selection.num_less_salient;
   detections.labels = cv::Mat::zeros(frame.depth_m.size(), CV_16UC1);
+  const cv::Rect measured_area = MeasuredArea(points);
   for (const Candidate& candidate : selection.candidates) {
-    DetectedObject object =
-        Describe(frame, points, candidate, supports, detections.gravity.direction, options);
+    DetectedObject object = Describe(frame, points, measured_area, candidate, supports,
+                                     detections.gravity.direction, options);
     object.label = static_cast<int>(detections.objects.size()) + 1;
     for (const cv::Point& pixel : candidate.pixels) {
       detections.labels.at<std::uint16_t>(pixel) = static_cast<std::uint16_t>(object.label);

@@ -1,11 +1,11 @@
 #include "core/objects/outline.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 
 #include "core/depth/depth_gap.h"
+#include "core/objects/measured_area.h"
 #include "core/scene/image_direction.h"
 #include "core/segmentation/labels.h"
 #include "core/types/pixels.h"
@@ -20,33 +20,6 @@ constexpr double kReachPx = 40;  // how far to look for depth beyond it
 Eigen::Vector3f PointAt(const cv::Mat& points, const cv::Point& pixel) {
   const cv::Vec3f& p = points.at<cv::Vec3f>(pixel);
   return {p[0], p[1], p[2]};
-}
-
-// How many of the lines at one end of the image are for the most part not measured: a margin if
-// not more than an eighth of all, else things too far away or cut out.
-int Margin(const std::vector<int>& measured, int across, bool from_end) {
-  const int count = static_cast<int>(measured.size());
-  for (int i = 0; i < count / 8; ++i) {
-    if (2 * measured[from_end ? count - 1 - i : i] >= across) return i;
-  }
-  return 0;
-}
-
-// The image without the margins that registration leaves free.
-cv::Rect MeasuredArea(const cv::Mat& points) {
-  std::vector<int> in_row(points.rows, 0), in_col(points.cols, 0);
-  for (int row = 0; row < points.rows; ++row) {
-    const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
-    for (int col = 0; col < points.cols; ++col) {
-      if (std::isnan(point[col][2])) continue;
-      ++in_row[row];
-      ++in_col[col];
-    }
-  }
-  const cv::Point first(Margin(in_col, points.rows, false), Margin(in_row, points.cols, false));
-  const cv::Point end(points.cols - Margin(in_col, points.rows, true),
-                      points.rows - Margin(in_row, points.cols, true));
-  return {first, end};
 }
 
 class Search {

@@ -59,7 +59,7 @@ struct DetectedObject {
   Eigen::Vector3f centroid = Eigen::Vector3f::Zero();  // mean of the visible points
   std::array<std::uint8_t, 3> mean_color{};            // RGB
   std::optional<float> height_above_support_m;         // of its lowest point
-  bool truncated = false;                              // the mask touches the image border
+  bool truncated = false;                              // the mask ends with the image or its depth
   std::vector<Grasp> grasps;                           // best first
   pcl::PointCloud<pcl::PointXYZRGB> cloud;             // one point per mask pixel, row-major order
 };

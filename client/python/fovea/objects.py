@@ -72,7 +72,7 @@ class Object:
     centroid: FloatArray
     mean_color: tuple[int, int, int]  # red, green, blue
     height_above_support_m: float | None  # of its lowest point; None where there is no support
-    truncated: bool  # the mask touches the image border
+    truncated: bool  # the mask ends with the image, or with its depth
     grasps: list[Grasp]  # best first
     # HxW of the image.
     mask: npt.NDArray[np.bool_] | None = field(repr=False)

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <opencv2/core.hpp>
 
 #include "core/depth/back_projection.h"
@@ -94,6 +95,17 @@ TEST(DescribeObjects, FlagsObjectsAtTheImageBorder) {
   EXPECT_TRUE(scene.detections.objects[0].truncated);
   EXPECT_TRUE(scene.detections.objects[1].truncated);
   EXPECT_FALSE(scene.detections.objects[2].truncated);
+}
+
+TEST(DescribeObjects, FlagsObjectsWhereTheDepthEnds) {
+  Scene scene;
+  scene.frame.depth_m.colRange(0, 20) = std::numeric_limits<float>::quiet_NaN();
+  scene.Label({20, 100, 30, 30}, 1);
+  scene.Label({300, 200, 28, 28}, 2);
+  scene.Describe();
+  ASSERT_EQ(scene.detections.objects.size(), 2U);
+  EXPECT_TRUE(scene.detections.objects[0].truncated);
+  EXPECT_FALSE(scene.detections.objects[1].truncated);
 }
 
 TEST(DescribeObjects, SaliencyIsTheMeanOverTheMaskAndTheMostSalientAreKept) {

@@ -1,0 +1,52 @@
+#include "core/objects/measured_area.h"
+
+#include <cmath>
+#include <vector>
+
+#include "core/types/pixels.h"
+
+namespace fovea {
+namespace {
+
+constexpr double kUnevenPx = 4;  // in an image 640 wide
+
+// How many of the lines at one end of the image are for the most part not measured: a margin if
+// not more than an eighth of all, else things too far away or cut out.
+int Margin(const std::vector<int>& measured, int across, bool from_end) {
+  const int count = static_cast<int>(measured.size());
+  for (int i = 0; i < count / 8; ++i) {
+    if (2 * measured[from_end ? count - 1 - i : i] >= across) return i;
+  }
+  return 0;
+}
+
+}  // namespace
+
+cv::Rect MeasuredArea(const cv::Mat& points) {
+  std::vector<int> in_row(points.rows, 0), in_col(points.cols, 0);
+  for (int row = 0; row < points.rows; ++row) {
+    const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
+    for (int col = 0; col < points.cols; ++col) {
+      if (std::isnan(point[col][2])) continue;
+      ++in_row[row];
+      ++in_col[col];
+    }
+  }
+  const cv::Point first(Margin(in_col, points.rows, false), Margin(in_row, points.cols, false));
+  const cv::Point end(points.cols - Margin(in_col, points.rows, true),
+                      points.rows - Margin(in_row, points.cols, true));
+  return {first, end};
+}
+
+bool EndsWithArea(const cv::Rect& mask_bounds, const cv::Rect& measured_area,
+                  const cv::Size& image) {
+  const int uneven_px = ScaledPx(kUnevenPx, image.width, 1);
+  // The nearest to the upper or left end that a mask may be, and still end there.
+  const auto limit = [&](int margin) { return margin == 0 ? 0 : margin + uneven_px; };
+  const cv::Point end = cv::Point(image) - measured_area.br();
+  const cv::Point to_end = cv::Point(image) - mask_bounds.br();
+  return mask_bounds.x <= limit(measured_area.x) || mask_bounds.y <= limit(measured_area.y) ||
+         to_end.x <= limit(end.x) || to_end.y <= limit(end.y);
+}
+
+}  // namespace fovea
