@@ -3,9 +3,21 @@
 #include <memory>
 
 #include "core/options.h"
+#include "tests/evaluation/camera_effects.h"
 #include "tests/evaluation/detection_modes.h"
 
 namespace fovea::evaluation {
+namespace {
+
+std::string EffectTexts() {
+  std::string texts;
+  for (const CameraEffect& effect : CameraEffects()) {
+    texts += "\n" + effect.name + ": " + effect.description;
+  }
+  return texts;
+}
+
+}  // namespace
 
 void AddDetectionCommand(CLI::App& app) {
   auto flags = std::make_shared<DetectionFlags>();
@@ -30,10 +42,14 @@ void AddDetectionCommand(CLI::App& app) {
       command->add_option("--methods", flags->methods,
                           "A row of scores for each of these profiles and peers, side by side");
   methods->delimiter(',')->check(CLI::IsMember(DetectionMethodNames()));
+  auto* sweep = command->add_option("--sweep", flags->sweeps,
+                                    "name=v1,v2,… : a row of scores for each value; repeatable");
+  sweep->excludes(methods);
   command
-      ->add_option("--sweep", flags->sweeps,
-                   "name=v1,v2,… : a row of scores for each value; repeatable")
-      ->excludes(methods);
+      ->add_flag("--camera-effects", flags->with_effects,
+                 "A row of scores for each of these, on top of the scenes: " + EffectTexts())
+      ->excludes(methods)
+      ->excludes(sweep);
   command->add_option("--threads", flags->num_threads, "Scenes detected at a time")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "tests/evaluation/camera_effects.h"
 #include "tests/evaluation/detection_run.h"
 #include "tests/evaluation/output.h"
 #include "tests/evaluation/peers/peer.h"
@@ -127,6 +128,39 @@ void CompareMethods(const DetectionFlags& flags, const std::vector<Scene>& scene
   WriteJson(flags.json, rows);
 }
 
+// The scenes as another camera would have seen them. Where it sees no depth nobody knows the truth.
+std::vector<Scene> WithEffect(const std::vector<Scene>& scenes, const std::string& effect) {
+  std::vector<Scene> changed = scenes;
+  for (std::size_t i = 0; i < changed.size(); ++i) {
+    changed[i].frame = WithCameraEffect(scenes[i].frame, effect, i);
+    const cv::Mat& depth_m = changed[i].frame.depth_m;
+    changed[i].valid = scenes[i].valid & (depth_m == depth_m);  // false for NaN
+  }
+  return changed;
+}
+
+// One row per camera effect, after one without.
+void RunEffects(const DetectionFlags& flags, const std::vector<Scene>& scenes,
+                const DetectorOptions& options) {
+  nlohmann::json rows = nlohmann::json::array();
+  std::vector<std::string> names;
+  std::vector<Summary> summaries;
+  const auto run = [&](const std::string& name, const std::vector<Scene>& seen) {
+    const Summary summary = Summarize(Evaluate(flags, seen, DetectWith(options)), flags.num_folds);
+    PrintSummaryRow(std::cout, name, summary);
+    rows.push_back({{"effect", name}, {"summary", ToJson(summary)}});
+    names.push_back(name);
+    summaries.push_back(summary);
+  };
+  PrintSummaryHeader(std::cout);
+  run("as recorded", scenes);
+  for (const CameraEffect& effect : CameraEffects()) {
+    run(effect.name, WithEffect(scenes, effect.name));
+  }
+  WriteText(flags.plot, DrawSvg({MethodsChart(names, summaries)}));
+  WriteJson(flags.json, rows);
+}
+
 }  // namespace
 
 std::vector<std::string> DetectionMethodNames() {
@@ -142,6 +176,8 @@ void RunDetectionMode(const DetectionFlags& flags) {
     CompareMethods(flags, scenes);
   } else if (!flags.sweeps.empty()) {
     RunSweeps(flags, scenes, Options(flags, flags.profile));
+  } else if (flags.with_effects) {
+    RunEffects(flags, scenes, Options(flags, flags.profile));
   } else {
     RunOnce(flags, scenes, Options(flags, flags.profile));
   }

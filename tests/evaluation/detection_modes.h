@@ -16,6 +16,7 @@ struct DetectionFlags {
   std::vector<std::string> settings;  // name=value
   std::vector<std::string> sweeps;    // name=value,value…
   std::vector<std::string> methods;   // profiles and peers
+  bool with_effects = false;          // of other cameras
   int num_threads = 1;
   int num_folds = 5;
   bool print_scenes = false;
@@ -27,8 +28,8 @@ struct DetectionFlags {
 // What can stand in DetectionFlags::methods.
 std::vector<std::string> DetectionMethodNames();
 
-// Loads the scenes and prints one row per method, or else one per value of the sweeps, or else the
-// scores of one run with its stage times; writes the files that are asked for.
+// Loads the scenes and prints one row per method, or else one per value of the sweeps or
+// per camera effect, or else the scores of one run with its stage times; writes the files that are asked for.
 void RunDetectionMode(const DetectionFlags& flags);
 
 }  // namespace fovea::evaluation

@@ -16,8 +16,6 @@ constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 constexpr double kKinectBaseline_m = 0.075;
 constexpr double kKinectStep_m = 8 * 580 * kKinectBaseline_m;  // z = this / disparity in steps
 constexpr double kKinectNoise_steps = 0.5;
-constexpr double kStereoBaseline_m = 0.05;
-constexpr double kStereoNoise_px = 0.08;
 
 void LimitRange(cv::Mat& depth_m, double nearest_m, double farthest_m) {
   depth_m.setTo(kNone, (depth_m < nearest_m) | (depth_m > farthest_m));
@@ -63,16 +61,7 @@ cv::Mat Unmatched(const Rendering& rendering, Random& random) {
 }
 
 cv::Mat MeasureWithStereo(const Rendering& rendering, double focal_length_px, Random& random) {
-  cv::Mat depth_m = rendering.depth_m.clone();
-  cv::patchNaNs(depth_m, 100);
-  cv::Mat fattened;  // matching windows give the edge to whoever is nearer
-  cv::erode(depth_m, fattened, cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5}));
-  fattened.copyTo(depth_m, depth_m - fattened > 0.02 + 0.01 * fattened);
-
-  const cv::Mat noise = std::sqrt(0.9) * Noise(depth_m.size(), 5, random) +
-                        std::sqrt(0.1) * Noise(depth_m.size(), 1, random);
-  const double scale = kStereoNoise_px / (focal_length_px * kStereoBaseline_m);
-  depth_m += scale * depth_m.mul(depth_m).mul(noise);
+  cv::Mat depth_m = WithStereoNoise(rendering.depth_m, focal_length_px, random);
   depth_m.setTo(kNone, rendering.in_second_view == 0);
   depth_m.setTo(kNone, rendering.cosine < std::cos(85 * std::numbers::pi / 180));
   depth_m.setTo(kNone, Unmatched(rendering, random));

@@ -36,6 +36,23 @@ void ErodeEdges(cv::Mat& depth_m, const cv::Mat& edges, double low, double high,
                 distance < cv::min(cv::max(width, low), high));
 }
 
+cv::Mat WithStereoNoise(const cv::Mat& depth_m, double focal_length_px, Random& random) {
+  constexpr float kFar_m = 100;  // stands for none
+  cv::Mat noisy = depth_m.clone();
+  cv::patchNaNs(noisy, kFar_m);
+  cv::Mat fattened;  // matching windows give the edge to whoever is nearer
+  cv::erode(noisy, fattened, cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5}));
+  fattened.copyTo(noisy, noisy - fattened > 0.02 + 0.01 * fattened);
+  const cv::Mat none = noisy == kFar_m;
+
+  const cv::Mat noise = std::sqrt(0.9) * Noise(noisy.size(), 5, random) +
+                        std::sqrt(0.1) * Noise(noisy.size(), 1, random);
+  const double scale = kStereoNoise_px / (focal_length_px * kStereoBaseline_m);
+  noisy += scale * noisy.mul(noisy).mul(noise);
+  noisy.setTo(std::numeric_limits<float>::quiet_NaN(), none);
+  return noisy;
+}
+
 cv::Mat WithLateralNoise(const cv::Mat& depth_m, Random& random) {
   cv::Mat moved(depth_m.size(), CV_32FC1);
   for (int y = 0; y < depth_m.rows; ++y) {

@@ -19,6 +19,13 @@ cv::Mat DepthEdges(const cv::Mat& depth_m, const cv::Size& window);
 // side.
 void ErodeEdges(cv::Mat& depth_m, const cv::Mat& edges, double low, double high, Random& random);
 
+constexpr double kStereoBaseline_m = 0.05;
+constexpr double kStereoNoise_px = 0.08;  // standard deviation of the disparity
+
+// The depth as active stereo measures it: edges go to what is nearer, and the noise is correlated
+// over some pixels.
+cv::Mat WithStereoNoise(const cv::Mat& depth_m, double focal_length_px, Random& random);
+
 // The depth as seen through pixels that wander by half a pixel (standard deviation).
 cv::Mat WithLateralNoise(const cv::Mat& depth_m, Random& random);
 
