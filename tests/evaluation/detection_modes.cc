@@ -134,7 +134,7 @@ std::vector<Scene> WithEffect(const std::vector<Scene>& scenes, const std::strin
   for (std::size_t i = 0; i < changed.size(); ++i) {
     changed[i].frame = WithCameraEffect(scenes[i].frame, effect, i);
     const cv::Mat& depth_m = changed[i].frame.depth_m;
-    changed[i].valid = scenes[i].valid & (depth_m == depth_m);  // false for NaN
+    changed[i].valid = cv::Mat(scenes[i].valid & (depth_m == depth_m));  // false for NaN
   }
   return changed;
 }
