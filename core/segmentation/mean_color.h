@@ -26,7 +26,9 @@ struct MeanColor {
 };
 
 // One entry a voxel; empty for voxels outside of the bounding rectangle of all that has a label
-// above 0. `color_rgb`: CV_8UC3 of the frame.
+// above 0. `color_rgb`: CV_8UC3 of the frame. Where that rectangle is dark, its colours are taken
+// farther apart, as if it were lit (its light places have L = 50, by a factor of 4 at most); where
+// it is grey, by 1.75, for the differences in hue that are not there.
 std::vector<MeanColor> ColorsOfVoxels(const VoxelGrid& grid, const std::vector<int>& labels,
                                       const cv::Mat& color_rgb);
 
