@@ -3,11 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 #include <opencv2/core.hpp>
 #include <random>
 #include <thread>
+#include <vector>
 
 #include "tests/support/labelled_frame.h"
 #include "tests/support/random_scene.h"
@@ -138,6 +140,40 @@ TEST_P(Detector, StopsBetweenStages) {
 
 INSTANTIATE_TEST_SUITE_P(Profiles, Detector, testing::ValuesIn(ProfileNames()),
                          [](const auto& profile) { return profile.param; });
+
+// The last pixel of each object in a row is moved halfway to the background beside it: their depths
+// where objects have points there.
+std::vector<float> DepthsAtRims(const scenes::LabelledFrame& truth, double max_angle_deg) {
+  RgbdFrame frame = truth.frame;
+  frame.depth_m = truth.frame.depth_m.clone();
+  std::vector<float> moved;
+  for (int row = 0; row < frame.depth_m.rows; ++row) {
+    const float* depth = truth.frame.depth_m.ptr<float>(row);
+    const auto* label = truth.labels.ptr<std::uint16_t>(row);
+    for (int col = 1; col + 1 < frame.depth_m.cols; ++col) {
+      if (label[col] == 0 || label[col + 1] != 0 || depth[col + 1] - depth[col - 1] < 0.1F)
+        continue;
+      moved.push_back(0.5F * (depth[col - 1] + depth[col + 1]));
+      frame.depth_m.at<float>(row, col) = moved.back();
+    }
+  }
+  DetectorOptions options = OptionsOfProfile("default");
+  options.flying_pixels.max_angle_deg = max_angle_deg;
+  std::vector<float> found;
+  for (const DetectedObject& object : Detect(frame, options).objects) {
+    for (const pcl::PointXYZRGB& point : object.cloud) {
+      if (std::find(moved.begin(), moved.end(), point.z) != moved.end()) found.push_back(point.z);
+    }
+  }
+  return found;
+}
+
+TEST(Detect, PutsFlyingPixelsOnASurface) {
+  const auto truth = scenes::MakeFrame(scenes::RandomScene("tabletop", 1, {320, 240}),
+                                       scenes::SensorKind::kIdeal, 1);
+  EXPECT_THAT(DepthsAtRims(truth, 80), SizeIs(0));
+  EXPECT_THAT(DepthsAtRims(truth, 90), SizeIs(testing::Gt(0)));
+}
 
 TEST(Detect, NamesWhatIsWrongWithAFrame) {
   RgbdFrame frame = Tabletop();
