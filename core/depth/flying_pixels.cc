@@ -38,8 +38,8 @@ cv::Mat RemoveFlyingPixels(const cv::Mat& depth_m, double fx_px, double fy_px,
   for (int row = 0; row < depth_m.rows; ++row) {
     const float* line = depth_m.ptr<float>(row);
     float* out = kept.ptr<float>(row);
-    RemoveRamps(line, line + stride, line + 2 * stride, depth_m.cols - 2 * stride, slope_x,
-                out + stride);
+    const float* second = line + stride;
+    RemoveRamps(line, second, second + stride, depth_m.cols - 2 * stride, slope_x, out + stride);
     if (row < stride || row >= depth_m.rows - stride) continue;
     RemoveRamps(depth_m.ptr<float>(row - stride), line, depth_m.ptr<float>(row + stride),
                 depth_m.cols, slope_y, out);
