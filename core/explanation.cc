@@ -39,8 +39,8 @@ std::string SegmentLoss(const Diagnostics& d) {
   }
   if (d.segments_too_small == 0) return "";
   return fmt::format(
-      "{} of {} segments are smaller than objects.min_pixels or "
-      "objects.min_area_m2",
+      "{} of {} segments are smaller than objects.min_pixels, objects.min_area_m2 or, cut by the "
+      "image border, objects.min_truncated_pixels",
       d.segments_too_small, d.num_segments - d.num_merged);
 }
 

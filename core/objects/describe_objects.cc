@@ -54,8 +54,7 @@ std::optional<SupportSurface> OwnSupport(const std::vector<Support>& supports,
   return highest;
 }
 
-DetectedObject Describe(const RgbdFrame& frame, const cv::Mat& points,
-                        const cv::Rect& measured_area, const Candidate& candidate,
+DetectedObject Describe(const RgbdFrame& frame, const cv::Mat& points, const Candidate& candidate,
                         const std::vector<Support>& supports, const Eigen::Vector3f& gravity,
                         const ObjectOptions& options) {
   const std::vector<cv::Point>& pixels = candidate.pixels;
@@ -64,7 +63,7 @@ DetectedObject Describe(const RgbdFrame& frame, const cv::Mat& points,
   object.saliency = candidate.saliency;
   object.bounds_px = cv::boundingRect(pixels);
   object.num_pixels = pixels.size();
-  object.truncated = EndsWithArea(object.bounds_px, measured_area, points.size());
+  object.truncated = candidate.truncated;
   SetColoredCloud(frame, points, pixels, object);
 
   std::vector<Eigen::Vector3f> positions;
@@ -82,15 +81,15 @@ DetectedObject Describe(const RgbdFrame& frame, const cv::Mat& points,
 void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points, const cv::Mat& saliency,
                      const std::vector<Support>& supports, const ObjectOptions& options,
                      Detections& detections) {
-  const Selection selection = SelectObjects(detections.labels, frame.depth_m, saliency,
-                                            frame.intrinsics, options.selection);
+  const Selection selection =
+      SelectObjects(detections.labels, frame.depth_m, saliency, MeasuredArea(points),
+                    frame.intrinsics, options.selection);
   detections.diagnostics.segments_too_small = selection.num_too_small;
   detections.diagnostics.objects_less_salient = selection.num_less_salient;
   detections.labels = cv::Mat::zeros(frame.depth_m.size(), CV_16UC1);
-  const cv::Rect measured_area = MeasuredArea(points);
   for (const Candidate& candidate : selection.candidates) {
-    DetectedObject object = Describe(frame, points, measured_area, candidate, supports,
-                                     detections.gravity.direction, options);
+    DetectedObject object =
+        Describe(frame, points, candidate, supports, detections.gravity.direction, options);
     object.label = static_cast<int>(detections.objects.size()) + 1;
     for (const cv::Point& pixel : candidate.pixels) {
       detections.labels.at<std::uint16_t>(pixel) = static_cast<std::uint16_t>(object.label);

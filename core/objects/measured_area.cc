@@ -8,7 +8,7 @@
 namespace fovea {
 namespace {
 
-constexpr double kUnevenPx = 4;  // in an image 640 wide
+constexpr double kUnevenPx = 6;  // in an image 640 wide
 
 // How many of the lines at one end of the image are for the most part not measured: a margin if
 // not more than an eighth of all, else things too far away or cut out.

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 #include <tuple>
 #include <utility>
 
 #include "core/objects/confidence.h"
+#include "core/objects/measured_area.h"
 #include "core/objects/seclusion.h"
 
 namespace fovea {
@@ -56,6 +57,13 @@ bool IsPartlyHidden(const cv::Mat& labels, const cv::Mat& depth_m,
   return seclusion.hidden >= kMinHidden && seclusion.level <= kMaxLevel;
 }
 
+double FewestPixels(const SelectionOptions& options, bool truncated, const cv::Size& image) {
+  const double scale = static_cast<double>(image.area()) / (640.0 * 480.0);
+  const double fewest =
+      truncated ? std::max(options.min_pixels, options.min_truncated_pixels) : options.min_pixels;
+  return std::max(kFewestPixels, std::round(fewest * scale));
+}
+
 // Leaves the `max_objects` most salient candidates, in their order; 0: all. Returns how many it
 // drops.
 std::size_t KeepMostSalient(int max_objects, std::vector<Candidate>& candidates) {
@@ -75,9 +83,8 @@ std::size_t KeepMostSalient(int max_objects, std::vector<Candidate>& candidates)
 }  // namespace
 
 Selection SelectObjects(const cv::Mat& labels, const cv::Mat& depth_m, const cv::Mat& saliency,
-                        const CameraIntrinsics& intrinsics, const SelectionOptions& options) {
-  const double scale = static_cast<double>(labels.total()) / (640.0 * 480.0);
-  const double min_pixels = std::max(kFewestPixels, std::round(options.min_pixels * scale));
+                        const cv::Rect& measured_area, const CameraIntrinsics& intrinsics,
+                        const SelectionOptions& options) {
   PixelsOfLabel pixels_of_label = CollectPixels(labels);
   Selection selection;
   for (int label = 1; label < static_cast<int>(pixels_of_label.size()); ++label) {
@@ -89,13 +96,15 @@ Selection SelectObjects(const cv::Mat& labels, const cv::Mat& depth_m, const cv:
     const bool large_enough =
         area_m2 >= options.min_area_m2 ||
         (area_m2 >= options.min_hidden_area_m2 && IsPartlyHidden(labels, depth_m, pixels));
-    if (count < min_pixels || !large_enough) {
+    const bool truncated = EndsWithArea(cv::boundingRect(pixels), measured_area, labels.size());
+    if (count < FewestPixels(options, truncated, labels.size()) || !large_enough) {
       ++selection.num_too_small;
       continue;
     }
     const float confidence = Confidence(area_m2, std::sqrt(squares / count));
     const float mean_saliency = MeanOf(saliency, pixels);
-    selection.candidates.push_back({label, std::move(pixels), confidence, mean_saliency});
+    selection.candidates.push_back(
+        {label, std::move(pixels), confidence, mean_saliency, truncated});
   }
   std::stable_sort(selection.candidates.begin(), selection.candidates.end(),
                    [](const Candidate& a, const Candidate& b) {

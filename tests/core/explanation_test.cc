@@ -100,7 +100,8 @@ TEST(ExplainLosses, SmallSegmentsAreCountedAfterMerging) {
   detections.diagnostics.segments_too_small = 5;
   EXPECT_THAT(
       ExplainLosses(detections),
-      ElementsAre("5 of 5 segments are smaller than objects.min_pixels or objects.min_area_m2"));
+      ElementsAre("5 of 5 segments are smaller than objects.min_pixels, objects.min_area_m2 or, "
+                  "cut by the image border, objects.min_truncated_pixels"));
 }
 
 TEST(ExplainLosses, SegmentsMayBeLostAsLongAsObjectsAreLeft) {

@@ -152,6 +152,19 @@ TEST(DescribeObjects, AsksForLessOfWhatIsPartlyHidden) {
   EXPECT_EQ(scene.detections.objects[0].bounds_px.x, 120);
 }
 
+TEST(DescribeObjects, AsksForMoreOfWhatTheBorderCuts) {
+  Scene scene;
+  scene.Label({0, 100, 20, 20}, 1);
+  scene.Label({300, 100, 20, 20}, 2);
+  scene.Label({615, 100, 25, 20}, 3);
+  ObjectOptions options;
+  options.selection.min_truncated_pixels = 500;
+  scene.Describe(options);
+  ASSERT_EQ(scene.detections.objects.size(), 2U);
+  EXPECT_EQ(scene.detections.objects[0].bounds_px.x, 615);
+  EXPECT_EQ(scene.detections.objects[1].bounds_px.x, 300);
+}
+
 TEST(DescribeObjects, StandsOnTheHighestSupportBelow) {
   Scene scene;
   scene.Label({300, 200, 40, 40}, 1);  // its lowest row is 2 mm above the optical axis

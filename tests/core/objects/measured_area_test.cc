@@ -40,8 +40,8 @@ TEST(EndsWithArea, AtTheEndOfTheImageOrNearAMargin) {
   EXPECT_TRUE(EndsWithArea({590, 100, 50, 50}, whole, image));
   EXPECT_TRUE(EndsWithArea({100, 430, 50, 50}, with_margin, image));
   EXPECT_FALSE(EndsWithArea({2, 100, 50, 50}, whole, image));
-  EXPECT_TRUE(EndsWithArea({12, 100, 50, 50}, with_margin, image));
-  EXPECT_FALSE(EndsWithArea({13, 100, 50, 50}, with_margin, image));
+  EXPECT_TRUE(EndsWithArea({14, 100, 50, 50}, with_margin, image));
+  EXPECT_FALSE(EndsWithArea({15, 100, 50, 50}, with_margin, image));
 }
 
 }  // namespace
