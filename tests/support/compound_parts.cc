@@ -15,18 +15,18 @@ Part PartAt(const Eigen::Vector3d& center, const Shape& shape, int material) {
 }  // namespace
 
 Part BlockPart(const Eigen::Vector3d& center, const Eigen::Vector3d& size_m, int material) {
-  return PartAt(center, {ShapeKind::kBox, size_m, 0}, material);
+  return PartAt(center, {ShapeKind::kBox, size_m, 0, {}}, material);
 }
 
 Part BallPart(const Eigen::Vector3d& center, double diameter_m, int material) {
   const Eigen::Vector3d size_m = Eigen::Vector3d::Constant(diameter_m);
-  return PartAt(center, {ShapeKind::kSphere, size_m, 0}, material);
+  return PartAt(center, {ShapeKind::kSphere, size_m, 0, {}}, material);
 }
 
 Part RodPart(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double diameter_m,
              int material) {
   const Eigen::Vector3d along = to - from;
-  const Shape rod = {ShapeKind::kCylinder, {diameter_m, diameter_m, along.norm()}, 0};
+  const Shape rod = {ShapeKind::kCylinder, {diameter_m, diameter_m, along.norm()}, 0, {}};
   Part part = PartAt((from + to) / 2, rod, material);
   part.shape_from_part.linear() =
       Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), along).toRotationMatrix();
@@ -38,7 +38,7 @@ Part DiskPart(double low_m, double high_m, double diameter_m, int material) {
 }
 
 Part VesselPart(double diameter_m, double height_m, double wall_m) {
-  const Shape cup = {ShapeKind::kCup, {diameter_m, diameter_m, height_m}, wall_m};
+  const Shape cup = {ShapeKind::kCup, {diameter_m, diameter_m, height_m}, wall_m, {}};
   return PartAt({0, 0, height_m / 2}, cup, 0);
 }
 

@@ -27,7 +27,7 @@ Scene BallOnFloor() {
   scene.supports = {{0, {0, 0}, {5, 5}}};
   Body ball;
   ball.name = "ball";
-  ball.shape = {ShapeKind::kSphere, {0.1, 0.1, 0.1}, 0};
+  ball.shape = {ShapeKind::kSphere, {0.1, 0.1, 0.1}, 0, {}};
   ball.is_object = true;
   Rest(ball, {0, 0}, 0, 0);
   scene.bodies.push_back(ball);

@@ -11,7 +11,7 @@ namespace {
 Body Named(const char* name, ShapeKind kind, const Eigen::Vector3d& size_m, double wall_m = 0) {
   Body body;
   body.name = name;
-  body.shape = {kind, size_m, wall_m};
+  body.shape = {kind, size_m, wall_m, {}};
   return body;
 }
 

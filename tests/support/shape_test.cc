@@ -16,7 +16,7 @@ std::optional<Hit> FromAbove(const Shape& shape, double x, double y) {
 }
 
 TEST(Shape, BoxIsHitOnTheFaceThatTheRayMeets) {
-  const Shape box = {ShapeKind::kBox, {2, 4, 6}, 0};
+  const Shape box = {ShapeKind::kBox, {2, 4, 6}, 0, {}};
   const auto top = FromAbove(box, 0.9, -1.9);
   ASSERT_TRUE(top);
   EXPECT_DOUBLE_EQ(top->t, 7);
@@ -29,24 +29,24 @@ TEST(Shape, BoxIsHitOnTheFaceThatTheRayMeets) {
 }
 
 TEST(Shape, IsNotHitBehindTheOriginOrBeyondTheLimit) {
-  const Shape ball = {ShapeKind::kSphere, {2, 2, 2}, 0};
+  const Shape ball = {ShapeKind::kSphere, {2, 2, 2}, 0, {}};
   EXPECT_FALSE(Intersect(ball, {{0, 0, 5}, {0, 0, 1}}));
   EXPECT_FALSE(Intersect(ball, {{0, 0, 5}, {0, 0, -1}}, 3.9));
   EXPECT_TRUE(Intersect(ball, {{0, 0, 5}, {0, 0, -1}}, 4.1));
 }
 
 TEST(Shape, RoundShapesHaveTheirRadius) {
-  const auto ball = FromAbove({ShapeKind::kSphere, {2, 2, 2}, 0}, 0.6, 0);
+  const auto ball = FromAbove({ShapeKind::kSphere, {2, 2, 2}, 0, {}}, 0.6, 0);
   ASSERT_TRUE(ball);
   EXPECT_NEAR(ball->t, 10 - 0.8, 1e-12);
   EXPECT_TRUE(ball->normal.isApprox(Vector3d(0.6, 0, 0.8), 1e-12));
-  const Shape can = {ShapeKind::kCylinder, {2, 2, 4}, 0};
+  const Shape can = {ShapeKind::kCylinder, {2, 2, 4}, 0, {}};
   EXPECT_TRUE(FromAbove(can, 0.7, 0.7));
   EXPECT_FALSE(FromAbove(can, 0.72, 0.72));
 }
 
 TEST(Shape, HollowShapesShowTheirInside) {
-  const Shape cup = {ShapeKind::kCup, {2, 2, 4}, 0.1};
+  const Shape cup = {ShapeKind::kCup, {2, 2, 4}, 0.1, {}};
   EXPECT_NEAR(FromAbove(cup, 0, 0)->t, 10 + 2 - 0.1, 1e-12) << "the inner floor";
   EXPECT_NEAR(FromAbove(cup, 0.95, 0)->t, 8, 1e-12) << "the rim";
   const auto wall = Intersect(cup, {{0, 0, 0}, {1, 0, 0}});
@@ -54,7 +54,7 @@ TEST(Shape, HollowShapesShowTheirInside) {
   EXPECT_NEAR(wall->t, 0.9, 1e-12);
   EXPECT_TRUE(wall->normal.isApprox(-Vector3d::UnitX(), 1e-12));
 
-  const Shape bowl = {ShapeKind::kBowl, {2, 2, 0.8}, 0.05};
+  const Shape bowl = {ShapeKind::kBowl, {2, 2, 0.8}, 0.05, {}};
   const auto bottom = FromAbove(bowl, 0, 0);
   ASSERT_TRUE(bottom);
   EXPECT_NEAR(bottom->t, 10 + 0.4 - 0.05, 1e-12);
@@ -64,8 +64,8 @@ TEST(Shape, HollowShapesShowTheirInside) {
 
 // A box of 2 × 2 × 2 with a ball of diameter 2 of another material on its right.
 Shape BoxAndBall() {
-  Part box = {{ShapeKind::kBox, {2, 2, 2}, 0}};
-  Part ball = {{ShapeKind::kSphere, {2, 2, 2}, 0}, Eigen::Isometry3d::Identity(), 1};
+  Part box = {{ShapeKind::kBox, {2, 2, 2}, 0, {}}};
+  Part ball = {{ShapeKind::kSphere, {2, 2, 2}, 0, {}}, Eigen::Isometry3d::Identity(), 1};
   ball.shape_from_part.translation().x() = 4;
   return CompoundOf({box, ball});
 }
@@ -76,7 +76,7 @@ TEST(Shape, CompoundIsCentredInTheBoxAroundItsParts) {
   EXPECT_EQ(shape.parts[0].shape_from_part.translation(), Vector3d(-2, 0, 0));
   EXPECT_EQ(shape.parts[1].shape_from_part.translation(), Vector3d(2, 0, 0));
 
-  Part slanted = {{ShapeKind::kBox, {2, 2, 4}, 0}};
+  Part slanted = {{ShapeKind::kBox, {2, 2, 4}, 0, {}}};
   slanted.shape_from_part.rotate(Eigen::AngleAxisd(std::numbers::pi / 4, Vector3d::UnitY()));
   const double diagonal = 6 / std::numbers::sqrt2;
   EXPECT_TRUE(CompoundOf({slanted}).size_m.isApprox(Vector3d(diagonal, 2, diagonal), 1e-12));
@@ -102,7 +102,7 @@ TEST(Shape, CompoundIsHitAtTheNearestOfItsParts) {
 }
 
 TEST(Shape, NormalsOfPartsTurnWithThem) {
-  Part slanted = {{ShapeKind::kBox, {2, 2, 2}, 0}};
+  Part slanted = {{ShapeKind::kBox, {2, 2, 2}, 0, {}}};
   slanted.shape_from_part.rotate(Eigen::AngleAxisd(std::numbers::pi / 6, Vector3d::UnitY()));
   const auto hit = FromAbove(CompoundOf({slanted}), 0, 0);
   ASSERT_TRUE(hit);
