@@ -29,8 +29,8 @@ void RemoveRamps(const float* before, const float* here, const float* after, int
 
 cv::Mat RemoveFlyingPixels(const cv::Mat& depth_m, double fx_px, double fy_px,
                            const FlyingPixelOptions& options) {
+  if (options.max_angle_deg >= 90) return depth_m;
   cv::Mat kept = depth_m.clone();
-  if (options.max_angle_deg >= 90) return kept;
   const int stride = ScaledPx(1, depth_m.cols, 1);
   const double slope = std::tan(options.max_angle_deg * std::numbers::pi / 180) * stride;
   const auto slope_x = static_cast<float>(slope / fx_px);
