@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/objects/oriented_box.h"
+#include "core/segmentation/contacts.h"
 #include "core/segmentation/labels.h"
 
 namespace fovea {
@@ -87,13 +88,13 @@ void SpreadRest(const VoxelGrid& grid, const std::vector<int>& labels,
                 const std::vector<char>& stays, std::vector<char>& rests) {
   constexpr int kTouchCells = 2;
   if (std::all_of(rests.begin() + 1, rests.end(), [](char rest) { return rest != 0; })) return;
-  const std::vector<VoxelEdge> pairs = PairsWithin(grid, labels, kTouchCells);
+  const std::vector<VoxelEdge> contacts = FindContacts(grid, labels, kTouchCells);
   for (bool changed = true; changed;) {
     changed = false;
-    for (const VoxelEdge& pair : pairs) {
-      const int a = labels[pair.a];
-      const int b = labels[pair.b];
-      if (a == 0 || b == 0 || !stays[a] || !stays[b] || rests[a] == rests[b]) continue;
+    for (const VoxelEdge& contact : contacts) {
+      const int a = labels[contact.a];
+      const int b = labels[contact.b];
+      if (!stays[a] || !stays[b] || rests[a] == rests[b]) continue;
       rests[a] = rests[b] = 1;
       changed = true;
     }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/segmentation/contacts.h"
+
 namespace fovea {
 
 void Boundary::Add(const Boundary& other) {
@@ -20,11 +22,11 @@ constexpr double kMinGapPairs = 4;
 Boundaries CollectWithin(int reach_cells, const VoxelGrid& grid, const std::vector<int>& labels,
                          const std::vector<MeanColor>& colors) {
   Boundaries boundaries;
-  for (const VoxelEdge& pair : PairsWithin(grid, labels, reach_cells)) {
+  for (const VoxelEdge& pair : FindContacts(grid, labels, reach_cells)) {
     const auto [low, high] = std::minmax(labels[pair.a], labels[pair.b]);
     const Voxel& a = grid.voxels[pair.a];
     const Voxel& b = grid.voxels[pair.b];
-    if (low == high || a.normal.isZero() || b.normal.isZero()) continue;
+    if (a.normal.isZero() || b.normal.isZero()) continue;
     boundaries[{low, high}].Add({1, ConvexityDeg(a, b), std::abs(StepDeg(a, b)),
                                  colors[pair.a].DistanceTo(colors[pair.b])});
   }

@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
+#include "core/segmentation/contacts.h"
 #include "core/segmentation/disjoint_sets.h"
 #include "core/segmentation/labels.h"
 #include "core/segmentation/lower_border.h"
@@ -61,9 +62,9 @@ struct Segment {
 
 Contacts CollectContacts(const VoxelGrid& grid, const std::vector<int>& labels) {
   Contacts contacts;
-  for (const VoxelEdge& pair : PairsWithin(grid, labels, kTouchCells)) {
+  for (const VoxelEdge& pair : FindContacts(grid, labels, kTouchCells)) {
     const auto [low, high] = std::minmax(labels[pair.a], labels[pair.b]);
-    if (low != high) ++contacts[{low, high}];
+    ++contacts[{low, high}];
   }
   return contacts;
 }

@@ -12,13 +12,13 @@
 namespace fovea {
 namespace {
 
-// Half of the cells within `reach` that differ along at most `axes` axes, so that each pair is met
+// Half of the neighbouring cells that differ along at most `axes` axes, so that each pair is met
 // once.
-std::vector<Eigen::Vector3i> HalfNeighborhood(int reach, int axes) {
+std::vector<Eigen::Vector3i> HalfNeighborhood(int axes) {
   std::vector<Eigen::Vector3i> offsets;
-  for (int x = 0; x <= reach; ++x) {
-    for (int y = -reach; y <= reach; ++y) {
-      for (int z = -reach; z <= reach; ++z) {
+  for (int x = 0; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      for (int z = -1; z <= 1; ++z) {
         const bool second_half = x > 0 || y > 0 || (y == 0 && z > 0);
         const int moved = (x != 0) + (y != 0) + (z != 0);
         if (second_half && moved <= axes) offsets.emplace_back(x, y, z);
@@ -66,6 +66,7 @@ class RowCells {
   static void TakeLogarithms(std::vector<float>& values) {
     float last = 1, last_log = 0;
     for (float& value : values) {
+      if (std::isnan(value)) continue;
       if (value != last) last_log = std::log(value);
       last = value;
       value = last_log;
@@ -128,9 +129,9 @@ void Finish(std::vector<Voxel>& voxels) {
   }
 }
 
-// `index` finds the voxels that take part.
-std::vector<VoxelEdge> PairsAt(const std::vector<Eigen::Vector3i>& offsets,
-                               const std::vector<Voxel>& voxels, const CellIndex& index) {
+std::vector<VoxelEdge> FindNeighbors(const std::vector<Voxel>& voxels, const CellIndex& index,
+                                     int axes) {
+  const std::vector<Eigen::Vector3i> offsets = HalfNeighborhood(axes);
   std::vector<VoxelEdge> pairs;
   for (int i = 0; i < static_cast<int>(voxels.size()); ++i) {
     for (const Eigen::Vector3i& offset : offsets) {
@@ -162,25 +163,9 @@ VoxelGrid BuildVoxelGrid(const cv::Mat& points, const cv::Mat& normals,
   grid.voxel_of_pixel = cv::Mat(points.size(), CV_32SC1, cv::Scalar(-1));
   const CellIndex index = CollectVoxels(points, normals, options, grid);
   Finish(grid.voxels);
-  grid.edges = PairsAt(HalfNeighborhood(1, options.neighbor_axes), grid.voxels, index);
+  grid.edges = FindNeighbors(grid.voxels, index, options.neighbor_axes);
   for (int pass = 0; pass < options.normal_smoothing; ++pass) SmoothNormals(grid);
   return grid;
-}
-
-std::vector<VoxelEdge> PairsWithin(const VoxelGrid& grid, const std::vector<int>& labels,
-                                   int reach_cells) {
-  std::vector<int> labelled;
-  std::vector<Voxel> voxels;
-  CellIndex index;
-  for (std::size_t v = 0; v < labels.size(); ++v) {
-    if (labels[v] == 0) continue;
-    index.FindOrAdd(grid.voxels[v].cell, static_cast<int>(voxels.size()));
-    labelled.push_back(static_cast<int>(v));
-    voxels.push_back(grid.voxels[v]);
-  }
-  std::vector<VoxelEdge> pairs = PairsAt(HalfNeighborhood(reach_cells, 3), voxels, index);
-  for (VoxelEdge& pair : pairs) pair = {labelled[pair.a], labelled[pair.b]};
-  return pairs;
 }
 
 float ConvexityDeg(const Voxel& a, const Voxel& b) {

@@ -42,11 +42,6 @@ struct VoxelGrid {
 VoxelGrid BuildVoxelGrid(const cv::Mat& points, const cv::Mat& normals,
                          const VoxelOptions& options = {});
 
-// Every pair of voxels with a label above 0 whose cells differ by at most `reach_cells` along each
-// axis, once. `labels`: one entry a voxel.
-std::vector<VoxelEdge> PairsWithin(const VoxelGrid& grid, const std::vector<int>& labels,
-                                   int reach_cells);
-
 // Signed angle between the normals of two voxels in degrees: positive where the surface bulges
 // from one to the other (convex), negative where it makes a groove; the sign of Eq. 8.
 float ConvexityDeg(const Voxel& a, const Voxel& b);
