@@ -1,10 +1,11 @@
 #include "core/objects/oriented_box.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <opencv2/imgproc.hpp>
-#include <utility>
 
 #include "core/scene/level_axes.h"
 
@@ -23,28 +24,46 @@ Eigen::Matrix3f LevelFrame(const Eigen::Vector3f& up) {
   return frame;
 }
 
-// Without most of the points inside the convex hull, which takes long to find among many: those
-// inside of the octagon between the outermost points in eight directions.
-std::vector<cv::Point2f> WithoutInnerPoints(const std::vector<cv::Point2f>& points) {
-  std::vector<cv::Point2d> corners;
-  for (const auto& [x, y] :
-       {std::pair(1, 0), {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}) {
-    const auto reach = [x = x, y = y](const cv::Point2f& p) {
-      return static_cast<float>(x) * p.x + static_cast<float>(y) * p.y;
-    };
-    corners.emplace_back(*std::max_element(
-        points.begin(), points.end(),
-        [&](const cv::Point2f& a, const cv::Point2f& b) { return reach(a) < reach(b); }));
+// The outermost points in eight directions, counterclockwise, each once.
+std::vector<cv::Point2d> Octagon(const std::vector<cv::Point2f>& points) {
+  struct Farthest {
+    float reach = -std::numeric_limits<float>::infinity();
+    cv::Point2f point;
+    void Offer(float new_reach, const cv::Point2f& new_point) {
+      if (new_reach > reach) *this = {new_reach, new_point};
+    }
+  };
+  std::array<Farthest, 8> farthest;
+  for (const cv::Point2f& point : points) {
+    const std::array<float, 4> reaches = {point.x, point.x + point.y, point.y, point.y - point.x};
+    for (std::size_t i = 0; i < reaches.size(); ++i) {
+      farthest[i].Offer(reaches[i], point);
+      farthest[i + 4].Offer(-reaches[i], point);
+    }
   }
+  std::vector<cv::Point2d> corners;
+  for (const Farthest& corner : farthest) corners.emplace_back(corner.point);
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   if (corners.front() == corners.back()) corners.pop_back();
+  return corners;
+}
+
+// Without most of the points inside the convex hull, which takes long to find among many: those
+// inside of the octagon.
+std::vector<cv::Point2f> WithoutInnerPoints(const std::vector<cv::Point2f>& points) {
+  const std::vector<cv::Point2d> corners = Octagon(points);
   if (corners.size() < 3) return points;
+  std::vector<cv::Point3d> sides;  // x · p.x + y · p.y + z is twice the area between side and p
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const cv::Point2d side = corners[(i + 1) % corners.size()] - corners[i];
+    sides.emplace_back(-side.y, side.x, -side.cross(corners[i]));
+  }
   const auto is_outer = [&](const cv::Point2f& point) {
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const cv::Point2d side = corners[(i + 1) % corners.size()] - corners[i];
-      if (side.cross(cv::Point2d(point) - corners[i]) < kInsideM2) return true;
+    double area = std::numeric_limits<double>::infinity();
+    for (const cv::Point3d& side : sides) {
+      area = std::min(area, side.x * point.x + side.y * point.y + side.z);
     }
-    return false;
+    return area < kInsideM2;
   };
   std::vector<cv::Point2f> outer;
   std::copy_if(points.begin(), points.end(), std::back_inserter(outer), is_outer);
@@ -80,6 +99,7 @@ OrientedBox FitOrientedBox(const std::vector<Eigen::Vector3f>& points, const Eig
   const Eigen::Matrix3f level = LevelFrame(up);
   const Eigen::Vector3f& origin = points.front();  // keeps the numbers small
   std::vector<cv::Point2f> ground;
+  ground.reserve(points.size());
   float bottom = 0;
   float top = 0;
   for (const Eigen::Vector3f& point : points) {

@@ -33,14 +33,17 @@ Positions PositionsOf(const std::vector<Seed>& seeds) {
   return positions;
 }
 
+// To each position, summed in the order of squaredNorm().
+auto SquaredDistances(const Positions& positions, const Eigen::Vector3f& from) {
+  return (positions.col(0) - from.x()).square() +
+         ((positions.col(1) - from.y()).square() + (positions.col(2) - from.z()).square());
+}
+
 // The seeds that may be the nearest to a point of the voxel: by the triangle inequality those not
 // farther from its mean than the nearest one is, plus twice the voxel's radius.
 std::vector<Eigen::Vector3f> NearSeeds(const Voxel& voxel, float radius, const Positions& seeds) {
   if (seeds.rows() == 0) return {};
-  // Summed in the order of squaredNorm().
-  const Eigen::ArrayXf squared_distance =
-      (seeds.col(0) - voxel.mean.x()).square() +
-      ((seeds.col(1) - voxel.mean.y()).square() + (seeds.col(2) - voxel.mean.z()).square());
+  const Eigen::ArrayXf squared_distance = SquaredDistances(seeds, voxel.mean);
   // A little more for rounding, also where the voxel is a single point.
   const float limit = 1.00001F * std::sqrt(squared_distance.minCoeff()) + 2.01F * radius;
   std::vector<Eigen::Vector3f> near;
@@ -92,37 +95,44 @@ PointStatistics Collect(const VoxelGrid& grid, const cv::Mat& points,
   return statistics;
 }
 
-// Eq. 2 and 5 in closed form: the mean of γ‖x − x₀‖² over a voxel's points is
-// γ(‖mean − x₀‖² + variance).
-float HypothesisCost(const Voxel& voxel, float variance, const Seed& seed,
-                     const MrfOptions& options) {
-  const double squared = (voxel.mean - seed.position).squaredNorm() + variance;
-  const double cost = options.gamma_per_m2 * squared;
-  return static_cast<float>(cost);
-}
-
 constexpr std::size_t kMaxChoices = std::size_t{1} << 25U;
 
-std::vector<int> Foreground(const std::vector<char>& is_background) {
-  std::vector<int> foreground;
+// The voxels that are not background.
+struct Foreground {
+  std::vector<int> voxels;
+  Positions means;
+  std::vector<float> variances;
+};
+
+Foreground CollectForeground(const VoxelGrid& grid, const std::vector<char>& is_background,
+                             const std::vector<float>& variances) {
+  Foreground foreground;
   for (int v = 0; v < static_cast<int>(is_background.size()); ++v) {
-    if (!is_background[v]) foreground.push_back(v);
+    if (!is_background[v]) foreground.voxels.push_back(v);
+  }
+  foreground.means.resize(static_cast<Eigen::Index>(foreground.voxels.size()), 3);
+  for (const int v : foreground.voxels) {
+    const auto row = static_cast<Eigen::Index>(foreground.variances.size());
+    foreground.means.row(row) = grid.voxels[v].mean.array().transpose();
+    foreground.variances.push_back(variances[v]);
   }
   return foreground;
 }
 
-std::vector<PottsEnergy::Choice> ChoicesOfSeed(const VoxelGrid& grid,
-                                               const std::vector<int>& foreground,
-                                               const std::vector<float>& variance, const Seed& seed,
+// Eq. 2 and 5 in closed form: the mean of γ‖x − x₀‖² over a voxel's points is
+// γ(‖mean − x₀‖² + variance).
+std::vector<PottsEnergy::Choice> ChoicesOfSeed(const Foreground& foreground, const Seed& seed,
                                                const MrfOptions& options) {
   const float max_cost = static_cast<float>(-std::log(options.min_probability));
   const float max_squared_distance = static_cast<float>(options.reach_m * options.reach_m);
+  const Eigen::ArrayXf squared_distances = SquaredDistances(foreground.means, seed.position);
   std::vector<PottsEnergy::Choice> choices;
-  for (const int v : foreground) {
-    const float squared_distance = (grid.voxels[v].mean - seed.position).squaredNorm();
+  for (std::size_t i = 0; i < foreground.voxels.size(); ++i) {
+    const float squared_distance = squared_distances[static_cast<Eigen::Index>(i)];
     if (squared_distance > max_squared_distance) continue;
-    const float cost = HypothesisCost(grid.voxels[v], variance[v], seed, options);
-    if (cost < max_cost) choices.push_back({v, cost});
+    const double squared = squared_distance + foreground.variances[i];
+    const auto cost = static_cast<float>(options.gamma_per_m2 * squared);
+    if (cost < max_cost) choices.push_back({foreground.voxels[i], cost});
   }
   return choices;
 }
@@ -152,10 +162,10 @@ PottsEnergy BuildEnergy(const VoxelGrid& grid, const cv::Mat& points,
   for (int v = 0; v < energy.num_nodes; ++v) {
     background.push_back({v, statistics.background_cost[v]});
   }
-  const std::vector<int> foreground = Foreground(is_background);
+  const Foreground foreground = CollectForeground(grid, is_background, statistics.variance);
   std::size_t num_choices = 0;
   for (const Seed& seed : seeds) {
-    energy.choices.push_back(ChoicesOfSeed(grid, foreground, statistics.variance, seed, options));
+    energy.choices.push_back(ChoicesOfSeed(foreground, seed, options));
     num_choices += energy.choices.back().size();
     if (num_choices > kMaxChoices) {
       throw std::length_error(
