@@ -14,20 +14,24 @@ namespace {
 
 constexpr int kDirections = 36;  // of the horizon, every 10°
 constexpr float kOffsetBinM = 0.05F;
-constexpr float kCellM = 0.04F;  // of the grid on a plane
+constexpr float kCellM = 0.04F;                                 // of the grid on a plane
+constexpr float kMinCosine = std::numbers::sqrt2_v<float> / 2;  // of what has a plane's direction
 
 // A candidate's share in the votes: its size as seen, at the distance where it is seen.
 float VisibleArea(const Voxel& voxel) {
   return static_cast<float>(voxel.num_points) * voxel.mean.z() * voxel.mean.z();
 }
 
-// Voxels whose normal lies within 45° of the horizon: noise tilts normals far away.
-std::vector<int> UprightVoxels(const VoxelGrid& grid, const Eigen::Vector3f& up) {
+// Voxels on no support whose normal lies within 45° of the horizon: noise tilts normals far away.
+std::vector<int> UprightVoxels(const VoxelGrid& grid, const Eigen::Vector3f& up,
+                               const std::vector<Support>& supports,
+                               const SupportOptions& tolerance) {
   const float max_sine = std::numbers::sqrt2_v<float> / 2;
   std::vector<int> upright;
   for (int v = 0; v < static_cast<int>(grid.voxels.size()); ++v) {
     const Eigen::Vector3f& normal = grid.voxels[v].normal;
-    if (!normal.isZero() && std::abs(normal.dot(up)) < max_sine) upright.push_back(v);
+    if (normal.isZero() || std::abs(normal.dot(up)) >= max_sine) continue;
+    if (!IsOnSupport(supports, grid.voxels[v].mean, tolerance)) upright.push_back(v);
   }
   return upright;
 }
@@ -55,7 +59,7 @@ SupportSurface MostVoted(const VoxelGrid& grid, const std::vector<int>& candidat
     std::vector<float> votes(2 * static_cast<std::size_t>(half) + 1, 0.0F);
     for (const int v : candidates) {
       const Voxel& voxel = grid.voxels[v];
-      if (voxel.normal.dot(direction) < std::numbers::sqrt2_v<float> / 2) continue;
+      if (voxel.normal.dot(direction) < kMinCosine) continue;
       const float bin = std::floor(voxel.mean.dot(direction) / kOffsetBinM);
       votes[static_cast<std::size_t>(static_cast<int>(bin) + half)] += VisibleArea(voxel);
     }
@@ -79,6 +83,14 @@ std::vector<int> Inliers(const VoxelGrid& grid, const std::vector<int>& voxels,
   return inliers;
 }
 
+// Those of the inliers that face where the plane does.
+std::vector<int> Facing(const VoxelGrid& grid, std::vector<int> inliers,
+                        const SupportSurface& plane) {
+  std::erase_if(inliers,
+                [&](int v) { return grid.voxels[v].normal.dot(plane.normal) < kMinCosine; });
+  return inliers;
+}
+
 SupportSurface Refine(const VoxelGrid& grid, const std::vector<int>& candidates,
                       SupportSurface plane, const SupportOptions& tolerance) {
   for (const float widening : {2.0F, 1.5F, 1.0F}) {
@@ -98,7 +110,9 @@ class LargeParts {
   LargeParts(const VoxelGrid& grid, const std::vector<int>& voxels, const SupportSurface& plane,
              const Eigen::Vector3f& up, const WallOptions& options)
       : vertical_((up - up.dot(plane.normal) * plane.normal).normalized()),
-        horizontal_(vertical_.cross(plane.normal)) {
+        horizontal_(vertical_.cross(plane.normal)),
+        origin_(Eigen::Vector2f::Zero()) {
+    if (voxels.empty()) return;
     Eigen::Vector2f low = Eigen::Vector2f::Constant(std::numeric_limits<float>::max());
     Eigen::Vector2f high = -low;
     for (const int v : voxels) {
@@ -155,16 +169,17 @@ std::vector<char> FindWalls(const VoxelGrid& grid, const Eigen::Vector3f& up,
   std::vector<char> on_wall(grid.voxels.size(), 0);
   if (options.min_extent_m <= 0) return on_wall;
   const std::vector<Eigen::Vector3f> directions = Directions(up);
-  std::vector<int> candidates = UprightVoxels(grid, up);
-  std::erase_if(candidates,
-                [&](int v) { return IsOnSupport(supports, grid.voxels[v].mean, tolerance); });
+  const std::vector<int> upright = UprightVoxels(grid, up, supports, tolerance);
   std::vector<int> all(grid.voxels.size());
   std::iota(all.begin(), all.end(), 0);
+  std::vector<int> candidates = upright;
   for (int i = 0; i < options.max_planes && candidates.size() >= 3; ++i) {
     const SupportSurface plane =
         Refine(grid, candidates, MostVoted(grid, candidates, directions), tolerance);
-    const std::vector<int> inliers = Inliers(grid, candidates, plane, tolerance, 1.0F);
-    if (inliers.empty()) break;
+    if (Inliers(grid, candidates, plane, tolerance, 1.0F).empty()) break;
+    // Also of those that went to an earlier plane, perhaps one across this wall.
+    const std::vector<int> inliers =
+        Facing(grid, Inliers(grid, upright, plane, tolerance, 1.0F), plane);
     const LargeParts parts(grid, inliers, plane, up, options);
     for (const int v : Inliers(grid, all, plane, tolerance, 1.5F)) {
       if (parts.Contain(grid.voxels[v].mean)) on_wall[v] = 1;
