@@ -27,10 +27,11 @@ cv::Mat ChannelZ(const cv::Mat& points) {
   return z;
 }
 
-// Depth that the stages can rely on: every value that is not a positive number is NaN.
+// Depth that the stages can rely on: every value that no camera measures is NaN.
 cv::Mat CleanDepth(const cv::Mat& depth_m) {
+  constexpr double kNearest_m = 1e-3, kFarthest_m = 1e4;
   cv::Mat clean = depth_m.clone();
-  const cv::Mat reliable = (depth_m > 0) & (depth_m < std::numeric_limits<float>::infinity());
+  const cv::Mat reliable = (depth_m >= kNearest_m) & (depth_m <= kFarthest_m);
   clean.setTo(std::numeric_limits<float>::quiet_NaN(), ~reliable);
   return clean;
 }
@@ -202,8 +203,8 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   objects = MergeUnstable(grid, objects, points, frame.intrinsics, supports, options.support,
                           -result.gravity.direction, options.stability_merge);
   counts.num_merged = counts.num_segments - CountLabels(objects);
-  PlausibleSegments plausible =
-      RemoveImplausible(grid, objects, supports, options.support, options.plausibility);
+  PlausibleSegments plausible = RemoveImplausible(grid, objects, points, frame.intrinsics, supports,
+                                                  options.support, options.plausibility);
   counts.segments_implausible = plausible.num_removed;
   if (!supports.empty()) {
     plausible = RemoveContinued(grid, plausible.labels, points, frame.intrinsics, on_wall,

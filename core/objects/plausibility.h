@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstddef>
+#include <opencv2/core/mat.hpp>
 #include <vector>
 
 #include "core/scene/support_surface.h"
 #include "core/segmentation/voxel_grid.h"
+#include "core/types/rgbd_frame.h"
 
 namespace fovea {
 
@@ -14,9 +16,11 @@ struct PlausibilityOptions {
   // Segments longer than this along an axis of their box are furniture or wall; metres.
   double max_size_m = 100;
   // Segments that lie under a support for the most part and reach up to less than this below it are
-  // its edge or its legs; metres, 0 switches the test off.
+  // its edge or its legs, and what stands right below these is their lower end; metres, 0 switches
+  // the test off.
   double max_hang_m = 0;
-  // Segments taller than this along the vertical do not stand by themselves; metres.
+  // Segments taller than this along the vertical do not stand by themselves; metres. Counted from
+  // their support where nothing is seen that they stand on: the seat of a chair behind a table.
   double max_height_m = 100;
   // Segments at least 30 cm wide on another surface than the dominating one, with a side of more
   // than this share of its visible area, are a part of it: the back of a chair.
@@ -31,11 +35,12 @@ struct PlausibleSegments {
   std::size_t num_removed = 0;
 };
 
-// `labels`: one entry a voxel, 0 = background, 1 … n without gaps. Removed are segments that are
-// too large by themselves or for their support, that hang from a support, or that neither rest on
-// one nor touch, directly or through others, one that does. Nothing is removed where there is no
-// support.
+// `labels`: one entry a voxel, 0 = background, 1 … n without gaps; `points`: CV_32FC3 of the frame,
+// NaN = none. Removed are segments that are too large by themselves or for their support, that hang
+// from a support, or that neither rest on one nor touch, directly or through others, one that does.
+// Nothing is removed where there is no support.
 PlausibleSegments RemoveImplausible(const VoxelGrid& grid, const std::vector<int>& labels,
+                                    const cv::Mat& points, const CameraIntrinsics& intrinsics,
                                     const std::vector<Support>& supports,
                                     const SupportOptions& support_options,
                                     const PlausibilityOptions& options = {});

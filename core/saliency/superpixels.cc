@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace fovea {
@@ -21,12 +22,17 @@ struct Grid {
   }
 };
 
+// The index of the cell that a pixel lies in, along one axis.
+int CellOf(int pixel, int size, int count) {
+  return static_cast<int>(std::int64_t{pixel} * count / size);
+}
+
 cv::Mat LabelByCell(const cv::Mat& map, const Grid& grid) {
   cv::Mat labels(map.size(), CV_32S);
   for (int y = 0; y < map.rows; ++y) {
-    const int row = y * grid.rows / map.rows;
+    const int row = CellOf(y, map.rows, grid.rows);
     for (int x = 0; x < map.cols; ++x) {
-      const int cell = row * grid.cols + x * grid.cols / map.cols;
+      const int cell = row * grid.cols + CellOf(x, map.cols, grid.cols);
       labels.at<int>(y, x) = std::isfinite(map.at<float>(y, x)) ? cell : -1;
     }
   }
@@ -65,7 +71,7 @@ std::vector<Superpixel> Average(const cv::Mat& map, const cv::Mat& labels, const
 void AssignCell(const cv::Mat& map, const Grid& grid, cv::Point cell, float px_weight,
                 Superpixels& superpixels) {
   const auto begin_of = [](int index, int size, int count) {
-    return (index * size + count - 1) / count;
+    return static_cast<int>((std::int64_t{index} * size + count - 1) / count);
   };
   const int first_x = begin_of(cell.x, map.cols, grid.cols);
   const int end_x = begin_of(cell.x + 1, map.cols, grid.cols);

@@ -1,5 +1,6 @@
 #include "core/scene/footprint.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
@@ -7,7 +8,8 @@
 namespace fovea {
 namespace {
 
-constexpr float kCellM = 0.03F;
+constexpr float kCellM = 0.03F;    // at least
+constexpr float kMaxCells = 2048;  // along a side, however far the points reach
 
 // Cells with points, closed over gaps of one cell (far surfaces are sampled thinly).
 cv::Mat Occupancy(const std::vector<cv::Point>& cells, const cv::Size& size) {
@@ -20,10 +22,10 @@ cv::Mat Occupancy(const std::vector<cv::Point>& cells, const cv::Size& size) {
   return occupied;
 }
 
-// Draws the hull of one connected part.
-void FillHull(const cv::Mat& part, cv::Mat& inside) {
+// Draws the hull of the cells that are set.
+void FillHull(const cv::Mat& set, cv::Mat inside) {
   std::vector<cv::Point> cells;
-  cv::findNonZero(part, cells);
+  cv::findNonZero(set, cells);
   std::vector<cv::Point> hull;
   cv::convexHull(cells, hull);
   cv::fillConvexPoly(inside, hull, cv::Scalar(255));
@@ -41,9 +43,10 @@ Footprint::Footprint(const std::vector<Eigen::Vector3f>& points,
     low = low.cwiseMin(axes_ * point);
     high = high.cwiseMax(axes_ * point);
   }
-  const int border = static_cast<int>(std::ceil(margin_m / kCellM)) + 2;
-  origin_ = low - Eigen::Vector2f::Constant(kCellM * static_cast<float>(border));
-  const Eigen::Vector2i extent = ((high - low) / kCellM).cast<int>().array() + 2 * border + 1;
+  cell_m_ = std::max(kCellM, (high - low).maxCoeff() / kMaxCells);
+  const int border = static_cast<int>(std::ceil(margin_m / cell_m_)) + 2;
+  origin_ = low - Eigen::Vector2f::Constant(cell_m_ * static_cast<float>(border));
+  const Eigen::Vector2i extent = ((high - low) / cell_m_).cast<int>().array() + 2 * border + 1;
   const cv::Size size(extent.x(), extent.y());
 
   std::vector<cv::Point> cells = CellsOf(points);
@@ -51,23 +54,27 @@ Footprint::Footprint(const std::vector<Eigen::Vector3f>& points,
   const std::vector<cv::Point> covered = CellsOf(above);
   cells.insert(cells.end(), covered.begin(), covered.end());
   inside_ = cv::Mat::zeros(size, CV_8UC1);
-  cv::Mat parts;
-  const int num_parts = cv::connectedComponents(Occupancy(cells, size), parts);
+  cv::Mat parts, statistics, centroids;
+  const int num_parts =
+      cv::connectedComponentsWithStats(Occupancy(cells, size), parts, statistics, centroids);
   for (int part = 1; part < num_parts; ++part) {
-    const cv::Mat seen = (parts == part) & occupied;
-    const double area = cv::countNonZero(seen) * kCellM * kCellM;
+    const int* of_part = statistics.ptr<int>(part);
+    const cv::Rect box(of_part[cv::CC_STAT_LEFT], of_part[cv::CC_STAT_TOP],
+                       of_part[cv::CC_STAT_WIDTH], of_part[cv::CC_STAT_HEIGHT]);
+    const cv::Mat seen = (parts(box) == part) & occupied(box);
+    const double area = cv::countNonZero(seen) * cell_m_ * cell_m_;
     if (area == 0 || area < min_area_m2) continue;
-    FillHull(seen, inside_);
+    FillHull(seen, inside_(box));
     area_m2_ += area;
   }
-  const int reach = 2 * static_cast<int>(std::lround(margin_m / kCellM)) + 1;
+  const int reach = 2 * static_cast<int>(std::lround(margin_m / cell_m_)) + 1;
   cv::dilate(inside_, inside_, cv::getStructuringElement(cv::MORPH_ELLIPSE, {reach, reach}));
 }
 
 std::vector<cv::Point> Footprint::CellsOf(const std::vector<Eigen::Vector3f>& points) const {
   std::vector<cv::Point> cells;
   for (const Eigen::Vector3f& point : points) {
-    const Eigen::Vector2f cell = (axes_ * point - origin_) / kCellM;
+    const Eigen::Vector2f cell = (axes_ * point - origin_) / cell_m_;
     cells.emplace_back(cvFloor(cell.x()), cvFloor(cell.y()));
   }
   return cells;
@@ -75,7 +82,7 @@ std::vector<cv::Point> Footprint::CellsOf(const std::vector<Eigen::Vector3f>& po
 
 bool Footprint::Covers(const Eigen::Vector3f& point) const {
   if (inside_.empty()) return true;
-  const Eigen::Vector2f cell = (axes_ * point - origin_) / kCellM;
+  const Eigen::Vector2f cell = (axes_ * point - origin_) / cell_m_;
   if (!(cell.minCoeff() >= 0)) return false;
   const int x = static_cast<int>(cell.x());
   const int y = static_cast<int>(cell.y());

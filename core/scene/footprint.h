@@ -34,6 +34,7 @@ class Footprint {
 
   LevelAxes axes_;
   Eigen::Vector2f origin_;  // of the grid, in plane coordinates
+  float cell_m_ = 0;        // edge length of its cells
   cv::Mat inside_;          // CV_8UC1; empty = unbounded
   double area_m2_ = 0;
 };

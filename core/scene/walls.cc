@@ -14,7 +14,9 @@ namespace {
 
 constexpr int kDirections = 36;  // of the horizon, every 10°
 constexpr float kOffsetBinM = 0.05F;
-constexpr float kCellM = 0.04F;                                 // of the grid on a plane
+constexpr float kCellM = 0.04F;    // of the grid on a plane, at least
+constexpr float kMaxCells = 2048;  // along a side of it, however far the points reach
+constexpr int kSolidCells = 5;     // edge of a square within a wall: legs of a table have none
 constexpr float kMinCosine = std::numbers::sqrt2_v<float> / 2;  // of what has a plane's direction
 
 // A candidate's share in the votes: its size as seen, at the distance where it is seen.
@@ -119,8 +121,9 @@ class LargeParts {
       low = low.cwiseMin(OnPlane(grid.voxels[v].mean));
       high = high.cwiseMax(OnPlane(grid.voxels[v].mean));
     }
-    origin_ = low - Eigen::Vector2f::Constant(2 * kCellM);
-    const Eigen::Vector2i size = ((high - low) / kCellM).cast<int>().array() + 5;
+    cell_m_ = std::max(kCellM, (high - low).maxCoeff() / kMaxCells);
+    origin_ = low - Eigen::Vector2f::Constant(2 * cell_m_);
+    const Eigen::Vector2i size = ((high - low) / cell_m_).cast<int>().array() + 5;
     cv::Mat occupied = cv::Mat::zeros(size.y(), size.x(), CV_8UC1);
     for (const int v : voxels) occupied.at<uchar>(CellOf(grid.voxels[v].mean)) = 255;
     // Far surfaces are sampled thinly and have holes.
@@ -138,26 +141,30 @@ class LargeParts {
     return {horizontal_.dot(p), vertical_.dot(p)};
   }
   cv::Point CellOf(const Eigen::Vector3f& point) const {
-    const Eigen::Vector2f cell = (OnPlane(point) - origin_) / kCellM;
+    const Eigen::Vector2f cell = (OnPlane(point) - origin_) / cell_m_;
     return {cvFloor(cell.x()), cvFloor(cell.y())};
   }
 
   void Keep(const cv::Mat& occupied, const WallOptions& options) {
     large_ = cv::Mat::zeros(occupied.size(), CV_8UC1);
-    cv::Mat parts, statistics, centroids;
+    cv::Mat solid, parts, statistics, centroids;
+    cv::erode(occupied, solid, cv::Mat::ones(kSolidCells, kSolidCells, CV_8UC1));
     const int count = cv::connectedComponentsWithStats(occupied, parts, statistics, centroids);
     for (int part = 1; part < count; ++part) {
       const int* stats = statistics.ptr<int>(part);
       const int extent = std::max(stats[cv::CC_STAT_WIDTH], stats[cv::CC_STAT_HEIGHT]);
-      const float area_m2 = static_cast<float>(stats[cv::CC_STAT_AREA]) * kCellM * kCellM;
-      if (static_cast<float>(extent) * kCellM < options.min_extent_m) continue;
-      if (area_m2 >= options.min_area_m2) large_.setTo(255, parts == part);
+      const float area_m2 = static_cast<float>(stats[cv::CC_STAT_AREA]) * cell_m_ * cell_m_;
+      if (static_cast<float>(extent) * cell_m_ < options.min_extent_m) continue;
+      if (area_m2 < options.min_area_m2) continue;
+      const cv::Mat is_part = parts == part;
+      if (cv::countNonZero(solid & is_part) > 0) large_.setTo(255, is_part);
     }
     cv::dilate(large_, large_, cv::Mat::ones(3, 3, CV_8UC1));
   }
 
   Eigen::Vector3f vertical_, horizontal_;  // the plane's axes
   Eigen::Vector2f origin_;                 // of the grid
+  float cell_m_ = kCellM;                  // edge length of its cells
   cv::Mat large_;                          // CV_8UC1, one pixel a cell
 };
 

@@ -57,7 +57,7 @@ void RaiseRest(const cv::Mat& mask, cv::Mat& map) {
       highest = std::max(highest, map.at<float>(other_y, other_x));
     });
     const float raised = std::min(highest, mask.at<float>(y, x));
-    if (raised <= map.at<float>(y, x)) return;
+    if (!(raised > map.at<float>(y, x))) return;  // nor is NaN
     map.at<float>(y, x) = raised;
     grown.emplace_back(x, y);
   };
@@ -77,7 +77,7 @@ void RaiseRest(const cv::Mat& mask, cv::Mat& map) {
     const float value = map.at<float>(grown.front());
     ForEachNeighbour(map.size(), grown.front(), [&](int y, int x) {
       const float raised = std::min(value, mask.at<float>(y, x));
-      if (raised <= map.at<float>(y, x)) return;
+      if (!(raised > map.at<float>(y, x))) return;  // nor is NaN
       map.at<float>(y, x) = raised;
       grown.emplace_back(x, y);
     });

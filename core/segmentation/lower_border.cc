@@ -36,6 +36,7 @@ std::vector<LowerBorder> FindLowerBorders(const cv::Mat& labels, const cv::Mat& 
       if (!below_m || std::isnan(*below_m)) continue;
       ++borders[label[col]].num_pixels;
       if (*below_m > p[2] + DepthGap_m(p[2])) ++borders[label[col]].num_free;
+      if (*below_m < p[2] - DepthGap_m(p[2])) ++borders[label[col]].num_hidden;
     }
   }
   return borders;

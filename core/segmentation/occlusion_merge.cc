@@ -181,6 +181,7 @@ std::vector<int> MergeOccluded(const VoxelGrid& grid, const std::vector<int>& la
   }
   if (options.min_shared_surface > 0) {
     for (const auto& [a, b] : evidence.PairsWithCommonOccluder()) {
+      if (objects.Find(a) == objects.Find(b)) continue;
       if (evidence.AreOneBehindAnOccluder(a, b)) objects.Join(a, b);
     }
   }

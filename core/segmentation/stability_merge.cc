@@ -5,7 +5,9 @@
 #include <limits>
 #include <map>
 #include <opencv2/imgproc.hpp>
+#include <set>
 #include <utility>
+#include <vector>
 
 #include "core/segmentation/contacts.h"
 #include "core/segmentation/disjoint_sets.h"
@@ -22,7 +24,14 @@ constexpr double kRest_m = 0.015;     // above a support, beside its tolerance
 constexpr double kMinHeight = 0.4;    // above a support, as a share of its width seen from above
 constexpr float kMinDepth_m = 0.05F;  // of a thing whose back is hidden
 
-using Contacts = std::map<std::pair<int, int>, int>;  // pairs of voxels by pair of labels
+// Of each label: how many pairs of voxels, by the label that they touch.
+using Contacts = std::vector<std::map<int, int>>;
+
+std::vector<cv::Point2f> Hull(const std::vector<cv::Point2f>& places) {
+  std::vector<cv::Point2f> hull;
+  cv::convexHull(places, hull);
+  return hull;
+}
 
 // The horizontal plane, in coordinates of two axes of which the second leads away from the camera.
 struct HorizontalPlane {
@@ -38,122 +47,150 @@ struct HorizontalPlane {
 };
 
 struct Segment {
-  std::vector<cv::Point2f> places;  // of its voxels, in the horizontal plane
-  cv::Point2f sum;
+  std::vector<cv::Point2f> hull;  // of the places of its voxels in the horizontal plane
+  cv::Point2f sum;                // of these places
+  int num_voxels = 0;
   float lowest_m = std::numeric_limits<float>::max();  // above its support, less the tolerance
   LowerBorder border;
 
   void Add(const Segment& other) {
-    places.insert(places.end(), other.places.begin(), other.places.end());
+    hull.insert(hull.end(), other.hull.begin(), other.hull.end());
+    hull = Hull(hull);
     sum += other.sum;
+    num_voxels += other.num_voxels;
     lowest_m = std::min(lowest_m, other.lowest_m);
     border.Add(other.border);
   }
-  cv::Point2f Center() const { return sum / static_cast<float>(places.size()); }
+  cv::Point2f Center() const { return sum / static_cast<float>(num_voxels); }
   // One sees past its lower border, and it is so high for its width that nothing hidden below it
   // can carry it.
   bool HangsFree() const {
-    if (places.empty() || border.num_free <= kMinFree * border.num_pixels) return false;
-    std::vector<cv::Point2f> hull;
-    cv::convexHull(places, hull);
+    if (num_voxels == 0 || border.num_free <= kMinFree * border.num_pixels) return false;
     return lowest_m > std::max(kRest_m, kMinHeight * std::sqrt(cv::contourArea(hull)));
   }
 };
 
-Contacts CollectContacts(const VoxelGrid& grid, const std::vector<int>& labels) {
-  Contacts contacts;
+Contacts CollectContacts(const VoxelGrid& grid, const std::vector<int>& labels,
+                         std::size_t num_segments) {
+  Contacts contacts(num_segments);
   for (const VoxelEdge& pair : FindContacts(grid, labels, kTouchCells)) {
-    const auto [low, high] = std::minmax(labels[pair.a], labels[pair.b]);
-    ++contacts[{low, high}];
+    ++contacts[labels[pair.a]][labels[pair.b]];
+    ++contacts[labels[pair.b]][labels[pair.a]];
   }
   return contacts;
 }
 
 // What a thing covers seen from above; its back, which one does not see, is as far away as it is
 // wide.
-std::vector<cv::Point2f> Covered(const std::vector<cv::Point2f>& places) {
+std::vector<cv::Point2f> Covered(const std::vector<cv::Point2f>& hull) {
   float left = std::numeric_limits<float>::max(), right = -left;
-  for (const cv::Point2f& place : places) {
+  for (const cv::Point2f& place : hull) {
     left = std::min(left, place.x);
     right = std::max(right, place.x);
   }
-  std::vector<cv::Point2f> covered = places;
+  std::vector<cv::Point2f> covered = hull;
   const float depth = std::max(kMinDepth_m, right - left);
-  for (const cv::Point2f& place : places) covered.push_back(place + cv::Point2f(0, depth));
+  for (const cv::Point2f& place : hull) covered.push_back(place + cv::Point2f(0, depth));
   return covered;
 }
 
-// What a segment touches enough to be held by it, and with how many pairs of voxels; what holds
-// something reaches farther down.
-std::vector<std::pair<int, int>> HoldersOf(int label, const std::vector<Segment>& segments,
-                                           const Contacts& contacts) {
-  std::vector<std::pair<int, int>> holders;
-  for (const auto& [pair, count] : contacts) {
-    if ((pair.first != label && pair.second != label) || count < kMinContacts) continue;
-    const int other = pair.first == label ? pair.second : pair.first;
-    if (segments[other].lowest_m < segments[label].lowest_m) holders.emplace_back(count, other);
+// Segments that are joined until none hangs out.
+class Statics {
+ public:
+  Statics(std::vector<Segment> segments, Contacts contacts, double max_overhang_m)
+      : segments_(std::move(segments)),
+        contacts_(std::move(contacts)),
+        max_overhang_m_(max_overhang_m),
+        overhangs_m_(segments_.size(), 0) {
+    for (int label = 1; label < static_cast<int>(segments_.size()); ++label) Update(label);
   }
-  return holders;
-}
 
-// How far the centre of a segment is beside all that it touches; below 0 if it is above.
-double Overhang(int label, const std::vector<Segment>& segments, const Contacts& contacts) {
-  std::vector<cv::Point2f> below;
-  for (const auto& [count, holder] : HoldersOf(label, segments, contacts)) {
-    const std::vector<cv::Point2f> covered = Covered(segments[holder].places);
-    below.insert(below.end(), covered.begin(), covered.end());
+  DisjointSets Join() {
+    DisjointSets objects(static_cast<int>(segments_.size()));
+    while (!unstable_.empty()) {
+      const int unstable = unstable_.begin()->second;
+      const auto holders = HoldersOf(unstable);
+      const int holder = std::max_element(holders.begin(), holders.end())->second;
+      const auto [into, from] = std::minmax(unstable, holder);
+      objects.Join(into, from);
+      Join(into, from);
+    }
+    return objects;
   }
-  if (below.size() < 3) return 0;
-  std::vector<cv::Point2f> hull;
-  cv::convexHull(below, hull);
-  return -cv::pointPolygonTest(hull, segments[label].Center(), true);
-}
 
-void JoinContacts(Contacts& contacts, int into, int from) {
-  Contacts joined;
-  for (const auto& [pair, count] : contacts) {
-    const int a = pair.first == from ? into : pair.first;
-    const int b = pair.second == from ? into : pair.second;
-    if (a != b) joined[std::minmax(a, b)] += count;
+ private:
+  // What a segment touches enough to be held by it, and with how many pairs of voxels; what holds
+  // something reaches farther down.
+  std::vector<std::pair<int, int>> HoldersOf(int label) const {
+    std::vector<std::pair<int, int>> holders;
+    for (const auto& [other, count] : contacts_[label]) {
+      if (count < kMinContacts || segments_[other].lowest_m >= segments_[label].lowest_m) continue;
+      holders.emplace_back(count, other);
+    }
+    return holders;
   }
-  contacts = std::move(joined);
-}
+
+  // How far the centre of a segment is beside all that it touches; below 0 if it is above.
+  double Overhang(int label) const {
+    std::vector<cv::Point2f> below;
+    for (const auto& [count, holder] : HoldersOf(label)) {
+      const std::vector<cv::Point2f> covered = Covered(segments_[holder].hull);
+      below.insert(below.end(), covered.begin(), covered.end());
+    }
+    if (below.size() < 3) return 0;
+    return -cv::pointPolygonTest(Hull(below), segments_[label].Center(), true);
+  }
+
+  void Update(int label) {
+    unstable_.erase({-overhangs_m_[label], label});
+    overhangs_m_[label] = segments_[label].HangsFree() ? Overhang(label) : 0;
+    if (overhangs_m_[label] > max_overhang_m_) unstable_.emplace(-overhangs_m_[label], label);
+  }
+
+  void Join(int into, int from) {
+    segments_[into].Add(segments_[from]);
+    segments_[from] = {};
+    for (const auto& [other, count] : std::exchange(contacts_[from], {})) {
+      contacts_[other].erase(from);
+      if (other == into) continue;
+      contacts_[into][other] += count;
+      contacts_[other][into] += count;
+    }
+    Update(from);
+    Update(into);
+    for (const auto& [other, count] : contacts_[into]) Update(other);
+  }
+
+  std::vector<Segment> segments_;
+  Contacts contacts_;
+  const double max_overhang_m_;
+  std::vector<double> overhangs_m_;            // of each label; 0 unless it hangs free
+  std::set<std::pair<double, int>> unstable_;  // less the overhang, label: the largest one first
+};
 
 std::vector<Segment> CollectSegments(const VoxelGrid& grid, const std::vector<int>& labels,
                                      const std::vector<Support>& supports,
                                      const SupportOptions& options, const Eigen::Vector3f& up) {
   const HorizontalPlane plane(up);
   std::vector<Segment> segments(CountLabels(labels) + 1);
+  std::vector<std::vector<cv::Point2f>> places(segments.size());
   for (std::size_t v = 0; v < labels.size(); ++v) {
     if (labels[v] == 0) continue;
     const Eigen::Vector3f& point = grid.voxels[v].mean;
     Segment& segment = segments[labels[v]];
-    segment.places.push_back(plane.Project(point));
-    segment.sum += segment.places.back();
+    const cv::Point2f place = plane.Project(point);
+    places[labels[v]].push_back(place);
+    segment.sum += place;
+    ++segment.num_voxels;
     const auto below = SupportBelow(supports, point, options);
     if (!below) continue;
     const float height_m = supports[*below].surface.HeightOf(point);
     segment.lowest_m = std::min(segment.lowest_m, height_m - SupportTolerance(point.z(), options));
   }
-  return segments;
-}
-
-// The segment that hangs out farthest, if by more than `max_overhang_m`, and what holds it; 0 if
-// there is none.
-std::pair<int, int> MostUnstable(const std::vector<Segment>& segments, const Contacts& contacts,
-                                 double max_overhang_m) {
-  int unstable = 0;
-  double largest_m = max_overhang_m;
-  for (int label = 1; label < static_cast<int>(segments.size()); ++label) {
-    if (!segments[label].HangsFree()) continue;
-    const double overhang_m = Overhang(label, segments, contacts);
-    if (overhang_m <= largest_m) continue;
-    largest_m = overhang_m;
-    unstable = label;
+  for (std::size_t label = 1; label < segments.size(); ++label) {
+    segments[label].hull = Hull(places[label]);
   }
-  if (unstable == 0) return {0, 0};
-  const auto holders = HoldersOf(unstable, segments, contacts);
-  return {unstable, std::max_element(holders.begin(), holders.end())->second};
+  return segments;
 }
 
 }  // namespace
@@ -175,18 +212,9 @@ std::vector<int> MergeUnstable(const VoxelGrid& grid, const std::vector<int>& la
   const bool any_hangs = std::any_of(segments.begin() + 1, segments.end(),
                                      [](const Segment& segment) { return segment.HangsFree(); });
   if (!any_hangs) return labels;
-  Contacts contacts = CollectContacts(grid, labels);
-  DisjointSets objects(static_cast<int>(segments.size()));
-  while (true) {
-    const auto [unstable, holder] = MostUnstable(segments, contacts, options.max_overhang_m);
-    if (unstable == 0) break;
-    const int into = std::min(unstable, holder);
-    const int from = std::max(unstable, holder);
-    objects.Join(into, from);
-    segments[into].Add(segments[from]);
-    segments[from] = {};
-    JoinContacts(contacts, into, from);
-  }
+  Contacts contacts = CollectContacts(grid, labels, segments.size());
+  DisjointSets objects =
+      Statics(std::move(segments), std::move(contacts), options.max_overhang_m).Join();
   return Renumbered(labels, objects);
 }
 

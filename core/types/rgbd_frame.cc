@@ -1,5 +1,7 @@
 #include "core/types/rgbd_frame.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -11,9 +13,20 @@ void Require(bool holds, const std::string& message) {
   if (!holds) throw std::invalid_argument(message);
 }
 
-void RequireFocalLength(double value, const std::string& name) {
-  Require(std::isfinite(value) && value > 0,
-          "intrinsics." + name + ": " + std::to_string(value) + " is not a positive number");
+// Along one axis of the image; `names` are those of the focal length and the principal point.
+void RequirePlausible(double focal_px, double principal_px, int size_px,
+                      const std::array<std::string, 2>& names) {
+  constexpr double kMaxSlope = 10;
+  Require(std::isfinite(focal_px) && focal_px > 0,
+          names[0] + ": " + std::to_string(focal_px) + " is not a positive number");
+  Require(std::isfinite(principal_px), names[1] + ": is not a finite number");
+  const double farthest_px = std::max(std::abs(principal_px), std::abs(size_px - 1 - principal_px));
+  Require(farthest_px <= kMaxSlope * focal_px,
+          names[0] + ": " + std::to_string(focal_px) + " px with " + names[1] + " " +
+              std::to_string(principal_px) + " px sees pixels of an image of " +
+              std::to_string(size_px) +
+              " px more than 84 degrees beside the optical axis; intrinsics are in pixels of this "
+              "image, not normalised");
 }
 
 std::string SizeOf(const cv::Mat& image) {
@@ -21,6 +34,11 @@ std::string SizeOf(const cv::Mat& image) {
 }
 
 }  // namespace
+
+void RequirePlausible(const CameraIntrinsics& intrinsics, const cv::Size& size) {
+  RequirePlausible(intrinsics.fx_px, intrinsics.cx_px, size.width, {"fx", "cx"});
+  RequirePlausible(intrinsics.fy_px, intrinsics.cy_px, size.height, {"fy", "cy"});
+}
 
 void Validate(const RgbdFrame& frame) {
   Require(!frame.color_rgb.empty(), "color: the image is empty");
@@ -31,11 +49,11 @@ void Validate(const RgbdFrame& frame) {
           "depth: its size " + SizeOf(frame.depth_m) + " differs from colour's " +
               SizeOf(frame.color_rgb) + "; depth must be registered to colour");
 
-  RequireFocalLength(frame.intrinsics.fx_px, "fx_px");
-  RequireFocalLength(frame.intrinsics.fy_px, "fy_px");
-  Require(std::isfinite(frame.intrinsics.cx_px), "intrinsics.cx_px: is not a finite number");
-  Require(std::isfinite(frame.intrinsics.cy_px), "intrinsics.cy_px: is not a finite number");
-
+  try {
+    RequirePlausible(frame.intrinsics, frame.color_rgb.size());
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("intrinsics." + std::string(error.what()));
+  }
   if (frame.gravity) {
     const float length = frame.gravity->norm();
     Require(std::isfinite(length) && std::abs(length - 1.0F) <= 0.1F,

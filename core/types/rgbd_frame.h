@@ -24,9 +24,15 @@ struct RgbdFrame {
   std::optional<Eigen::Vector3f> gravity;
 };
 
+// Throws std::invalid_argument unless a camera can have these intrinsics with an image of this
+// size: focal lengths finite and positive, the principal point finite, and no pixel seen more than
+// 84° (a slope of 10) beside the optical axis, as it would be with normalised intrinsics or with
+// those of another image size.
+void RequirePlausible(const CameraIntrinsics& intrinsics, const cv::Size& size);
+
 // Throws std::invalid_argument, which names the member and what it must be, unless: the images
-// are non-empty, of the stated types and of one size; focal lengths are finite and positive, the
-// principal point finite; gravity, if given, is finite with a length within 10 % of one.
+// are non-empty, of the stated types and of one size; the intrinsics are plausible for it;
+// gravity, if given, is finite with a length within 10 % of one.
 void Validate(const RgbdFrame& frame);
 
 }  // namespace fovea

@@ -35,6 +35,7 @@ std::optional<DepthCamera> DepthCameraFromProto(const v1::Frame& frame) {
 
 cv::Mat Register(const cv::Mat& depth_m, const DepthCamera& camera, const CameraIntrinsics& color,
                  const cv::Size& color_size, std::vector<std::string>* messages) {
+  RequirePlausible(camera.intrinsics, depth_m.size(), kIntrinsics);
   cv::Mat registered = InField(kPose, [&] {
     return RegisterDepth(depth_m, camera.intrinsics, camera.color_from_depth, color, color_size);
   });

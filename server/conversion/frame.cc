@@ -56,6 +56,7 @@ RgbdFrame FromProto(const v1::Frame& frame, std::uint64_t max_pixels,
   const std::optional<DepthCamera> depth_camera = DepthCameraFromProto(frame);
 
   result.color_rgb = ColorFromProto(frame.color(), max_pixels);
+  RequirePlausible(result.intrinsics, result.color_rgb.size(), "frame.intrinsics");
   result.depth_m = DepthFromProto(frame.depth(), max_pixels);
   if (depth_camera) {
     result.depth_m = Register(result.depth_m, *depth_camera, result.intrinsics,

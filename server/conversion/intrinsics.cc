@@ -1,6 +1,7 @@
 #include "server/conversion/intrinsics.h"
 
 #include <cmath>
+#include <stdexcept>
 
 #include "server/conversion/field_error.h"
 
@@ -21,6 +22,15 @@ CameraIntrinsics FromProto(const v1::CameraIntrinsics& intrinsics, const std::st
           .fy_px = positive(intrinsics.fy(), "fy"),
           .cx_px = finite(intrinsics.cx(), "cx"),
           .cy_px = finite(intrinsics.cy(), "cy")};
+}
+
+void RequirePlausible(const CameraIntrinsics& intrinsics, const cv::Size& size,
+                      const std::string& path) {
+  try {
+    fovea::RequirePlausible(intrinsics, size);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(path + "." + error.what());
+  }
 }
 
 }  // namespace fovea::server

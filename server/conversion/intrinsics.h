@@ -12,4 +12,9 @@ namespace fovea::server {
 // focal lengths are finite and positive and the principal point is finite.
 CameraIntrinsics FromProto(const v1::CameraIntrinsics& intrinsics, const std::string& path);
 
+// Throws std::invalid_argument that starts with the field unless a camera can have these intrinsics
+// with an image of this size, see the core's function of this name.
+void RequirePlausible(const CameraIntrinsics& intrinsics, const cv::Size& size,
+                      const std::string& path);
+
 }  // namespace fovea::server

@@ -80,7 +80,9 @@ std::vector<BadInput> BadIntrinsics() {
           Intrinsic("fy_negative", &K::set_fy, -525, "frame.intrinsics.fy: "),
           Intrinsic("fy_infinite", &K::set_fy, INFINITY, "frame.intrinsics.fy: "),
           Intrinsic("cx_nan", &K::set_cx, NAN, "frame.intrinsics.cx: "),
-          Intrinsic("cy_infinite", &K::set_cy, -INFINITY, "frame.intrinsics.cy: ")};
+          Intrinsic("cy_infinite", &K::set_cy, -INFINITY, "frame.intrinsics.cy: "),
+          Intrinsic("fx_normalised", &K::set_fx, 0.8, "frame.intrinsics.fx: 0.8"),
+          Intrinsic("cy_far_outside", &K::set_cy, 1e6, "frame.intrinsics.fy: ")};
 }
 
 std::vector<BadInput> BadColors() {

@@ -59,7 +59,7 @@ TEST(RemoveImplausible, KeepsWhatRests) {
   scene.Add(1, {0, 0, 100}, {5, 10, 105});
   scene.Add(2, {40, 70, 120}, {45, 80, 125});  // on the table
   const auto plausible =
-      RemoveImplausible(scene.grid, scene.labels, {kFloor, Table()}, kSupport, kOptions);
+      RemoveImplausible(scene.grid, scene.labels, {}, {}, {kFloor, Table()}, kSupport, kOptions);
   EXPECT_EQ(plausible.labels, scene.labels);
   EXPECT_EQ(plausible.num_removed, 0U);
 }
@@ -69,7 +69,8 @@ TEST(RemoveImplausible, RemovesWhatIsTooLargeAlongAnyAxis) {
   scene.Add(1, {0, 0, 100}, {60, 5, 105});   // 59 cm between the outer means
   scene.Add(2, {0, 0, 120}, {5, 60, 125});   // upright
   scene.Add(3, {0, 0, 140}, {45, 45, 145});  // 44 cm
-  const auto plausible = RemoveImplausible(scene.grid, scene.labels, {kFloor}, kSupport, kOptions);
+  const auto plausible =
+      RemoveImplausible(scene.grid, scene.labels, {}, {}, {kFloor}, kSupport, kOptions);
   EXPECT_FALSE(scene.Has(1, plausible));
   EXPECT_FALSE(scene.Has(2, plausible));
   EXPECT_TRUE(scene.Has(3, plausible));
@@ -85,14 +86,14 @@ TEST(RemoveImplausible, RemovesTheBackOfAChairFromItsSeat) {
   PlausibilityOptions options = kOptions;
   options.max_support_share = 0.12 / seat.footprint.AreaM2();
   const auto plausible =
-      RemoveImplausible(scene.grid, scene.labels, {kFloor, seat}, kSupport, options);
+      RemoveImplausible(scene.grid, scene.labels, {}, {}, {kFloor, seat}, kSupport, options);
   EXPECT_FALSE(scene.Has(1, plausible));
   EXPECT_TRUE(scene.Has(2, plausible));
   EXPECT_TRUE(scene.Has(3, plausible));
   // Something close to the camera may be larger than what is seen of the surface below.
-  EXPECT_EQ(
-      RemoveImplausible(scene.grid, scene.labels, {seat, kFloor}, kSupport, options).num_removed,
-      0U);
+  EXPECT_EQ(RemoveImplausible(scene.grid, scene.labels, {}, {}, {seat, kFloor}, kSupport, options)
+                .num_removed,
+            0U);
 }
 
 TEST(RemoveImplausible, RemovesALegThatHangsFromItsTable) {
@@ -103,30 +104,33 @@ TEST(RemoveImplausible, RemovesALegThatHangsFromItsTable) {
   PlausibilityOptions options = kOptions;
   options.max_rest_m = 100;
   const auto plausible =
-      RemoveImplausible(scene.grid, scene.labels, {kFloor, Table()}, kSupport, options);
+      RemoveImplausible(scene.grid, scene.labels, {}, {}, {kFloor, Table()}, kSupport, options);
   EXPECT_FALSE(scene.Has(1, plausible));
   EXPECT_TRUE(scene.Has(2, plausible));
   EXPECT_TRUE(scene.Has(3, plausible));
   EXPECT_EQ(plausible.num_removed, 1U);
   options.max_hang_m = 0;
   EXPECT_EQ(
-      RemoveImplausible(scene.grid, scene.labels, {kFloor, Table()}, kSupport, options).num_removed,
+      RemoveImplausible(scene.grid, scene.labels, {}, {}, {kFloor, Table()}, kSupport, options)
+          .num_removed,
       0U);
 }
 
 TEST(RemoveImplausible, KeepsWhatReachesOverTheEdgeOfTheTableForLess) {
   Scene scene;
   scene.Add(1, {40, 68, 120}, {45, 80, 125});  // 2 of 12 cm below its surface
-  EXPECT_EQ(RemoveImplausible(scene.grid, scene.labels, {kFloor, Table()}, kSupport, kOptions)
-                .num_removed,
-            0U);
+  EXPECT_EQ(
+      RemoveImplausible(scene.grid, scene.labels, {}, {}, {kFloor, Table()}, kSupport, kOptions)
+          .num_removed,
+      0U);
 }
 
 TEST(RemoveImplausible, RemovesWhatFloats) {
   Scene scene;
   scene.Add(1, {0, 10, 100}, {5, 15, 105});  // lowest mean 10.5 cm above the floor
   scene.Add(2, {20, 4, 100}, {25, 9, 105});  // 4.5 cm
-  const auto plausible = RemoveImplausible(scene.grid, scene.labels, {kFloor}, kSupport, kOptions);
+  const auto plausible =
+      RemoveImplausible(scene.grid, scene.labels, {}, {}, {kFloor}, kSupport, kOptions);
   EXPECT_FALSE(scene.Has(1, plausible));
   EXPECT_TRUE(scene.Has(2, plausible));
   EXPECT_EQ(plausible.num_removed, 1U);
@@ -135,7 +139,8 @@ TEST(RemoveImplausible, RemovesWhatFloats) {
 TEST(RemoveImplausible, RemovesWhatLiesBelowEverySupport) {
   Scene scene;
   scene.Add(1, {0, -10, 100}, {5, -5, 105});
-  EXPECT_EQ(RemoveImplausible(scene.grid, scene.labels, {kFloor}, kSupport, {}).num_removed, 1U);
+  EXPECT_EQ(RemoveImplausible(scene.grid, scene.labels, {}, {}, {kFloor}, kSupport, {}).num_removed,
+            1U);
 }
 
 TEST(RemoveImplausible, KeepsWhatTouchesSomethingThatRestsAlsoThroughOthers) {
@@ -145,7 +150,8 @@ TEST(RemoveImplausible, KeepsWhatTouchesSomethingThatRestsAlsoThroughOthers) {
   scene.Add(1, {0, 0, 100}, {5, 10, 105});
   scene.Add(4, {0, 31, 100}, {5, 35, 105});  // one cell of air is bridged
   scene.Add(5, {0, 37, 100}, {5, 40, 105});  // two are not
-  const auto plausible = RemoveImplausible(scene.grid, scene.labels, {kFloor}, kSupport, kOptions);
+  const auto plausible =
+      RemoveImplausible(scene.grid, scene.labels, {}, {}, {kFloor}, kSupport, kOptions);
   for (const int label : {1, 2, 3, 4}) EXPECT_TRUE(scene.Has(label, plausible)) << label;
   EXPECT_FALSE(scene.Has(5, plausible));
   EXPECT_EQ(plausible.num_removed, 1U);
@@ -155,7 +161,8 @@ TEST(RemoveImplausible, NothingRestsOnWhatIsRemoved) {
   Scene scene;
   scene.Add(1, {0, 0, 100}, {5, 80, 105});    // a wall
   scene.Add(2, {5, 40, 100}, {10, 50, 105});  // a picture on it
-  const auto plausible = RemoveImplausible(scene.grid, scene.labels, {kFloor}, kSupport, kOptions);
+  const auto plausible =
+      RemoveImplausible(scene.grid, scene.labels, {}, {}, {kFloor}, kSupport, kOptions);
   EXPECT_EQ(plausible.labels, std::vector<int>(scene.labels.size(), 0));
   EXPECT_EQ(plausible.num_removed, 2U);
 }
@@ -163,7 +170,8 @@ TEST(RemoveImplausible, NothingRestsOnWhatIsRemoved) {
 TEST(RemoveImplausible, RemovesNothingWithoutSupports) {
   Scene scene;
   scene.Add(1, {0, 10, 100}, {80, 15, 105});
-  const auto plausible = RemoveImplausible(scene.grid, scene.labels, {}, kSupport, kOptions);
+  const auto plausible =
+      RemoveImplausible(scene.grid, scene.labels, {}, {}, {}, kSupport, kOptions);
   EXPECT_EQ(plausible.labels, scene.labels);
   EXPECT_EQ(plausible.num_removed, 0U);
 }
