@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <opencv2/core.hpp>
+#include <stdexcept>
 
 #include "core/depth/back_projection.h"
 #include "core/depth/flying_pixels.h"
@@ -87,6 +89,14 @@ std::vector<int> LabelVoxels(const PottsEnergy& energy, const MrfOptions& option
   return Expand(contraction, MinimizeByAlphaExpansion(contraction.energy, options.max_sweeps));
 }
 
+// Images of labels have 16 bits.
+void RequireFewSegments(std::size_t num_segments) {
+  constexpr std::size_t kMax = std::numeric_limits<std::uint16_t>::max();
+  if (num_segments <= kMax) return;
+  throw std::length_error(
+      "segments: more than 65535, depth is mostly noise; raise voxels.size_m or cover.min_voxels");
+}
+
 // Both maps, each scaled to a maximum of 1, count the same.
 cv::Mat MeanSaliency(const cv::Mat& color_saliency, const cv::Mat& depth_saliency) {
   const auto scale = [](const cv::Mat& map) {
@@ -112,6 +122,7 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
                   const std::function<bool()>& should_stop) {
   Validate(frame);
   Validate(options);
+  RequireNotEmpty(options.region, frame.depth_m.size());
   Detections result;
   Diagnostics& counts = result.diagnostics;
   StageClock clock(result.stage_times, should_stop);
@@ -190,6 +201,7 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   // Section 3.3: segments that look alike are one object.
   std::vector<int> segments = SplitIntoSegments(grid, labels);
   counts.num_segments = CountLabels(segments);
+  RequireFewSegments(counts.num_segments);
   segments = MergeByColor(grid, segments, frame.color_rgb, options.color_merge);
   if (!supports.empty()) {
     segments = FillHollows(grid, segments, points, frame.intrinsics, on_wall,

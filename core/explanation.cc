@@ -16,6 +16,10 @@ std::string DepthLoss(const Diagnostics& d) {
   if (d.num_points == 0) {
     return "every measured depth is beyond max_depth_m: check the depth unit";
   }
+  if (2 * d.num_points < d.num_measured) {
+    return "more than half of the measured depth is beyond max_depth_m: raise it, or check the "
+           "depth unit";
+  }
   const double measured = Percent(d.num_measured, d.num_pixels);
   if (measured < 20) return fmt::format("only {:.1f} % of the pixels have depth", measured);
   return "";
@@ -32,7 +36,7 @@ std::string SeedLoss(const Diagnostics& d, std::size_t num_seeds) {
 }
 
 std::string SegmentLoss(const Diagnostics& d) {
-  if (d.num_segments == 0) return "every voxel was labelled background";
+  if (d.num_segments == 0) return "everything is background, or outside of region.*";
   if (d.segments_implausible > 0) {
     return fmt::format("{} of {} segments are too large for an object or rest on nothing",
                        d.segments_implausible, d.num_segments - d.num_merged);
@@ -55,7 +59,8 @@ std::vector<std::string> ExplainLosses(const Detections& detections) {
   say(DepthLoss(d));
   if (d.num_points == 0) return messages;
   if (!detections.support) {
-    say("no support surface was found: no level surface is large enough, or gravity is wrong");
+    say("no support surface was found: no level surface is large enough, or gravity or the depth "
+        "unit is wrong");
   }
   say(SeedLoss(d, d.num_seeds));
   if (d.objects_less_salient > 0) {

@@ -1,8 +1,28 @@
 #include "core/scene/region.h"
 
+#include <fmt/format.h>
+
+#include <stdexcept>
+
 #include "core/types/projection.h"
 
 namespace fovea {
+namespace {
+
+void RequireLess(double first, double second, const char* text) {
+  if (!(first < second))
+    throw std::invalid_argument(fmt::format(fmt::runtime(text), first, second));
+}
+
+}  // namespace
+
+void RequireNotEmpty(const RegionOptions& options, const cv::Size& size) {
+  RequireLess(options.x_px, size.width, "region.x_px: {} lies beyond an image {} pixels wide");
+  RequireLess(options.y_px, size.height, "region.y_px: {} lies beyond an image {} pixels high");
+  RequireLess(options.min_x_m, options.max_x_m, "region.min_x_m: {} is not below max_x_m, {}");
+  RequireLess(options.min_y_m, options.max_y_m, "region.min_y_m: {} is not below max_y_m, {}");
+  RequireLess(options.min_z_m, options.max_z_m, "region.min_z_m: {} is not below max_z_m, {}");
+}
 
 bool IsInRegion(const Eigen::Vector3f& point, const CameraIntrinsics& intrinsics,
                 const RegionOptions& options) {

@@ -23,6 +23,10 @@ struct RegionOptions {
   double max_z_m = 100;
 };
 
+// Throws std::invalid_argument, which names the option, if no point of a frame of this size can lie
+// in the region: a rectangle beyond the image, or a workspace whose end comes before its start.
+void RequireNotEmpty(const RegionOptions& options, const cv::Size& size);
+
 // True if the point, in the camera frame, lies in the workspace and shows in the region of
 // interest. Gravity and supports are found in the whole frame all the same.
 bool IsInRegion(const Eigen::Vector3f& point, const CameraIntrinsics& intrinsics,

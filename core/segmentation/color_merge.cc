@@ -11,10 +11,13 @@
 namespace fovea {
 namespace {
 
-std::vector<cv::Mat> ColorHistograms(const VoxelGrid& grid, const std::vector<int>& labels,
-                                     int num_labels, const cv::Mat& color_rgb, int bins) {
-  std::vector<cv::Mat> histograms(num_labels + 1);
-  for (cv::Mat& histogram : histograms) histogram = cv::Mat::zeros(1, bins * bins * bins, CV_32FC1);
+// The bins of a histogram that count anything: of noise there are too many segments for a whole
+// one each.
+using SparseHistogram = std::vector<std::pair<int, int>>;  // bin, count; ascending
+
+std::vector<SparseHistogram> ColorHistograms(const VoxelGrid& grid, const std::vector<int>& labels,
+                                             int num_labels, const cv::Mat& color_rgb, int bins) {
+  std::vector<std::pair<int, int>> seen;  // label, bin: one entry a pixel
   for (int row = 0; row < color_rgb.rows; ++row) {
     const int* voxel = grid.voxel_of_pixel.ptr<int>(row);
     const cv::Vec3b* color = color_rgb.ptr<cv::Vec3b>(row);
@@ -22,11 +25,25 @@ std::vector<cv::Mat> ColorHistograms(const VoxelGrid& grid, const std::vector<in
       const int label = voxel[col] < 0 ? 0 : labels[voxel[col]];
       if (label == 0) continue;
       const auto bin = [&](int channel) { return color[col][channel] * bins / 256; };
-      histograms[label].at<float>((bin(0) * bins + bin(1)) * bins + bin(2)) += 1;
+      seen.emplace_back(label, (bin(0) * bins + bin(1)) * bins + bin(2));
     }
   }
-  for (cv::Mat& histogram : histograms) cv::normalize(histogram, histogram);
+  std::sort(seen.begin(), seen.end());
+  std::vector<SparseHistogram> histograms(num_labels + 1);
+  for (const auto& [label, bin] : seen) {
+    SparseHistogram& histogram = histograms[label];
+    if (histogram.empty() || histogram.back().first != bin) histogram.emplace_back(bin, 0);
+    ++histogram.back().second;
+  }
   return histograms;
+}
+
+// L2-normalised.
+cv::Mat Whole(const SparseHistogram& sparse, int bins) {
+  cv::Mat histogram = cv::Mat::zeros(1, bins * bins * bins, CV_32FC1);
+  for (const auto& [bin, count] : sparse) histogram.at<float>(bin) = static_cast<float>(count);
+  cv::normalize(histogram, histogram);
+  return histogram;
 }
 
 std::set<std::pair<int, int>> NeighboringLabels(const VoxelGrid& grid,
@@ -45,12 +62,16 @@ std::vector<int> MergeByColor(const VoxelGrid& grid, const std::vector<int>& lab
                               const cv::Mat& color_rgb, const ColorMergeOptions& options) {
   if (options.min_correlation >= 1) return labels;
   const int num_labels = static_cast<int>(CountLabels(labels));
-  const std::vector<cv::Mat> histograms =
+  const std::vector<SparseHistogram> histograms =
       ColorHistograms(grid, labels, num_labels, color_rgb, options.bins);
   DisjointSets objects(num_labels + 1);
+  int last_a = 0;  // pairs are in the order of a
+  cv::Mat of_a;
   for (const auto& [a, b] : NeighboringLabels(grid, labels)) {
-    if (cv::compareHist(histograms[a], histograms[b], cv::HISTCMP_CORREL) >
-        options.min_correlation) {
+    if (a != last_a) of_a = Whole(histograms[a], options.bins);
+    last_a = a;
+    const cv::Mat of_b = Whole(histograms[b], options.bins);
+    if (cv::compareHist(of_a, of_b, cv::HISTCMP_CORREL) > options.min_correlation) {
       objects.Join(a, b);
     }
   }

@@ -1,7 +1,9 @@
 #include "core/segmentation/part_merge.h"
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
+#include <set>
+#include <utility>
 
 #include "core/segmentation/labels.h"
 
@@ -14,17 +16,22 @@ std::vector<int> MergeParts(const VoxelGrid& grid, const std::vector<int>& label
   if (options.min_probability >= 1) return labels;
   const double min_log_odds = std::log(options.min_probability / (1 - options.min_probability));
   SegmentGraph graph(grid, labels, colors, intrinsics, up);
-  while (true) {
-    double best = min_log_odds;
-    SegmentPair pair{0, 0};
-    for (const auto& [candidate, kinship] : graph.Pairs()) {
-      const double log_odds = LogOdds(kinship);
-      if (log_odds <= best) continue;
-      best = log_odds;
-      pair = candidate;
-    }
-    if (pair.second == 0) break;
+  // Less the odds, pair: the most likely one first. Those whose odds have changed are left in.
+  std::set<std::pair<double, SegmentPair>> candidates;
+  const auto consider = [&](const SegmentPair& pair) {
+    const double log_odds = LogOdds(graph.Pairs().at(pair));
+    if (log_odds > min_log_odds) candidates.emplace(-log_odds, pair);
+  };
+  for (const auto& [pair, kinship] : graph.Pairs()) consider(pair);
+  while (!candidates.empty()) {
+    const auto [negative_log_odds, pair] = *candidates.begin();
+    candidates.erase(candidates.begin());
+    const auto found = graph.Pairs().find(pair);
+    if (found == graph.Pairs().end() || -LogOdds(found->second) != negative_log_odds) continue;
     graph.Join(pair);
+    for (const int other : graph.NeighborsOf(pair.first)) {
+      consider(std::minmax(pair.first, other));
+    }
   }
   return Renumbered(labels, graph.Objects());
 }

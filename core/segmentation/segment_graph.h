@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <vector>
 
 #include "core/segmentation/boundary.h"
@@ -24,13 +25,17 @@ class SegmentGraph {
   // The segments of each joined one, under its lowest label.
   DisjointSets& Objects() { return objects_; }
 
-  // Makes a pair one segment.
+  // The segments that touch one.
+  const std::set<int>& NeighborsOf(int segment) const { return neighbors_[segment]; }
+
+  // Makes a pair one segment. Cost: proportional to the neighbours of both.
   void Join(SegmentPair pair);
 
  private:
-  void UpdateKinships(int label);
+  void UpdateKinship(SegmentPair pair);
 
   std::vector<Part> parts_;
+  std::vector<std::set<int>> neighbors_;
   Boundaries boundaries_;
   std::map<SegmentPair, Kinship> kinships_;
   DisjointSets objects_;

@@ -1,5 +1,7 @@
 #include "core/types/rgbd_frame.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,15 +20,13 @@ void RequirePlausible(double focal_px, double principal_px, int size_px,
                       const std::array<std::string, 2>& names) {
   constexpr double kMaxSlope = 10;
   Require(std::isfinite(focal_px) && focal_px > 0,
-          names[0] + ": " + std::to_string(focal_px) + " is not a positive number");
+          fmt::format("{}: {:g} is not a positive number", names[0], focal_px));
   Require(std::isfinite(principal_px), names[1] + ": is not a finite number");
   const double farthest_px = std::max(std::abs(principal_px), std::abs(size_px - 1 - principal_px));
   Require(farthest_px <= kMaxSlope * focal_px,
-          names[0] + ": " + std::to_string(focal_px) + " px with " + names[1] + " " +
-              std::to_string(principal_px) + " px sees pixels of an image of " +
-              std::to_string(size_px) +
-              " px more than 84 degrees beside the optical axis; intrinsics are in pixels of this "
-              "image, not normalised");
+          fmt::format("{}: {:g} px with {} {:g} px sees pixels of an image of {} px more than 84 "
+                      "degrees beside the optical axis; intrinsics are in pixels of this image",
+                      names[0], focal_px, names[1], principal_px, size_px));
 }
 
 std::string SizeOf(const cv::Mat& image) {

@@ -179,7 +179,7 @@ TEST(Detect, NamesWhatIsWrongWithAFrame) {
   RgbdFrame frame = Tabletop();
   frame.intrinsics.fx_px = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT([&] { Detect(frame, {}); },
-              ThrowsMessage<std::invalid_argument>(HasSubstr("intrinsics.fx_px")));
+              ThrowsMessage<std::invalid_argument>(HasSubstr("intrinsics.fx: ")));
   frame = Tabletop();
   frame.depth_m = frame.depth_m.rowRange(0, 100);
   EXPECT_THAT([&] { Detect(frame, {}); },

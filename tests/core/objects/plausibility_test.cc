@@ -116,6 +116,49 @@ TEST(RemoveImplausible, RemovesALegThatHangsFromItsTable) {
       0U);
 }
 
+TEST(RemoveImplausible, RemovesTheLowerEndOfALegThatIsSeenInTwoPieces) {
+  Scene scene;
+  scene.Add(1, {5, 35, 105}, {8, 68, 108});   // the upper end, 2 cm below the top
+  scene.Add(2, {6, 0, 104}, {10, 30, 107});   // the lower end
+  scene.Add(3, {11, 0, 100}, {30, 30, 115});  // a box beside it
+  const auto plausible =
+      RemoveImplausible(scene.grid, scene.labels, {}, {}, {kFloor, Table()}, kSupport, kOptions);
+  EXPECT_FALSE(scene.Has(1, plausible));
+  EXPECT_FALSE(scene.Has(2, plausible));
+  EXPECT_TRUE(scene.Has(3, plausible));
+}
+
+// A segment 27 to 49 cm above the floor and 2 m away, and what the camera sees below it.
+PlausibleSegments WithSegmentAbove(float below_m) {
+  constexpr CameraIntrinsics kCamera{100, 100, 19.5, 19.5};
+  constexpr float kAway_m = 2;
+  const Support floor{{kUp, 0.5F, 1}, Footprint()};
+  cv::Mat points(40, 40, CV_32FC3);
+  cv::Mat upper(40, 40, CV_8UC1, cv::Scalar(0));
+  for (int row = 0; row < 40; ++row) {
+    for (int col = 0; col < 40; ++col) {
+      const bool is_segment = row >= 20 && row <= 31 && col >= 10 && col < 30;
+      const float z = is_segment ? kAway_m : row > 31 ? below_m : 3.5F;
+      upper.at<uchar>(row, col) = is_segment ? 1 : 0;
+      points.at<cv::Vec3f>(row, col) = {(static_cast<float>(col) - 19.5F) / 100 * z,
+                                        (static_cast<float>(row) - 19.5F) / 100 * z, z};
+    }
+  }
+  const cv::Mat normals(40, 40, CV_32FC3, cv::Scalar(0, 0, -1));
+  const VoxelGrid grid = BuildVoxelGrid(points, normals, {.size_m = 0.01});
+  std::vector<int> labels(grid.voxels.size(), 0);
+  for (int i = 0; i < 40 * 40; ++i) {
+    labels[grid.voxel_of_pixel.at<int>(i / 40, i % 40)] = upper.at<uchar>(i / 40, i % 40);
+  }
+  return RemoveImplausible(grid, labels, points, kCamera, {floor}, kSupport, {.max_height_m = 0.4});
+}
+
+TEST(RemoveImplausible, CountsTheHeightFromTheSupportWhereNothingIsSeenBelow) {
+  EXPECT_EQ(WithSegmentAbove(1).num_removed, 1U) << "something in front hides it";
+  EXPECT_EQ(WithSegmentAbove(3).num_removed, 1U) << "one sees past";
+  EXPECT_EQ(WithSegmentAbove(2).num_removed, 0U) << "it may stand on that";
+}
+
 TEST(RemoveImplausible, KeepsWhatReachesOverTheEdgeOfTheTableForLess) {
   Scene scene;
   scene.Add(1, {40, 68, 120}, {45, 80, 125});  // 2 of 12 cm below its surface

@@ -146,5 +146,13 @@ TEST(Footprint, ProjectsAlongTheNormalOfATiltedSurface) {
   EXPECT_FALSE(footprint.Covers(turn * Eigen::Vector3f(0.36F, 0.2F, 1.3F)));
 }
 
+TEST(Footprint, StaysSmallHoweverFarThePointsReach) {
+  Points points = Ring();
+  points.emplace_back(2e4F, 0.7F, 3e4F);
+  const Footprint footprint(points, {}, kTable, 0, 0.1);
+  EXPECT_TRUE(footprint.Covers({0, 0.7F, 1.3F}));
+  EXPECT_FALSE(footprint.Covers({5e3F, 0.7F, 5e3F}));
+}
+
 }  // namespace
 }  // namespace fovea

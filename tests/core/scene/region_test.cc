@@ -1,6 +1,10 @@
 #include "core/scene/region.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
 
 namespace fovea {
 namespace {
@@ -19,6 +23,22 @@ TEST(IsInRegion, AsksForThePixelAtWhichThePointShows) {
   EXPECT_FALSE(IsInRegion({0.041F, 0, 1}, kIntrinsics, options));  // at 340.5
   EXPECT_FALSE(IsInRegion({0, 0.05F, 1}, kIntrinsics, options));   // at 265 of below 260
   EXPECT_FALSE(IsInRegion({0, -0.09F, 1}, kIntrinsics, options));  // at 195
+}
+
+TEST(RequireNotEmpty, NamesWhatLeavesNothing) {
+  const auto refused = [](const RegionOptions& options, const std::string& name) {
+    EXPECT_THAT(
+        [&] {
+          RequireNotEmpty(options, {640, 480});
+        },
+        testing::ThrowsMessage<std::invalid_argument>(testing::StartsWith(name)));
+  };
+  refused({.x_px = 640}, "region.x_px: 640");
+  refused({.y_px = 480}, "region.y_px: 480");
+  refused({.min_x_m = 1, .max_x_m = 0.5}, "region.min_x_m: 1");
+  refused({.max_y_m = -100}, "region.min_y_m: -100");
+  refused({.min_z_m = 2, .max_z_m = 1}, "region.min_z_m: 2");
+  EXPECT_NO_THROW(RequireNotEmpty({.x_px = 639, .y_px = 479}, {640, 480}));
 }
 
 TEST(IsInRegion, AsksForTheWorkspace) {

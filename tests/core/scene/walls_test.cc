@@ -52,6 +52,27 @@ TEST(FindWalls, BoxesInOnePlaneAreNoWall) {
   EXPECT_EQ(Count(on_wall, 0, on_wall.size()), 0);
 }
 
+TEST(FindWalls, ATableIsNoWallWhereItsLegsAndItsEdgeLieInOnePlane) {
+  VoxelGrid grid;
+  const Eigen::Vector3f towards = -Eigen::Vector3f::UnitZ();
+  AddUpright(grid, {0, 0, 1.5F}, towards, 1.2F, 0.04F);  // the edge
+  for (const float x : {-0.55F, 0.55F}) AddUpright(grid, {x, 0.35F, 1.5F}, towards, 0.06F, 0.7F);
+  const std::vector<char> on_wall = FindWalls(grid, kUp, {}, kTolerance, kOptions);
+  EXPECT_EQ(Count(on_wall, 0, on_wall.size()), 0);
+}
+
+// Many boxes in a row, none of them large, get more votes than the wall that the row crosses.
+TEST(FindWalls, FindsAllOfAWallThatAnotherPlaneCrosses) {
+  VoxelGrid grid;
+  AddUpright(grid, {0.5F, 0, 3}, -Eigen::Vector3f::UnitX(), 0.8F, 0.35F);
+  const std::size_t wall = grid.voxels.size();
+  for (const float x : {-1.5F, -1.1F, -0.7F, -0.3F, 0.1F}) {
+    AddUpright(grid, {x, 0, 3}, -Eigen::Vector3f::UnitZ(), 0.3F, 0.35F);
+  }
+  const std::vector<char> on_wall = FindWalls(grid, kUp, {}, kTolerance, kOptions);
+  EXPECT_EQ(Count(on_wall, 0, wall), static_cast<int>(wall));
+}
+
 // Noise tilts the normals of a floor far away until they look upright.
 TEST(FindWalls, AStripOfFloorDoesNotMakeAWallOfBoxesInOnePlane) {
   VoxelGrid grid;
