@@ -64,7 +64,7 @@ v1::Detections DetectFrame(const client::Client& client, const FrameFiles& files
 }
 
 std::vector<std::string> NotesOf(const v1::Detections& found) {
-  if (!found.objects().empty()) return {};
+  if (!found.objects().empty() && found.has_support_surface()) return {};
   const auto& messages = found.diagnostics().messages();
   return {messages.begin(), messages.end()};
 }
