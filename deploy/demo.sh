@@ -13,7 +13,9 @@ intrinsics=${INTRINSICS:-525,525,319.5,239.5}
 mkdir -p "$out/frames" "$out/results"
 rm -f "$out"/frames/* "$out"/results/*
 
-"$build/server/fovea-server" --listen 127.0.0.1:0 --log-level warn >"$out/server.log" 2>&1 &
+# Now, not by the server once it runs: else the wait below may find the address of an earlier run.
+: >"$out/server.log"
+"$build/server/fovea-server" --listen 127.0.0.1:0 --log-level warn >>"$out/server.log" 2>&1 &
 server=$!
 trap 'kill "$server" 2>/dev/null; wait "$server" 2>/dev/null || true' EXIT
 
@@ -21,6 +23,7 @@ address=""
 while [ -z "$address" ]; do
   kill -0 "$server" 2>/dev/null || { cat "$out/server.log" >&2; exit 1; }
   address=$(sed -n 's/^listening on //p' "$out/server.log")
+  [ -n "$address" ] || sleep 0.1
 done
 
 if [ -n "${FRAME:-}" ]; then

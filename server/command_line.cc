@@ -2,10 +2,12 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <memory>
 #include <stdexcept>
 
 #include "server/access/credentials.h"
 #include "server/access/gate_keeper.h"
+#include "server/config_file.h"
 #include "server/option_table.h"
 
 namespace fovea::server {
@@ -84,6 +86,10 @@ void AddFlags(CLI::App& app, ServerOptions& options) {
 
 }  // namespace
 
+std::string NoTokens(const ServerOptions& options) {
+  return "--tokens: " + options.tokens + " holds 0 tokens: nobody may call";
+}
+
 std::optional<ServerOptions> ParseCommandLine(int argc, char** argv) {
   CLI::App app("Serves fovea.v1.DetectionService: finds unknown objects in RGB-D frames.",
                "fovea-server");
@@ -91,7 +97,7 @@ std::optional<ServerOptions> ParseCommandLine(int argc, char** argv) {
   AddFlags(app, options);
   app.set_config("--config", "",
                  "File with any of these flags, one KEY = VALUE a line; flags given here win");
-  app.allow_config_extras(CLI::config_extras_mode::error);
+  app.config_formatter(std::make_shared<ConfigFile>(app));
   bool list_options = false, check_config = false;
   app.add_flag("--check-config", check_config,
                "Say whether flags and configuration file are valid, and exit")
@@ -104,9 +110,8 @@ std::optional<ServerOptions> ParseCommandLine(int argc, char** argv) {
   } catch (const CLI::Success& wants_text) {  // --help, --version
     app.exit(wants_text);
     return std::nullopt;
-  } catch (const CLI::ConfigError& error) {
-    throw std::invalid_argument("--config: unknown key: " + std::string(error.what()) +
-                                " (--help lists the flags, which are the keys)");
+  } catch (const CLI::FileError& error) {
+    throw std::invalid_argument("--config: " + std::string(error.what()));
   } catch (const CLI::ParseError& error) {
     throw std::invalid_argument(std::string(error.what()) + " (--help lists the flags)");
   }
@@ -117,8 +122,9 @@ std::optional<ServerOptions> ParseCommandLine(int argc, char** argv) {
   Validate(options);
   if (check_config) {
     MakeCredentials(options);
-    const GateKeeper reads_tokens(options.tokens);
+    const GateKeeper gate_keeper(options.tokens);
     std::cout << "the configuration is valid\n";
+    if (gate_keeper.RefusesEverybody()) std::cout << NoTokens(options) << '\n';
     return std::nullopt;
   }
   return options;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "server/server_options.h"
 
@@ -9,5 +10,8 @@ namespace fovea::server {
 // Reads the flags. Empty after --help, --version or --list-options, which it prints. Throws
 // std::invalid_argument with one line of text for flags that are unknown or do not validate.
 std::optional<ServerOptions> ParseCommandLine(int argc, char** argv);
+
+// What to say where callers need a token and the file holds none.
+std::string NoTokens(const ServerOptions& options);
 
 }  // namespace fovea::server

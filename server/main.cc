@@ -41,24 +41,28 @@ void StopGently(fovea::server::Server& server, const fovea::server::ServerOption
   server.Drain();
 }
 
+void WarnOfTokens(const fovea::server::ServerOptions& options,
+                  const fovea::server::Server& server) {
+  if (server.RefusesEverybody()) spdlog::warn(fovea::server::NoTokens(options));
+}
+
 // SIGHUP: what can change while serving is read again. A mistake changes nothing.
 void Reload(int argc, char** argv, fovea::server::Server& server) {
   try {
     const auto options = fovea::server::ParseCommandLine(argc, argv);
     server.ReloadTokens();
     fovea::server::SetLogLevel(options->log_level);
+    WarnOfTokens(*options, server);
     spdlog::warn("read configuration and tokens again, log level is {}", options->log_level);
   } catch (const std::exception& error) {
     spdlog::error("the configuration stays as it was: {}", error.what());
   }
 }
 
-std::unique_ptr<MetricsEndpoint> ServeMetrics(const fovea::server::ServerOptions& options,
-                                              const fovea::server::Server& server) {
+std::unique_ptr<MetricsEndpoint> MakeMetricsEndpoint(const fovea::server::ServerOptions& options,
+                                                     const fovea::server::Server& server) {
   if (options.metrics_listen.empty()) return nullptr;
-  auto endpoint = std::make_unique<MetricsEndpoint>(options.metrics_listen, server.metrics());
-  std::cout << "metrics at http://" << endpoint->Address() << "/metrics" << std::endl;
-  return endpoint;
+  return std::make_unique<MetricsEndpoint>(options.metrics_listen, server.metrics());
 }
 
 int WaitFor(const sigset_t& signals) {
@@ -76,10 +80,12 @@ int Run(int argc, char** argv) {
   fovea::server::SetUpComputing(NumComputeThreads(*options));
   const fovea::server::SpareMemory spare_memory(std::chrono::minutes{1});
   fovea::server::Server server(*options);
+  const auto metrics = MakeMetricsEndpoint(*options, server);
   std::cout << "listening on " << server.Address() << std::endl;
+  if (metrics) std::cout << "metrics at http://" << metrics->Address() << "/metrics" << std::endl;
   if (options->insecure) spdlog::warn("other machines may call unprotected (--insecure)");
 
-  const auto metrics = ServeMetrics(*options, server);
+  WarnOfTokens(*options, server);
   while (WaitFor(signals) == SIGHUP) Reload(argc, argv, server);
   StopGently(server, *options, signals);
   return EXIT_SUCCESS;

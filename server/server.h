@@ -33,6 +33,9 @@ class Server {
   // Takes over the tokens that the file holds now. Throws std::exception, and changes nothing then.
   void ReloadTokens() { gate_keeper_.Reload(); }
 
+  // Whether callers need a token and the file holds none.
+  bool RefusesEverybody() const { return gate_keeper_.RefusesEverybody(); }
+
   // For Prometheus to collect.
   const std::shared_ptr<Metrics>& metrics() const { return metrics_; }
 

@@ -1,5 +1,6 @@
 #include "client/capture/devices.h"
 
+#include <filesystem>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,8 @@ std::string FindDevice(const std::string& wanted) {
     CheckRecording(wanted);
     return wanted;
   }
+  // No camera has the name of a file; this throws, as its name is not that of a recording either.
+  if (std::filesystem::is_regular_file(wanted)) CheckRecording(wanted);
   const std::vector<std::string> cameras = Cameras();
   if (cameras.empty()) {
     throw CameraError("no camera found: OpenNI2 sees none; is it plugged in, and listed by lsusb?");

@@ -117,7 +117,9 @@ void AddLiveFlags(CLI::App& command, StreamFlags& flags) {
   AddStreamFlags(command, flags);
   command
       .add_flag("--every-frame", flags.every_frame,
-                "Take the next frame after the answer; drop none")
+                "Take the next frame after the answer and drop none that was taken; a live camera "
+                "goes on "
+                "meanwhile, and what it sees then is not taken")
       ->group(kSending);
 }
 

@@ -1,6 +1,7 @@
 // fovea-capture: from an RGB-D camera to a fovea server.
 #include <CLI/CLI.hpp>
 
+#include "client/capture/camera_error.h"
 #include "client/capture/flags.h"
 #include "client/capture/record_command.h"
 #include "client/capture/stop_signal.h"
@@ -24,6 +25,7 @@ int main(int argc, char** argv) {
   return fovea::cli::RunProgram(app, argc, argv, [&] {
     fovea::capture::CatchStopSignals();
     if (*record_command) return fovea::capture::RunRecord(record);
+    if (*replay_command) fovea::capture::CheckRecording(replay.camera.device);
     return fovea::capture::RunStream(*replay_command ? replay : live);
   });
 }

@@ -11,6 +11,7 @@
 #include "client/cli/labels.h"
 #include "client/cli/outputs.h"
 #include "client/cli/overlay.h"
+#include "client/cli/report.h"
 
 namespace fovea::capture {
 namespace {
@@ -22,7 +23,7 @@ std::string Line(const Result& result, double latency_ms) {
   std::snprintf(time, sizeof time, "  %.0f ms", latency_ms);
   std::string line = response.frame_id() + "  ";
   line += response.has_error() ? "failed: " + response.error().message()
-                               : std::to_string(response.detections().objects_size()) + " objects";
+                               : cli::NumObjects(response.detections().objects_size());
   line += time;
   if (response.dropped() > 0) {
     line += ", " + std::to_string(response.dropped()) + " dropped by the server";
@@ -46,7 +47,7 @@ void Results::RequestFor(v1::DetectOptions* options) const {
   options->set_return_seeds(Draws());
 }
 
-void Results::Take(const Result& result, Tally& tally) const {
+void Results::Take(const Result& result, Tally& tally) {
   const v1::DetectStreamResponse& response = result.response;
   const std::chrono::duration<double, std::milli> latency =
       std::chrono::steady_clock::now() - result.picture.arrived;
@@ -54,13 +55,26 @@ void Results::Take(const Result& result, Tally& tally) const {
   tally.Count(response.has_error(),
               static_cast<std::uint64_t>(response.detections().objects_size()), latency.count());
   out_ << Line(result, latency.count()) << std::endl;
-  if (response.has_error() || !Draws()) return;
+  if (response.has_error()) return;
+  PrintNote(response.detections());
+  if (!Draws()) return;
 
   cv::Mat color;
   cv::cvtColor(result.picture.color, color, cv::COLOR_RGB2BGR);
   const cv::Mat overlay = cli::DrawOverlay(color, intrinsics_, response.detections());
   if (!save_folder_.empty()) Save(result.picture, response.detections(), color, overlay);
   if (viewer_ != nullptr) viewer_->SetOverlay(overlay);
+}
+
+// A camera that sees nothing would repeat itself thirty times a second; only the counts differ.
+void Results::PrintNote(const v1::Detections& detections) {
+  const auto& messages = detections.diagnostics().messages();
+  const bool lacks = detections.objects().empty() || !detections.has_support_surface();
+  const std::string note = lacks && !messages.empty() ? messages.Get(0) : "";
+  std::string without_numbers = note;
+  std::erase_if(without_numbers, [](char c) { return c >= '0' && c <= '9'; });
+  if (without_numbers == std::exchange(last_note_, without_numbers)) return;
+  if (!note.empty()) out_ << "note: " << note << std::endl;
 }
 
 void Results::Save(const Picture& picture, const v1::Detections& detections, const cv::Mat& color,

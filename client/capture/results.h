@@ -27,10 +27,12 @@ class Results {
   // Masks and seeds are needed for drawing only.
   void RequestFor(v1::DetectOptions* options) const;
 
-  // Counts, prints and saves. Throws std::runtime_error for files that cannot be written.
-  void Take(const Result& result, Tally& tally) const;
+  // Counts, prints and saves. Throws std::runtime_error for files that cannot be written. By one
+  // thread at a time.
+  void Take(const Result& result, Tally& tally);
 
  private:
+  void PrintNote(const v1::Detections& detections);
   bool Draws() const { return viewer_ != nullptr || !save_folder_.empty(); }
   void Save(const Picture& picture, const v1::Detections& detections, const cv::Mat& color,
             const cv::Mat& overlay) const;
@@ -39,6 +41,7 @@ class Results {
   const v1::CameraIntrinsics intrinsics_;
   Viewer* const viewer_;
   std::ostream& out_;
+  std::string last_note_;  // what was said last about few objects, without its numbers
 };
 
 }  // namespace fovea::capture

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "client/cli/connection.h"
+#include "client/cli/explain.h"
 
 namespace fovea::capture {
 namespace {
@@ -22,13 +22,13 @@ void CheckVersions(const std::string& client, const std::string& server) {
                            ": update the older of the two (--any-version tries anyway)");
 }
 
-std::string CheckServer(const client::Client& client, const std::string& address) {
+std::string CheckServer(const client::Client& client, const cli::ConnectionFlags& flags) {
   try {
     const std::string version = client.GetServerInfo().version();
     CheckVersions(FOVEA_VERSION, version);
-    return "server " + address + ", fovea " + version;
+    return "server " + flags.server + ", fovea " + version;
   } catch (const client::RpcError& error) {
-    throw std::runtime_error(cli::Explain(error, address));
+    throw std::runtime_error(cli::Explain(error, flags, cli::DefaultLimit()));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "client/cli/connection.h"
 #include "client/client.h"
 
 namespace fovea::capture {
@@ -10,8 +11,8 @@ namespace fovea::capture {
 // one: the first numbers differ, or the second while the first is 0.
 void CheckVersions(const std::string& client, const std::string& server);
 
-// Asks the server at `address` who it is. Returns what to tell a person; throws std::exception with
+// Asks the server at `flags` who it is. Returns what to tell a person; throws std::exception with
 // one line of text where it does not answer, or is of another version.
-std::string CheckServer(const client::Client& client, const std::string& address);
+std::string CheckServer(const client::Client& client, const cli::ConnectionFlags& flags);
 
 }  // namespace fovea::capture

@@ -30,7 +30,7 @@ struct SessionOptions {
 struct Session {
   const client::Client& client;
   CameraSource& source;
-  const Results& results;
+  Results& results;
   Viewer* viewer;  // null = none
   Tally& tally;
   std::ostream& notes;

@@ -7,6 +7,7 @@
 
 #include "client/capture/camera_error.h"
 #include "client/capture/server_check.h"
+#include "client/cli/explain.h"
 
 namespace fovea::capture {
 namespace {
@@ -21,7 +22,7 @@ bool TakesEveryFrame(const StreamFlags& flags) {
 client::Client ConnectTo(const StreamFlags& flags) {
   client::ClientOptions options;
   client::Client client = cli::Connect(flags.connection, options);
-  if (!flags.any_version) std::cerr << CheckServer(client, flags.connection.server) << '\n';
+  if (!flags.any_version) std::cerr << CheckServer(client, flags.connection) << '\n';
   // A stream that broke is taken up again for as long.
   options.timeout = std::chrono::milliseconds(static_cast<int>(flags.patience_s * 1000) + 1);
   return cli::Connect(flags.connection, options);
@@ -39,7 +40,7 @@ void Run(const StreamFlags& flags, const SessionOptions& options, const Session&
   try {
     TakesEveryFrame(flags) ? RunEveryFrame(options, session) : RunLive(options, session);
   } catch (const client::RpcError& error) {
-    throw std::runtime_error(cli::Explain(error, flags.connection.server));
+    throw std::runtime_error(cli::Explain(error, flags.connection, "its deadline"));
   }
 }
 
@@ -66,7 +67,7 @@ int RunStream(const StreamFlags& flags) {
   CameraSource source(camera_options, options.patience, std::cerr);
   options.intrinsics = Choose(flags, source.CurrentCamera()).values;
   Viewer* const window = viewer ? &*viewer : nullptr;
-  const Results results(flags.save_folder, options.intrinsics, window, std::cout);
+  Results results(flags.save_folder, options.intrinsics, window, std::cout);
   Tally tally;
   const Session session{client, source, results, window, tally, std::cerr};
   std::exception_ptr error;

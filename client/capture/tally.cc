@@ -76,9 +76,9 @@ double Percentile(const std::vector<double>& sorted, double share) {
 std::string Summary(const Tally& tally, std::uint64_t num_captured, const CameraLosses& losses,
                     std::uint64_t num_reopened) {
   const Tally::Counts c = tally.Snapshot();
-  std::string text =
-      fmt::sprintf("%llu frames captured, %llu sent, %llu answered, %llu failed; %llu objects\n",
-                   num_captured, c.sent, c.answered, c.failed, c.objects);
+  std::string text = fmt::sprintf(
+      "%llu frames captured, %llu sent, %llu answered, %llu failed; %llu %s\n", num_captured,
+      c.sent, c.answered, c.failed, c.objects, c.objects == 1 ? "object" : "objects");
   text += fmt::sprintf(
       "dropped: %llu by the camera, %llu by this client, %llu by the server; %llu lost\n",
       losses.missed, c.replaced, c.dropped, c.lost);

@@ -5,10 +5,13 @@
 #include <iostream>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 #include <vector>
 
+#include "client/cli/output_check.h"
 #include "client/cli/outputs.h"
 #include "client/cli/progress.h"
+#include "client/cli/report.h"
 
 namespace fovea::cli {
 namespace {
@@ -50,44 +53,57 @@ OutputPaths OutputsOf(const std::string& name, const fs::path& output) {
           .saliency_prefix = {}};
 }
 
-// Returns the number of objects.
-int DetectFrame(const client::Client& client, const FrameFiles& files, const OutputPaths& outputs,
-                const FrameSettings& settings, std::chrono::milliseconds timeout) {
+v1::Detections DetectFrame(const client::Client& client, const FrameFiles& files,
+                           const OutputPaths& outputs, const FrameSettings& settings,
+                           std::chrono::milliseconds timeout) {
   if (!fs::exists(files.depth_path)) throw std::runtime_error("no " + files.depth_path);
   const v1::DetectRequest request = MakeRequest(files, settings);
-  const v1::DetectResponse response = client.Detect(request, timeout);
+  v1::DetectResponse response = client.Detect(request, timeout);
   WriteOutputs(outputs, files, settings, request, response.detections());
-  return response.detections().objects_size();
+  return std::move(*response.mutable_detections());
+}
+
+std::vector<std::string> NotesOf(const v1::Detections& found) {
+  if (!found.objects().empty() && found.has_support_surface()) return {};
+  const auto& messages = found.diagnostics().messages();
+  return {messages.begin(), messages.end()};
 }
 
 }  // namespace
 
 bool DetectFolder(const client::Client& client, const std::string& input, const std::string& output,
-                  FrameSettings settings, std::chrono::milliseconds timeout) {
+                  FrameSettings settings, std::chrono::milliseconds timeout,
+                  const std::function<std::string(const client::RpcError&)>& explain) {
   const std::vector<FrameFiles> frames = ListFrames(input);
   if (frames.empty()) {
     throw std::runtime_error("no NAME_color.png, .jpg or .jpeg with NAME_depth.png in " + input);
   }
-  fs::create_directories(output);
+  PrepareFolder(input, output);
   RequestFor(OutputsOf("any", output), &settings.options);
 
   Progress progress(frames.size());
   std::size_t num_failed = 0;
   int num_objects = 0;
+  const auto fail = [&](const std::string& id, const std::string& why) {
+    ++num_failed;
+    progress.Complain("fovea: " + id + ": " + why);
+    progress.Advance(id + ": failed");
+  };
   for (const FrameFiles& files : frames) {
     try {
-      const int found = DetectFrame(client, files, OutputsOf(files.id, output), settings, timeout);
-      num_objects += found;
-      progress.Advance(files.id + ": " + std::to_string(found) + " objects");
+      const v1::Detections found =
+          DetectFrame(client, files, OutputsOf(files.id, output), settings, timeout);
+      num_objects += found.objects_size();
+      progress.Advance(files.id + ": " + NumObjects(found.objects_size()), NotesOf(found));
+    } catch (const client::RpcError& error) {
+      fail(files.id, explain(error));
     } catch (const std::exception& error) {
-      ++num_failed;
-      progress.Complain("fovea: " + files.id + ": " + error.what());
-      progress.Advance(files.id + ": failed");
+      fail(files.id, error.what());
     }
   }
   progress.Finish();
   std::cout << frames.size() - num_failed << " of " << frames.size() << " frames done, "
-            << num_objects << " objects, " << num_failed << " failed\n";
+            << NumObjects(num_objects) << ", " << num_failed << " failed\n";
   return num_failed == 0;
 }
 

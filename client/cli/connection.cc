@@ -1,6 +1,9 @@
 #include "client/cli/connection.h"
 
+#include <stdexcept>
+
 #include "client/cli/files.h"
+#include "client/cli/server_address.h"
 
 namespace fovea::cli {
 namespace {
@@ -11,11 +14,21 @@ std::string FirstLine(const std::string& text) {
   return text.substr(0, text.find_first_of("\r\n"));
 }
 
+// gRPC takes any text and fails at each call, without a word about the file.
+std::string ReadPem(const char* flag, const std::string& path, const char* kind) {
+  if (path.empty()) return {};
+  std::string text = ReadFile(path);
+  if (text.find(std::string(kind) + "-----") != std::string::npos) return text;
+  throw std::invalid_argument(std::string(flag) + ": " + path + " holds no " + kind + " in PEM");
+}
+
 }  // namespace
 
 void AddConnectionFlags(CLI::App& command, ConnectionFlags& flags) {
   const char* group = "Server";
-  command.add_option("--server", flags.server, "Address of the server, HOST:PORT")
+  command
+      .add_option("--server", flags.server,
+                  "Address of the server, HOST:PORT; of several, ipv4:HOST:PORT,HOST:PORT")
       ->type_name("HOST:PORT")
       ->capture_default_str()
       ->group(group);
@@ -33,21 +46,16 @@ void AddConnectionFlags(CLI::App& command, ConnectionFlags& flags) {
 }
 
 client::Client Connect(const ConnectionFlags& flags, client::ClientOptions options) {
+  CheckServerAddress(flags.server);
   options.token = FirstLine(ReadIfGiven(flags.token_file));
   options.robot = flags.robot;
   if (!flags.tls_ca.empty()) {
-    options.tls = client::TlsOptions{.root_certificates = ReadFile(flags.tls_ca),
-                                     .certificate_chain = ReadIfGiven(flags.tls_cert),
-                                     .private_key = ReadIfGiven(flags.tls_key)};
+    options.tls = client::TlsOptions{
+        .root_certificates = ReadPem("--tls-ca", flags.tls_ca, "CERTIFICATE"),
+        .certificate_chain = ReadPem("--tls-cert", flags.tls_cert, "CERTIFICATE"),
+        .private_key = ReadPem("--tls-key", flags.tls_key, "PRIVATE KEY")};
   }
   return client::Client(flags.server, options);
-}
-
-// gRPC's text about a server that is away names neither the cause nor a remedy.
-std::string Explain(const client::RpcError& error, const std::string& server) {
-  if (error.code() != grpc::StatusCode::UNAVAILABLE) return error.what();
-  return "no server answers at " + server + "; is fovea-server running there? (" + error.message() +
-         ")";
 }
 
 }  // namespace fovea::cli

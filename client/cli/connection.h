@@ -15,11 +15,9 @@ struct ConnectionFlags {
 
 void AddConnectionFlags(CLI::App& command, ConnectionFlags& flags);
 
-// Throws std::runtime_error for files that cannot be read. Token, robot and TLS of `options` come
+// Throws std::exception that names the flag for an address that is none and for files that cannot
+// be read or hold something else. Token, robot and TLS of `options` come
 // from the flags.
 client::Client Connect(const ConnectionFlags& flags, client::ClientOptions options = {});
-
-// What a person should read about a call to `server` that failed.
-std::string Explain(const client::RpcError& error, const std::string& server);
 
 }  // namespace fovea::cli

@@ -1,5 +1,7 @@
 #include "client/cli/detect_command.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cmath>
@@ -9,6 +11,8 @@
 #include <stdexcept>
 
 #include "client/cli/batch.h"
+#include "client/cli/explain.h"
+#include "client/cli/output_check.h"
 #include "client/cli/parsing.h"
 #include "client/cli/report.h"
 #include "client/client.h"
@@ -25,6 +29,11 @@ FrameSettings SettingsOf(const DetectFlags& flags) {
   FrameSettings settings;
   settings.intrinsics = ParseIntrinsics(flags.intrinsics, "--intrinsics");
   settings.depth_camera = ParseDepthCamera(flags.depth_intrinsics, flags.color_from_depth);
+  // The server takes 0 for "not said" and means millimetres.
+  Require(flags.depth_unit_m > 0 && flags.depth_unit_m <= 1,
+          fmt::format("--depth-unit: {} is not above 0 and at most 1 metre (0.001 for depth in "
+                      "millimetres)",
+                      flags.depth_unit_m));
   settings.depth_unit_m = flags.depth_unit_m;
   settings.gravity = ParseGravity(flags.gravity);
   settings.options = ParseOptions(flags.profile, flags.settings);
@@ -33,7 +42,7 @@ FrameSettings SettingsOf(const DetectFlags& flags) {
 
 std::chrono::milliseconds TimeoutOf(const DetectFlags& flags) {
   Require(flags.timeout_s > 0 && flags.timeout_s <= 3600,
-          "--timeout: must be above 0 and at most 3600 seconds");
+          fmt::format("--timeout: {} is not above 0 and at most 3600 seconds", flags.timeout_s));
   return std::chrono::milliseconds(std::llround(std::ceil(flags.timeout_s * 1000)));
 }
 
@@ -53,6 +62,7 @@ int DetectOne(const DetectFlags& flags, const client::Client& client) {
   RequestFor(flags.outputs, &settings.options);
   const FrameFiles files{flags.id.empty() ? NameOf(flags.color) : flags.id, flags.color,
                          flags.depth};
+  CheckOutputs(flags.outputs, files);
   const v1::DetectRequest request = MakeRequest(files, settings);
 
   const auto start = std::chrono::steady_clock::now();
@@ -70,7 +80,8 @@ int DetectMany(const DetectFlags& flags, const client::Client& client) {
           "--input and --output are for whole folders; --color, --depth and the outputs of a "
           "single frame do not go with them");
   const bool all_done =
-      DetectFolder(client, flags.input, flags.output, SettingsOf(flags), TimeoutOf(flags));
+      DetectFolder(client, flags.input, flags.output, SettingsOf(flags), TimeoutOf(flags),
+                   [&](const client::RpcError& error) { return ExplainDetect(error, flags); });
   return all_done ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
@@ -131,8 +142,10 @@ void AddFolderFlags(CLI::App& command, DetectFlags& flags) {
   AddFlag(command, "--input", flags.input, "FOLDER",
           "Every NAME_color.png (or .jpg) with its NAME_depth.png")
       ->group(group);
-  AddFlag(command, "--output", flags.output, "FOLDER",
-          "For NAME.png (labels), NAME.json and NAME_overlay.png")
+  AddFlag(
+      command, "--output", flags.output, "FOLDER",
+      "For NAME.png (labels), NAME.json and NAME_overlay.png, which are overwritten; made where "
+      "it is missing; not the folder of --input")
       ->group(group);
 }
 
@@ -142,6 +155,10 @@ void AddDetectFlags(CLI::App& command, DetectFlags& flags) {
   AddCommonFlags(command, flags);
   AddFrameFlags(command, flags);
   AddFolderFlags(command, flags);
+}
+
+std::string ExplainDetect(const client::RpcError& error, const DetectFlags& flags) {
+  return Explain(error, flags.connection, fmt::format("{} s (--timeout)", flags.timeout_s));
 }
 
 int RunDetect(const DetectFlags& flags) {

@@ -22,6 +22,9 @@ struct DetectFlags {
 
 void AddDetectFlags(CLI::App& command, DetectFlags& flags);
 
+// What a person should read about a call of this command that failed.
+std::string ExplainDetect(const client::RpcError& error, const DetectFlags& flags);
+
 // Returns the exit code; throws std::exception with one line of text.
 int RunDetect(const DetectFlags& flags);
 

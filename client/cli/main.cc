@@ -8,6 +8,7 @@
 #include <string>
 
 #include "client/cli/detect_command.h"
+#include "client/cli/explain.h"
 #include "client/cli/program.h"
 #include "client/client.h"
 
@@ -51,13 +52,14 @@ int main(int argc, char** argv) {
   for (CLI::App* command : {health, info}) fovea::cli::AddConnectionFlags(*command, connection);
 
   return fovea::cli::RunProgram(app, argc, argv, [&] {
-    const ConnectionFlags& asked = *detect ? detect_flags.connection : connection;
     try {
       if (*health) return CheckHealth(connection);
       if (*info) return PrintInfo(connection);
       return fovea::cli::RunDetect(detect_flags);
     } catch (const fovea::client::RpcError& error) {
-      throw std::runtime_error(fovea::cli::Explain(error, asked.server));
+      throw std::runtime_error(
+          *detect ? fovea::cli::ExplainDetect(error, detect_flags)
+                  : fovea::cli::Explain(error, connection, fovea::cli::DefaultLimit()));
     }
   });
 }

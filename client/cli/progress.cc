@@ -23,13 +23,16 @@ void Progress::DrawBar(const std::string& text) const {
        << done_ << '/' << total_ << "  " << text << std::flush;
 }
 
-void Progress::Advance(const std::string& text) {
+void Progress::Advance(const std::string& text, const std::vector<std::string>& notes) {
   ++done_;
-  if (on_terminal_) {
-    DrawBar(text);
-  } else {
-    out_ << done_ << '/' << total_ << "  " << text << std::endl;
+  if (!on_terminal_) {
+    out_ << done_ << '/' << total_ << "  " << text << '\n';
+  } else if (!notes.empty()) {
+    out_ << kClearLine << text << '\n';
   }
+  for (const std::string& note : notes) out_ << "  note: " << note << '\n';
+  if (on_terminal_) DrawBar(text);
+  out_ << std::flush;
 }
 
 void Progress::Complain(const std::string& text) {

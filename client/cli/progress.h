@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <iosfwd>
 #include <string>
+#include <vector>
 
 namespace fovea::cli {
 
@@ -14,8 +15,9 @@ class Progress {
 
   explicit Progress(std::size_t total, Stream stream = Stream::kOut);
 
-  // One more frame is done; `text` says what came of it.
-  void Advance(const std::string& text);
+  // One more frame is done; `text` says what came of it. Notes stand in lines of their own, beneath
+  // what they are about, and stay above the bar.
+  void Advance(const std::string& text, const std::vector<std::string>& notes = {});
   // A line on stderr that stays above the bar.
   void Complain(const std::string& text);
   // Leaves the bar behind.

@@ -45,16 +45,21 @@ std::string SupportLine(const v1::Detections& detections) {
 
 }  // namespace
 
+std::string NumObjects(int number) {
+  return std::to_string(number) + (number == 1 ? " object" : " objects");
+}
+
 std::string Report(const v1::Detections& detections, double round_trip_ms) {
   constexpr int kFew = 3;
-  std::string text = fmt::sprintf("%d objects in %.0f ms (server: %.0f ms)\n",
-                                  detections.objects_size(), round_trip_ms, ServerMs(detections));
+  std::string text =
+      fmt::sprintf("%s in %.0f ms (server: %.0f ms)\n", NumObjects(detections.objects_size()),
+                   round_trip_ms, ServerMs(detections));
   if (!detections.objects().empty()) {
     text += "  #  conf.  size L x W x H, cm     centre x, y, z, m     dist.m   pixels  open.cm\n";
   }
   for (const v1::Object& object : detections.objects()) text += ObjectLine(object);
   text += GravityLine(detections.gravity()) + SupportLine(detections);
-  if (detections.objects_size() < kFew) {
+  if (detections.objects_size() < kFew || !detections.has_support_surface()) {
     for (const std::string& message : detections.diagnostics().messages()) {
       text += "note: " + message + "\n";
     }

@@ -6,7 +6,11 @@
 
 namespace fovea::cli {
 
-// What was found as a table for people, with what limited it where little was found.
+// "0 objects", "1 object", "2 objects".
+std::string NumObjects(int number);
+
+// What was found as a table for people, with what limited it where little was found or nothing is
+// known to stand on.
 // `round_trip_ms` is the time of the whole call.
 std::string Report(const v1::Detections& detections, double round_trip_ms);
 

@@ -4,6 +4,9 @@
 #include <grpcpp/security/tls_credentials_options.h>
 #include <openssl/ssl.h>
 
+#include <cerrno>
+#include <cstring>
+#include <fstream>
 #include <string>
 
 #include "server/conversion/field_error.h"
@@ -13,8 +16,17 @@ namespace {
 
 using SslContext = std::unique_ptr<SSL_CTX, decltype(&SSL_CTX_free)>;
 
+// OpenSSL says "no certificate" of a file that is not there, too.
+void RequireReadable(const char* flag, const std::string& path) {
+  errno = 0;
+  const std::ifstream file(path);
+  RequireField(file.good(), flag, "cannot read " + path + ": " + std::strerror(errno));
+}
+
 // gRPC would only say so at each handshake.
 void RequireUsable(const ServerOptions& options) {
+  RequireReadable("--tls-cert", options.tls_cert);
+  RequireReadable("--tls-key", options.tls_key);
   const SslContext context(SSL_CTX_new(TLS_server_method()), SSL_CTX_free);
   RequireField(SSL_CTX_use_certificate_chain_file(context.get(), options.tls_cert.c_str()) == 1,
                "--tls-cert", options.tls_cert + " holds no certificate in PEM");
@@ -23,6 +35,7 @@ void RequireUsable(const ServerOptions& options) {
           SSL_CTX_check_private_key(context.get()) == 1,
       "--tls-key", options.tls_key + " does not hold the key, in PEM, of " + options.tls_cert);
   if (options.tls_client_ca.empty()) return;
+  RequireReadable("--tls-client-ca", options.tls_client_ca);
   RequireField(
       SSL_CTX_load_verify_locations(context.get(), options.tls_client_ca.c_str(), nullptr) == 1,
       "--tls-client-ca", options.tls_client_ca + " holds no certificate in PEM");

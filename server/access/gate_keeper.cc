@@ -44,6 +44,11 @@ std::string GateKeeper::Admit(const grpc::ServerContextBase& context) const {
   return RobotName(context.client_metadata(), context.peer());
 }
 
+bool GateKeeper::RefusesEverybody() const {
+  const auto table = Table();
+  return table && table->size() == 0;
+}
+
 std::shared_ptr<const TokenTable> GateKeeper::Table() const {
   const std::lock_guard lock(mutex_);
   return table_;

@@ -24,6 +24,9 @@ class GateKeeper {
   // std::invalid_argument for a name that does not.
   std::string Admit(const grpc::ServerContextBase& context) const;
 
+  // Whether tokens are needed and there is none.
+  bool RefusesEverybody() const;
+
  private:
   std::shared_ptr<const TokenTable> Table() const;
 

@@ -26,6 +26,9 @@ class TokenTable {
   // Throws std::invalid_argument that names the line, std::runtime_error where there is no file.
   static TokenTable FromFile(const std::string& path);
 
+  // How many tokens it holds, those that have expired among them.
+  std::size_t size() const { return by_hash_.size(); }
+
   // The robot that has this token. Throws Unauthenticated for one that is not known or has expired.
   const std::string& RobotOf(std::string_view token, Time now) const;
 

@@ -39,6 +39,21 @@ spng_ihdr ReadHeader(const Context& context, const SizeLimits& limits) {
   return header;
 }
 
+// "3 channels of 8 bits".
+std::string ChannelsOf(const spng_ihdr& header) {
+  const std::string bits = " of " + std::to_string(header.bit_depth) + " bits";
+  switch (header.color_type) {
+    case SPNG_COLOR_TYPE_GRAYSCALE:
+      return "one channel" + bits;
+    case SPNG_COLOR_TYPE_INDEXED:
+      return "a palette" + bits;
+    case SPNG_COLOR_TYPE_GRAYSCALE_ALPHA:
+      return "2 channels" + bits;
+    default:
+      return (header.color_type == SPNG_COLOR_TYPE_TRUECOLOR ? "3 channels" : "4 channels") + bits;
+  }
+}
+
 cv::Mat ReadPixels(const Context& context, const spng_ihdr& header, int type, int format) {
   cv::Mat image(static_cast<int>(header.height), static_cast<int>(header.width), type);
   Require(spng_decode_image(context.get(), image.data, image.total() * image.elemSize(), format,
@@ -63,7 +78,9 @@ cv::Mat DecodePngGray16(std::string_view file, const SizeLimits& limits) {
   const Context context = Open(file);
   const spng_ihdr header = ReadHeader(context, limits);
   if (header.bit_depth != 16 || header.color_type != SPNG_COLOR_TYPE_GRAYSCALE) {
-    throw std::invalid_argument("the PNG must have one 16-bit channel");
+    throw std::invalid_argument("the PNG has " + ChannelsOf(header) +
+                                "; depth needs one channel of 16 bits (is this a preview, or the "
+                                "colour image?)");
   }
   return ReadPixels(context, header, CV_16UC1, SPNG_FMT_PNG);
 }

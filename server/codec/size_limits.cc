@@ -12,7 +12,7 @@ void SizeLimits::Check(std::uint64_t actual_width, std::uint64_t actual_height,
   }
   if (actual_width > max_pixels || actual_height > max_pixels / actual_width) {
     throw std::invalid_argument(kind + " is " + size + ", more than this server's limit of " +
-                                std::to_string(max_pixels) + " pixels");
+                                std::to_string(max_pixels) + " pixels (--max-pixels)");
   }
   const bool width_differs = width != 0 && width != actual_width;
   const bool height_differs = height != 0 && height != actual_height;

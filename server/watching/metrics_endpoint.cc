@@ -10,8 +10,9 @@ MetricsEndpoint::MetricsEndpoint(const std::string& listen, const std::shared_pt
     : host_(HostOf(listen)) {
   try {
     exposer_ = std::make_unique<prometheus::Exposer>(listen, /*num_threads=*/1);
-  } catch (const std::exception& error) {
-    throw std::runtime_error("--metrics-listen: cannot listen on " + listen + ": " + error.what());
+  } catch (const std::exception&) {  // whose text is about "null context"
+    throw std::runtime_error("--metrics-listen: cannot listen on " + listen +
+                             ": the port is in use or the address is not one of this machine");
   }
   exposer_->RegisterCollectable(metrics);
 }

@@ -128,6 +128,9 @@ TEST_F(RecordingTest, SaysWhatIsNoRecording) {
   ExpectOneLineError(Capture(Replay(At("none.oni"))), "there is no recording " + At("none.oni"));
   ExpectOneLineError(Capture(Replay(folder_.Write("text.oni", "not a recording"))),
                      "text.oni is not a recording of OpenNI2");
+  const std::string other = folder_.Write("color.png", "a picture");
+  ExpectOneLineError(Capture(Replay(other)), other + " is not a recording of OpenNI2 (.oni)");
+  ExpectOneLineError(Capture(Live({"--device", other})), other + " is not a recording of OpenNI2");
   ExpectOneLineError(
       Capture(Replay(folder_.Write("damaged.oni", "NI10 and not much more than that"))),
       "damaged.oni is damaged");

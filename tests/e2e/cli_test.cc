@@ -134,6 +134,33 @@ TEST_F(CliTest, RunsOverAFolderAndGoesOnAfterAFrameThatFailed) {
   EXPECT_FALSE(fs::exists(folder_ / "out" / "b.png"));
 }
 
+TEST_F(CliTest, WritesNothingIntoTheFolderOfTheFrames) {
+  Write(At("a.json"), "the truth");
+  const Finished finished = Detect({"--input", At(""), "--output", folder_.string()});
+  ExpectOneLineError(finished, "--output: " + folder_.string() + " is the folder of --input");
+  EXPECT_EQ(fs::file_size(At("a.json")), 9U);
+}
+
+TEST_F(CliTest, ChecksOutputsBeforeItAsksTheServer) {
+  server_.process().Signal(SIGTERM);
+  server_.process().Wait();
+  const std::string bad = At("no/l.png");
+  ExpectOneLineError(DetectFrame({"--json", At("j.json"), "--labels", bad}),
+                     "--labels: cannot write " + bad + ": there is no folder " + At("no"));
+  ExpectOneLineError(DetectFrame({"--overlay", At("a_color.png")}), "is an image of the frame");
+  ExpectOneLineError(Detect({"--input", folder_.string(), "--output", At("a_depth.png")}),
+                     "--output: cannot write " + At("a_depth.png"));
+}
+
+// Of a plane that fills the picture no level surface and no object can be made out.
+TEST_F(CliTest, SaysWhyAFrameHasNoObjects) {
+  const Finished one = DetectFrame();
+  EXPECT_THAT(one.out, StartsWith("a: 0 objects in"));
+  EXPECT_THAT(one.out, HasSubstr("\nnote: "));
+  const Finished many = Detect({"--input", folder_.string(), "--output", At("out")});
+  EXPECT_THAT(many.out, StartsWith("1/1  a: 0 objects\n  note: "));
+}
+
 TEST_F(CliTest, SaysInOneLineWhatIsWrong) {
   ExpectOneLineError(DetectFrame({"--bogus"}), "--bogus");
   ExpectOneLineError(DetectFrame({"--gravity", "1,2"}), "--gravity: \"1,2\" is not X,Y,Z");
@@ -141,7 +168,11 @@ TEST_F(CliTest, SaysInOneLineWhatIsWrong) {
   ExpectOneLineError(DetectFrame({"--set", "x"}), "--set: \"x\" is not NAME=NUMBER");
   ExpectOneLineError(DetectFrame({"--set", "no.such=1"}), "options.parameters[no.such]: ");
   ExpectOneLineError(DetectFrame({"--profile", "fast"}), "options.profile: ");
-  ExpectOneLineError(DetectFrame({"--labels", At("no/folder/l.png")}), "cannot write");
+  ExpectOneLineError(DetectFrame({"--depth-unit", "0"}), "--depth-unit: 0 is not above 0");
+  ExpectOneLineError(Execute({FOVEA_CLI, "health", "--server", "localhost"}),
+                     "--server: \"localhost\" is not HOST:PORT");
+  ExpectOneLineError(DetectFrame({"--tls-ca", At("a_color.png")}),
+                     "--tls-ca: " + At("a_color.png") + " holds no CERTIFICATE in PEM");
   ExpectOneLineError(DetectFrame({"--input", folder_.string()}), "--output");
   ExpectOneLineError(Detect({}), "--color");
   ExpectOneLineError(Execute({FOVEA_CLI, "detect", "--colour", "c.png"}), "--colour");
@@ -160,11 +191,14 @@ TEST_F(CliTest, AsksForHealth) {
   EXPECT_EQ(healthy.exit_code, 0);
   EXPECT_EQ(healthy.out, server_.address() + " is serving\n");
 
+  const std::string text = "no server answers at " + server_.address();
   server_.process().Signal(SIGTERM);
   server_.process().Wait();
-  const std::string text = "no server answers at " + server_.address();
   ExpectOneLineError(Execute({FOVEA_CLI, "health", "--server", server_.address()}), text);
   ExpectOneLineError(DetectFrame(), text);
+  const Finished folder = Detect({"--input", folder_.string(), "--output", At("out")});
+  EXPECT_EQ(folder.exit_code, 1);
+  EXPECT_THAT(folder.err, StartsWith("fovea: a: " + text));
 }
 
 }  // namespace

@@ -54,6 +54,16 @@ TEST(ServerProcess, SaysThatThePortIsTaken) {
                             ": the port is in use or the address is not one of this machine\n");
 }
 
+TEST(ServerProcess, SaysThatThePortOfTheMetricsIsTaken) {
+  ServerProcess server;
+  const Finished second =
+      Execute({FOVEA_SERVER, "--listen", "127.0.0.1:0", "--metrics-listen", server.address()});
+  EXPECT_NE(second.exit_code, 0);
+  EXPECT_EQ(second.out, "");
+  EXPECT_EQ(second.err, "fovea-server: --metrics-listen: cannot listen on " + server.address() +
+                            ": the port is in use or the address is not one of this machine\n");
+}
+
 TEST(ServerProcess, RefusesBadFlagsInOneLine) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
       {{"--no-such-flag"}, "--no-such-flag"},
@@ -95,12 +105,19 @@ TEST(ServerProcess, ChecksItsConfiguration) {
   EXPECT_EQ(valid.exit_code, 0) << valid.err;
   EXPECT_EQ(valid.out, "the configuration is valid\n");
 
+  const Finished closed = Execute({FOVEA_SERVER, "--check-config", "--tokens", "/dev/null"});
+  EXPECT_EQ(closed.exit_code, 0) << closed.err;
+  EXPECT_THAT(closed.out, HasSubstr("--tokens: /dev/null holds 0 tokens: nobody may call"));
+
   const std::vector<std::pair<std::string, std::string>> cases{
       {"max-pixels = 0\n", "--max-pixels: 0 is not between 1 and 100000000"},
       {"max-pixels = many\n", "max-pixels"},
-      {"max-pixel = 1000\n", "--config: unknown key: INI was not able to parse max-pixel"},
-      {"[section]\nlisten = \"127.0.0.1:0\"\n", "section"},
-      {"check-config = true\n", "check-config"}};
+      {"\n max-pixel = 1000\n", ":2: \"max-pixel\" is no key; did you mean max-pixels?"},
+      {"hold-s = 1\nmrf.lambda = 3\n", ":2: \"mrf.lambda\" is no key; options of the method come"},
+      {"fast = true\n", ":1: \"fast\" is no key; --help lists"},
+      {"[section]\nlisten = \"127.0.0.1:0\"\n", ":1: \"section\" is no key"},
+      {"[mrf]\nlambda = 3\n", ":1: \"mrf\" is no key; options of the method come"},
+      {"check-config = true\n", ":1: \"check-config\" is for the command line only"}};
   for (const auto& [text, error] : cases) {
     const ConfigFile bad(text);
     const Finished invalid = Execute({FOVEA_SERVER, "--check-config", "--config", bad.path()});
@@ -109,7 +126,7 @@ TEST(ServerProcess, ChecksItsConfiguration) {
   }
   const Finished missing = Execute({FOVEA_SERVER, "--config", "/nowhere.toml"});
   EXPECT_EQ(missing.exit_code, 1);
-  EXPECT_THAT(missing.err, HasSubstr("/nowhere.toml"));
+  EXPECT_THAT(missing.err, StartsWith("fovea-server: --config: /nowhere.toml"));
 }
 
 TEST(ServerProcess, TheSampleConfigurationIsValid) {

@@ -108,12 +108,14 @@ TEST_F(Tls, RefusesFilesThatCannotBeUsed) {
   EXPECT_EQ(error_of([](auto&) {}), "none");
   EXPECT_THAT(error_of([](auto& o) { o.tls_key = ""; }), StartsWith("--tls-cert and --tls-key:"));
   EXPECT_THAT(error_of([](auto& o) { o.tls_cert = "/nowhere"; }),
-              StartsWith("--tls-cert: /nowhere holds no certificate"));
+              StartsWith("--tls-cert: cannot read /nowhere: No such file"));
+  EXPECT_THAT(error_of([&](auto& o) { o.tls_cert = o.tls_key; }),
+              HasSubstr("holds no certificate"));
   const std::string other_key = folder_.Write("other.pem", authority_.Issue("other").key);
   EXPECT_THAT(error_of([&](auto& o) { o.tls_key = other_key; }),
               StartsWith("--tls-key: " + other_key + " does not hold the key"));
   EXPECT_THAT(error_of([](auto& o) { o.tls_client_ca = "/nowhere"; }),
-              StartsWith("--tls-client-ca: /nowhere"));
+              StartsWith("--tls-client-ca: cannot read /nowhere"));
 }
 
 TEST(Protection, IsNeededBeyondLoopback) {

@@ -151,8 +151,9 @@ std::vector<BadInput> BadDepths() {
       Depth("depth_png_bomb",
             DepthMessage(v1::DEPTH_ENCODING_16UC1_PNG, PngClaiming(100'000, 100'000)),
             "frame.depth.data: the PNG is 100000x100000, more than"),
-      Depth("depth_png_of_color", DepthMessage(v1::DEPTH_ENCODING_16UC1_PNG, PngOf(TestColor())),
-            "frame.depth.data: the PNG must have one 16-bit channel"),
+      Depth(
+          "depth_png_of_color", DepthMessage(v1::DEPTH_ENCODING_16UC1_PNG, PngOf(TestColor())),
+          "frame.depth.data: the PNG has 3 channels of 8 bits; depth needs one channel of 16 bits"),
       Depth("zstd_without_size", DepthMessage(v1::DEPTH_ENCODING_16UC1_ZSTD, zstd),
             "frame.depth.width: "),
       Depth("zstd_cut",

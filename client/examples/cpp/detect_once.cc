@@ -23,7 +23,7 @@ int main(int argc, char** argv) try {
   const fovea::v1::DetectResponse response = client.Detect(request);
   for (const auto& object : response.detections().objects()) {
     const auto& at = object.oriented_box().pose().position();
-    std::cout << object.id() << ": " << at.x() << ' ' << at.y() << ' ' << at.z() << " m, "
+    std::cout << object.label() << ": " << at.x() << ' ' << at.y() << ' ' << at.z() << " m, "
               << object.grasps_size() << " grasps\n";
   }
 } catch (const std::exception& error) {

@@ -42,7 +42,8 @@ int main(int argc, char** argv) try {
     if (response.has_error()) {
       std::cout << response.error().message() << '\n';
     } else {
-      std::cout << response.detections().objects_size() << " objects, " << response.dropped()
+      const int found = response.detections().objects_size();
+      std::cout << found << (found == 1 ? " object, " : " objects, ") << response.dropped()
                 << " frames dropped before it, " << answer->lost << " lost\n";
     }
   }

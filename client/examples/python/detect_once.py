@@ -1,19 +1,25 @@
 """The shortest useful client: two image files in, positions and grasps out.
 
-usage: detect_once.py ADDRESS COLOR DEPTH   (PNG or JPEG; 16-bit PNG in millimetres)
+Set the intrinsics to those of your camera.
 """
 
+import argparse
 import sys
 from pathlib import Path
 
 import fovea
 
-address, color, depth = sys.argv[1:]
+parser = argparse.ArgumentParser(description=__doc__)
+parser.add_argument("address", help="of the server, HOST:PORT")
+parser.add_argument("color", type=Path, help="PNG or JPEG")
+parser.add_argument("depth", type=Path, help="16-bit PNG in millimetres, registered to colour")
+arguments = parser.parse_args()
 intrinsics = fovea.CameraIntrinsics(fx=525, fy=525, cx=319.5, cy=239.5)
 try:
-    with fovea.Client(address) as client:
-        found = client.detect(Path(color).read_bytes(), Path(depth).read_bytes(), intrinsics)
-except fovea.FoveaError as error:
+    color, depth = arguments.color.read_bytes(), arguments.depth.read_bytes()
+    with fovea.Client(arguments.address) as client:
+        found = client.detect(color, depth, intrinsics)
+except (fovea.FoveaError, OSError) as error:
     sys.exit(f"detect_once: {error}")
 
 for each in found.objects:

@@ -1,9 +1,7 @@
 """A live loop: frames go out as fast as the camera has them, the newest is always answered.
 
-The camera here plays the files NAME_color.png and NAME_depth.png of a folder over and over; put
-your driver in its place.
-
-usage: detect_stream.py ADDRESS FOLDER [--frames N]
+The camera here plays the files NAME_color.png and NAME_depth.png of a folder over and over, at 10
+Hz; put your driver in its place.
 """
 
 import argparse
@@ -14,6 +12,7 @@ from pathlib import Path
 
 import fovea
 
+RATE_HZ = 10
 INTRINSICS = fovea.CameraIntrinsics(fx=525, fy=525, cx=319.5, cy=239.5)
 
 
@@ -28,6 +27,7 @@ def camera(folder: Path, num_frames: int | None) -> Iterator[fovea.Frame]:
             id=str(number),
             captured_at_ns=time.time_ns(),
         )
+        time.sleep(1 / RATE_HZ)  # else it would send as fast as the network takes it
 
 
 def show(answer: fovea.StreamAnswer) -> None:
@@ -35,19 +35,20 @@ def show(answer: fovea.StreamAnswer) -> None:
     if found is None:
         print(f"frame {answer.frame_id}: {answer.error}")
         return
+    noun = "object" if len(found.objects) == 1 else "objects"
     age_ms = (time.time_ns() - (found.captured_at_ns or 0)) / 1e6
     print(
-        f"frame {answer.frame_id}: {len(found.objects)} objects, {age_ms:.0f} ms old, "
+        f"frame {answer.frame_id}: {len(found.objects)} {noun}, {age_ms:.0f} ms old, "
         f"{answer.dropped} dropped before it, {answer.lost} lost",
         flush=True,
     )
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser()
-    parser.add_argument("address")
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("address", help="of the server, HOST:PORT")
     parser.add_argument("folder", type=Path)
-    parser.add_argument("--frames", type=int)
+    parser.add_argument("--frames", type=int, help="after which it ends; else it goes on")
     arguments = parser.parse_args()
     with fovea.Client(arguments.address) as client:
         client.check(timeout=60)  # waits for a server that is not up yet

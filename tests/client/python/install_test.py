@@ -68,6 +68,11 @@ def test_the_example_finds_objects(installed: Path, server: ServerProcess, frame
     assert all(line.endswith(" grasps") for line in output.splitlines())
 
 
+@pytest.mark.parametrize("example", ["detect_once.py", "detect_stream.py"])
+def test_the_examples_explain_themselves(installed: Path, example: str) -> None:
+    assert run_with(installed, str(EXAMPLES / example), "--help").startswith(f"usage: {example}")
+
+
 def test_the_example_of_a_stream_runs_over_a_folder(
     installed: Path, server: ServerProcess, frames: Path
 ) -> None:

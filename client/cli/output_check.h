@@ -1,0 +1,19 @@
+// Whether outputs can be written, asked before anything is computed for them.
+#pragma once
+
+#include <string>
+
+#include "client/cli/outputs.h"
+#include "client/cli/request.h"
+
+namespace fovea::cli {
+
+// Throws std::invalid_argument that names flag and path where a folder is missing or cannot be
+// written to, where an image has no known extension, or where an output is a file of the frame.
+void CheckOutputs(const OutputPaths& paths, const FrameFiles& files);
+
+// Makes `output` where it is missing. Throws std::invalid_argument where it cannot be written to,
+// or is `input`: NAME.png and NAME.json there may be the truth about the frames.
+void PrepareFolder(const std::string& input, const std::string& output);
+
+}  // namespace fovea::cli
