@@ -27,10 +27,19 @@ std::shared_ptr<grpc::Channel> MakeChannel(const std::string& address,
   arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, 100);
   // Also the time that one attempt has, TLS included.
   arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, 5'000);
-  arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, 2'000);
+  arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, 1'000);
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIME_MS, 20'000);
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, 5'000);
   return grpc::CreateCustomChannel(address, CredentialsOf(options.tls), arguments);
+}
+
+void Pause(grpc::Channel& channel, std::chrono::milliseconds wait) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point end = Clock::now() + wait;
+  for (auto now = Clock::now(); now < end; now = Clock::now()) {
+    channel.WaitForStateChange(channel.GetState(true),
+                               std::chrono::system_clock::now() + (end - now));
+  }
 }
 
 void PrepareCall(const ClientOptions& options, std::chrono::milliseconds timeout,

@@ -53,7 +53,7 @@ bool Client::IsServing() const {
 
 v1::GetServerInfoResponse Client::GetServerInfo() const {
   v1::GetServerInfoResponse response;
-  CallWithRetries(options_, options_.timeout, [&](grpc::ClientContext* context) {
+  CallWithRetries(*channel_, options_, options_.timeout, [&](grpc::ClientContext* context) {
     return stub_->GetServerInfo(context, {}, &response);
   });
   return response;
@@ -61,7 +61,7 @@ v1::GetServerInfoResponse Client::GetServerInfo() const {
 
 v1::GetStatisticsResponse Client::GetStatistics() const {
   v1::GetStatisticsResponse response;
-  CallWithRetries(options_, options_.timeout, [&](grpc::ClientContext* context) {
+  CallWithRetries(*channel_, options_, options_.timeout, [&](grpc::ClientContext* context) {
     return stub_->GetStatistics(context, {}, &response);
   });
   return response;
@@ -74,7 +74,7 @@ v1::DetectResponse Client::Detect(const v1::DetectRequest& request) const {
 v1::DetectResponse Client::Detect(const v1::DetectRequest& request,
                                   std::chrono::milliseconds timeout) const {
   v1::DetectResponse response;
-  CallWithRetries(options_, timeout, [&](grpc::ClientContext* context) {
+  CallWithRetries(*channel_, options_, timeout, [&](grpc::ClientContext* context) {
     return stub_->Detect(context, request, &response);
   });
   return response;
@@ -86,7 +86,7 @@ std::unique_ptr<DetectStream> Client::OpenStream(std::chrono::milliseconds timeo
 
 std::unique_ptr<ResumingStream> Client::OpenResumingStream(
     std::chrono::milliseconds timeout) const {
-  return std::make_unique<ResumingStream>(stub_, options_, timeout);
+  return std::make_unique<ResumingStream>(channel_, stub_, options_, timeout);
 }
 
 }  // namespace fovea::client

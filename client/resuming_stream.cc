@@ -1,5 +1,6 @@
 #include "client/resuming_stream.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "client/retry.h"
@@ -7,9 +8,11 @@
 
 namespace fovea::client {
 
-ResumingStream::ResumingStream(std::shared_ptr<v1::DetectionService::Stub> stub,
+ResumingStream::ResumingStream(std::shared_ptr<grpc::Channel> channel,
+                               std::shared_ptr<v1::DetectionService::Stub> stub,
                                ClientOptions options, std::chrono::milliseconds timeout)
-    : stub_(std::move(stub)),
+    : channel_(std::move(channel)),
+      stub_(std::move(stub)),
       options_(std::move(options)),
       deadline_(Clock::now() + timeout),
       stream_(Open()) {}
@@ -80,13 +83,26 @@ void ResumingStream::Resume(const DetectStream& broken) {
   const bool too_late = now + wait >= deadline_ || now - broken_since_ >= options_.timeout;
   if (too_late || !IsWorthRetrying(*broken.status(), broken.context())) throw;
 
+  AwaitConnection();
+  // Also then: robots that lost the same server should not all come at once, and a server that is
+  // there may have refused the stream.
   std::unique_lock lock(mutex_);
-  if (changed_.wait_for(lock, wait, [this] { return canceled_; })) throw;
+  if (changed_.wait_for(lock, wait, [this] { return canceled_.load(); })) throw;
   num_lost_ += num_sent_ - next_expected_;
   next_expected_ = first_of_stream_ = num_sent_;
   stream_ = Open();
   repeat_options_ = true;
   if (done_) stream_->DoneSending();
+}
+
+// Streams that fail at once, with pauses between them, would not let the channel connect: see
+// Pause(). A stream that waits for the connection would, but holds up Send() and knows no patience.
+void ResumingStream::AwaitConnection() const {
+  constexpr std::chrono::milliseconds kLook{20};  // gRPC's wait cannot be ended by Cancel()
+  const Clock::time_point end = std::min(deadline_, broken_since_ + options_.timeout);
+  while (!canceled_ && Clock::now() < end) {
+    if (channel_->WaitForConnected(std::chrono::system_clock::now() + kLook)) return;
+  }
 }
 
 std::shared_ptr<DetectStream> ResumingStream::Open() {

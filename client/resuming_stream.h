@@ -1,5 +1,8 @@
 #pragma once
 
+#include <grpcpp/channel.h>
+
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -25,7 +28,9 @@ class ResumingStream {
     std::uint64_t lost = 0;
   };
 
-  ResumingStream(std::shared_ptr<v1::DetectionService::Stub> stub, ClientOptions options,
+  // `stub` is of `channel`.
+  ResumingStream(std::shared_ptr<grpc::Channel> channel,
+                 std::shared_ptr<v1::DetectionService::Stub> stub, ClientOptions options,
                  std::chrono::milliseconds timeout);
 
   // While the connection is broken the frame is lost.
@@ -47,8 +52,11 @@ class ResumingStream {
   Answer Account(v1::DetectStreamResponse response);
   // Waits and opens a new stream; rethrows the error where that is not worth it.
   void Resume(const DetectStream& broken);
+  // Returns without one where the patience or the stream's time ends, or Cancel() was called.
+  void AwaitConnection() const;
   std::shared_ptr<DetectStream> Open();
 
+  const std::shared_ptr<grpc::Channel> channel_;
   const std::shared_ptr<v1::DetectionService::Stub> stub_;
   const ClientOptions options_;
   const Clock::time_point deadline_;
@@ -58,7 +66,8 @@ class ResumingStream {
   std::shared_ptr<DetectStream> stream_;
   v1::DetectOptions last_options_;
   bool repeat_options_ = false;  // the new stream does not know them yet
-  bool done_ = false, canceled_ = false;
+  bool done_ = false;
+  std::atomic<bool> canceled_ = false;  // set under mutex_
   std::uint64_t num_sent_ = 0, first_of_stream_ = 0;
 
   // Only of the receiving thread.

@@ -4,7 +4,6 @@
 #include <charconv>
 #include <optional>
 #include <random>
-#include <thread>
 
 #include "client/channel.h"
 #include "client/rpc_error.h"
@@ -53,7 +52,7 @@ milliseconds BackoffAfter(int attempt, const RetryOptions& options,
   return std::max(random_wait, RetryAfter(context).value_or(milliseconds(0)));
 }
 
-void CallWithRetries(const ClientOptions& options, milliseconds timeout,
+void CallWithRetries(grpc::Channel& channel, const ClientOptions& options, milliseconds timeout,
                      const std::function<grpc::Status(grpc::ClientContext*)>& call) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point deadline = Clock::now() + timeout;
@@ -68,7 +67,7 @@ void CallWithRetries(const ClientOptions& options, milliseconds timeout,
         Clock::now() + wait >= deadline) {
       throw RpcError(status, RetryAfter(context));
     }
-    std::this_thread::sleep_for(wait);
+    Pause(channel, wait);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <grpcpp/channel.h>
 #include <grpcpp/client_context.h>
 
 #include <chrono>
@@ -17,9 +18,10 @@ bool IsWorthRetrying(const grpc::Status& status, const grpc::ClientContext& cont
 std::chrono::milliseconds BackoffAfter(int attempt, const RetryOptions& options,
                                        const grpc::ClientContext& context);
 
-// Makes the call, again if need be and while the deadline allows. Throws the RpcError of the last
-// attempt where none succeeds.
-void CallWithRetries(const ClientOptions& options, std::chrono::milliseconds timeout,
+// Makes the call on this channel, again if need be and while the deadline allows. Throws the
+// RpcError of the last attempt where none succeeds.
+void CallWithRetries(grpc::Channel& channel, const ClientOptions& options,
+                     std::chrono::milliseconds timeout,
                      const std::function<grpc::Status(grpc::ClientContext*)>& call);
 
 }  // namespace fovea::client
