@@ -18,7 +18,9 @@ struct CameraIntrinsics {
 // A registered RGB-D frame. The camera frame is optical: x right, y down, z forward.
 struct RgbdFrame {
   cv::Mat color_rgb;  // CV_8UC3, R first
-  cv::Mat depth_m;    // CV_32FC1, same size, metres along z; NaN where nothing was measured
+  // CV_32FC1, same size, metres along z; NaN where nothing was measured, as is what is nearer than
+  // 1 mm or farther than 10 km
+  cv::Mat depth_m;
   CameraIntrinsics intrinsics;
   // Unit vector in the camera frame that points down, where the robot knows it (IMU).
   std::optional<Eigen::Vector3f> gravity;
