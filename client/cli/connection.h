@@ -16,8 +16,7 @@ struct ConnectionFlags {
 void AddConnectionFlags(CLI::App& command, ConnectionFlags& flags);
 
 // Throws std::exception that names the flag for an address that is none and for files that cannot
-// be read or hold something else. Token, robot and TLS of `options` come
-// from the flags.
+// be read or hold something else. Token, robot and TLS of `options` come from the flags.
 client::Client Connect(const ConnectionFlags& flags, client::ClientOptions options = {});
 
 }  // namespace fovea::cli

@@ -28,8 +28,8 @@ struct DetectionFlags {
 // What can stand in DetectionFlags::methods.
 std::vector<std::string> DetectionMethodNames();
 
-// Loads the scenes and prints one row per method, or else one per value of the sweeps or
-// per camera effect, or else the scores of one run with its stage times; writes the files that are asked for.
+// Loads the scenes and prints one row per method, or else one per value of the sweeps or per camera
+// effect, or else the scores of one run with its stage times; writes the files that are asked for.
 void RunDetectionMode(const DetectionFlags& flags);
 
 }  // namespace fovea::evaluation
