@@ -1,5 +1,6 @@
 #include "server/frame_answerer.h"
 
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -74,6 +75,7 @@ Detections FrameAnswerer::Compute(const FrameRequest& request, const Caller& cal
   std::vector<std::string> losses;
   const RgbdFrame frame = FromProto(*request.frame, max_pixels_, &losses);
   const double decode_ms = MillisecondsSince(start);
+  InField("options.parameters", [&] { RequireNotEmpty(options.region, frame.depth_m.size()); });
   try {
     Detections detections = detect_(frame, options, WantsTrace(*request.options) ? trace : nullptr,
                                     [&caller] { return caller.IsGone(); });
@@ -85,6 +87,9 @@ Detections FrameAnswerer::Compute(const FrameRequest& request, const Caller& cal
   } catch (const std::invalid_argument& error) {
     // Options were validated before: what the core still finds is about the frame.
     throw std::invalid_argument("frame." + std::string(error.what()));
+  } catch (const std::length_error& error) {
+    // A limit of the method, for this frame with these options.
+    throw std::invalid_argument(error.what());
   }
 }
 

@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 #include <random>
+#include <stdexcept>
 
 #include "tests/server/frames.h"
 #include "tests/server/loopback.h"
@@ -67,6 +68,9 @@ std::vector<BadInput> BadParts() {
       {"unknown_option",
        [](auto& r) { (*r.mutable_options()->mutable_parameters())["no.such"] = 1; },
        "options.parameters[no.such]: "},
+      {"region_beyond_the_image",
+       [](auto& r) { (*r.mutable_options()->mutable_parameters())["region.x_px"] = 9999; },
+       "options.parameters: region.x_px: 9999"},
       {"enormous_option_name",
        [](auto& r) { (*r.mutable_options()->mutable_parameters())[std::string(100'000, 'x')] = 1; },
        "options.parameters[xxx"},
@@ -229,6 +233,13 @@ TEST_F(BadInputTest, RefusesWhatIsNoMessage) {
   queue.Next(&tag, &ok);
   EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
   EXPECT_EQ(status.error_message(), "the message is not a DetectRequest");
+}
+
+TEST(LimitOfTheMethod, IsNamed) {
+  Loopback loopback([](auto&&...) -> Detections { throw std::length_error("mrf: too many"); });
+  const grpc::Status status = StatusOf([&] { loopback.client.Detect(TestRequest()); });
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
+  EXPECT_EQ(status.error_message(), "mrf: too many");
 }
 
 // What is unusual and yet a frame gets an answer: from the real detector, with nothing found.
