@@ -26,6 +26,7 @@ DetectorOptions Default() {
   // The surface in the width of the sensor's noise, which grows with the square of the distance.
   options.support.tolerance_m = 0.004;
   options.support.tolerance_per_m = 0.006;
+  options.support.tolerance_sigmas = 3.5;
   // Farther off, the noise of such cameras is the size of the objects.
   options.max_depth_m = 3;
   // Whole frames: several surfaces, each carrying only what stands within its footprint; no walls,

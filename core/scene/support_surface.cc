@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/scene/plane_fit.h"
+#include "core/scene/surface_scatter.h"
 
 namespace fovea {
 namespace {
@@ -164,7 +165,8 @@ std::vector<Support> FindSupports(const cv::Mat& points, const cv::Mat& normals,
     const Footprint footprint = FootprintOf(inliers, points, surface, options);
     if (footprint.AreaM2() >= MinArea_m2(supports, inliers, options)) {
       if (options.max_surfaces > 1 && supports.empty()) up = surface.normal;  // the better vertical
-      supports.push_back({surface, options.footprint_margin_m > 0 ? footprint : Footprint()});
+      supports.push_back({surface, options.footprint_margin_m > 0 ? footprint : Footprint(),
+                          ToleranceShare(inliers, surface, options)});
     }
     if (!RemoveInliers(level, surface, options)) break;
   }
@@ -180,7 +182,7 @@ std::optional<std::size_t> SupportBelow(const std::vector<Support>& supports,
   for (std::size_t i = 0; i < supports.size(); ++i) {
     const float height = supports[i].surface.HeightOf(point);
     if (height < -tolerance || height > nearest || !supports[i].footprint.Covers(point)) continue;
-    if (height <= tolerance) return std::nullopt;
+    if (height <= supports[i].tolerance_share * tolerance) return std::nullopt;
     nearest = height;
     below = i;
   }

@@ -24,6 +24,10 @@ struct SupportOptions {
   // axis in metres) belong to it; metres, 1/metres. The second follows structured-light noise.
   double tolerance_m = 0.01;
   double tolerance_per_m = 0.0;
+  // Where the points of a surface scatter less than the tolerance allows for, things stand on it
+  // from this many standard deviations above it (core/scene/surface_scatter.h); 0: always from the
+  // tolerance.
+  double tolerance_sigmas = 0;
   // Number of least-squares fits that refine the plane; 0 keeps it exactly perpendicular to
   // gravity.
   int plane_fits = 3;
@@ -45,6 +49,8 @@ struct SupportOptions {
 struct Support {
   SupportSurface surface;
   Footprint footprint;
+  // What stands on the surface begins above this share of the tolerance; 0.5 … 1.
+  float tolerance_share = 1;
 };
 
 // Finds the heights at which most of the points with a vertical normal lie and fits a surface
@@ -58,7 +64,8 @@ std::vector<Support> FindSupports(const cv::Mat& points, const cv::Mat& normals,
 float SupportTolerance(float z_m, const SupportOptions& options);
 
 // The nearest of the supports below a point on which it may stand: inside its footprint, above its
-// tolerance and not higher than max_height_m. None for points on a surface, below all, or beside.
+// share of the tolerance and not higher than max_height_m. None for points on a surface, below all,
+// or beside.
 std::optional<std::size_t> SupportBelow(const std::vector<Support>& supports,
                                         const Eigen::Vector3f& point,
                                         const SupportOptions& options);

@@ -169,6 +169,30 @@ TEST(SupportBelow, IsNoneOnASurfaceAndBelowAll) {
   EXPECT_EQ(SupportBelow(supports, {0, 1.1F, 1.4F}, options), std::nullopt);
 }
 
+TEST(SupportBelow, BeginsAtAShareOfTheTolerance) {
+  std::vector<Support> supports = FloorAndTable();
+  supports[1].tolerance_share = 0.5F;
+  const SupportOptions options{.tolerance_m = 0.01};
+  EXPECT_EQ(SupportBelow(supports, {0, 0.296F, 1.4F}, options), std::nullopt);  // 4 mm above
+  EXPECT_EQ(SupportBelow(supports, {0, 0.294F, 1.4F}, options), 1U);
+  EXPECT_EQ(SupportBelow(supports, {0, 0.308F, 1.4F}, options), std::nullopt);  // 8 mm below
+}
+
+TEST(FindSupports, LetsThingsStandCloserOnWhatScattersLittle) {
+  Cloud cloud;
+  cloud.AddLevel(0.7F, 60);
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    cloud.points[i][1] += i % 2 == 0 ? 0.002F : -0.002F;
+  }
+  const auto share = [&](double sigmas) {
+    const auto supports =
+        FindSupports(cloud.Points(), cloud.Normals(), kDown, {.tolerance_sigmas = sigmas});
+    return supports.at(0).tolerance_share;
+  };
+  EXPECT_EQ(share(0), 1);
+  EXPECT_NEAR(share(2), 2 * 0.2 / 0.6745, 0.01);
+}
+
 TEST(SupportBelow, IsNoneBesideOrTooHighAbove) {
   const std::vector<Support> table{FloorAndTable()[1]};
   EXPECT_EQ(SupportBelow(table, {0.8F, 0.2F, 1.4F}, {}), std::nullopt);

@@ -1,0 +1,18 @@
+// How much the measured points of a surface scatter about it: what the noise of this camera is at
+// this distance and angle, whatever the camera is.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/scene/support_surface.h"
+
+namespace fovea {
+
+// Above which share of the tolerance points stand on the surface rather than belong to it:
+// `tolerance_sigmas` standard deviations of the scatter, between 0.5, as neither tables nor lenses
+// are perfect, and 1. `points`: those within the tolerance. 1 where none lies below the surface.
+float ToleranceShare(const std::vector<Eigen::Vector3f>& points, const SupportSurface& surface,
+                     const SupportOptions& options);
+
+}  // namespace fovea
