@@ -14,6 +14,7 @@
 #include "core/segmentation/alpha_expansion.h"
 #include "core/segmentation/contraction.h"
 #include "core/segmentation/labels.h"
+#include "core/segmentation/round_wall_merge.h"
 #include "core/stage_clock.h"
 
 namespace fovea {
@@ -203,9 +204,10 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   counts.num_segments = CountLabels(segments);
   RequireFewSegments(counts.num_segments);
   segments = MergeByColor(grid, segments, frame.color_rgb, options.color_merge);
+  const std::vector<int> pieces = segments;
   if (!supports.empty()) {
-    segments = FillHollows(grid, segments, points, frame.intrinsics, on_wall,
-                           -result.gravity.direction, options.hollow_fill);
+    segments = MergeRoundWalls(grid, segments, -result.gravity.direction,
+                               options.hollow_fill.max_radius_m);
   }
   const std::vector<MeanColor> colors = ColorsOfVoxels(grid, segments, frame.color_rgb);
   std::vector<int> objects = MergeParts(grid, segments, colors, frame.intrinsics,
@@ -214,6 +216,10 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
                           -result.gravity.direction, options.occlusion_merge);
   objects = MergeUnstable(grid, objects, points, frame.intrinsics, supports, options.support,
                           -result.gravity.direction, options.stability_merge);
+  if (!supports.empty()) {
+    objects = FillHollows(grid, objects, pieces, points, frame.intrinsics, on_wall,
+                          -result.gravity.direction, options.hollow_fill);
+  }
   counts.num_merged = counts.num_segments - CountLabels(objects);
   PlausibleSegments plausible = RemoveImplausible(grid, objects, points, frame.intrinsics, supports,
                                                   options.support, options.plausibility);

@@ -67,7 +67,7 @@ DetectorOptions Default() {
   options.occlusion_merge.min_share_in_hull = 0.5;
   options.stability_merge.max_overhang_m = 0.01;
   options.objects.selection.min_pixels = 120;
-  options.objects.selection.min_truncated_pixels = 240;
+  options.objects.selection.min_truncated_pixels = 300;
   options.objects.selection.min_area_m2 = 0.0018;
   options.objects.selection.min_hidden_area_m2 = 0.0012;
   return options;

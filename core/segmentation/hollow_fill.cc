@@ -10,9 +10,8 @@
 
 #include "core/depth/depth_gap.h"
 #include "core/scene/level_axes.h"
-#include "core/segmentation/disjoint_sets.h"
-#include "core/segmentation/hollow_wall.h"
 #include "core/segmentation/labels.h"
+#include "core/segmentation/round_wall.h"
 #include "core/types/projection.h"
 
 namespace fovea {
@@ -25,9 +24,9 @@ constexpr int kRimDirections = 24;
 constexpr std::array<double, 3> kRimRadii = {1, 1.1, 1.2};
 constexpr double kMaxOpen = 0.5;
 
-using Walls = std::vector<std::optional<HollowWall>>;
+using Walls = std::vector<std::optional<RoundWall>>;
 
-bool Encloses(const HollowWall& wall, const Eigen::Vector2d& place, double height_m) {
+bool Encloses(const RoundWall& wall, const Eigen::Vector2d& place, double height_m) {
   return (place - wall.center).norm() < wall.radius_m && height_m < wall.rim_m &&
          height_m > wall.foot_m - kFloor_m;
 }
@@ -42,7 +41,7 @@ bool IsSeenThrough(const Eigen::Vector3f& point, const cv::Mat& points,
 }
 
 // Whether a rim goes all around, for what one can see: that of a banana's inner side does not.
-bool HasRim(const HollowWall& wall, const cv::Mat& points, const CameraIntrinsics& intrinsics,
+bool HasRim(const RoundWall& wall, const cv::Mat& points, const CameraIntrinsics& intrinsics,
             const Eigen::Vector3f& up) {
   const LevelAxes axes = LevelAxesFor(up);
   int num_open = 0;
@@ -60,23 +59,12 @@ bool HasRim(const HollowWall& wall, const cv::Mat& points, const CameraIntrinsic
   return num_open <= kMaxOpen * kRimDirections;
 }
 
-std::vector<int> JoinPieces(const std::vector<int>& labels, const Walls& walls) {
-  const int num_labels = static_cast<int>(walls.size());
-  DisjointSets objects(num_labels);
-  for (int a = 1; a < num_labels; ++a) {
-    for (int b = a + 1; b < num_labels; ++b) {
-      if (walls[a] && walls[b] && AreOneWall(*walls[a], *walls[b])) objects.Join(a, b);
-    }
-  }
-  return Renumbered(labels, objects);
-}
-
 // Spreads the labels of walls to the background that they enclose, neighbour by neighbour: what
 // lies outside below a rim is parted from the inside by the wall.
 void Fill(const VoxelGrid& grid, const std::vector<char>& on_wall, const Walls& walls,
           const Eigen::Vector3f& up, std::vector<int>& labels) {
   const LevelAxes axes = LevelAxesFor(up);
-  const auto encloses = [&](const std::optional<HollowWall>& wall, int v) {
+  const auto encloses = [&](const std::optional<RoundWall>& wall, int v) {
     const Eigen::Vector3f& point = grid.voxels[v].mean;
     return wall && Encloses(*wall, (axes * point).cast<double>(), up.dot(point));
   };
@@ -106,21 +94,24 @@ void Fill(const VoxelGrid& grid, const std::vector<char>& on_wall, const Walls& 
 
 }  // namespace
 
-std::vector<int> FillHollows(const VoxelGrid& grid, const std::vector<int>& labels,
-                             const cv::Mat& points, const CameraIntrinsics& intrinsics,
-                             const std::vector<char>& on_wall, const Eigen::Vector3f& up,
-                             const HollowFillOptions& options) {
-  if (options.max_radius_m <= 0) return labels;
-  std::vector<int> filled =
-      JoinPieces(labels, FindHollowWalls(grid, labels, up, options.max_radius_m));
-  Walls walls = FindHollowWalls(grid, filled, up, options.max_radius_m);
-  for (std::optional<HollowWall>& wall : walls) {
-    if (wall && !HasRim(*wall, points, intrinsics, up)) wall.reset();
+std::vector<int> FillHollows(const VoxelGrid& grid, const std::vector<int>& objects,
+                             const std::vector<int>& pieces, const cv::Mat& points,
+                             const CameraIntrinsics& intrinsics, const std::vector<char>& on_wall,
+                             const Eigen::Vector3f& up, const HollowFillOptions& options) {
+  if (options.max_radius_m <= 0) return objects;
+  Walls walls = FindRoundWalls(grid, pieces, up, options.max_radius_m);
+  for (std::optional<RoundWall>& wall : walls) {
+    if (wall && !(wall->is_inside && HasRim(*wall, points, intrinsics, up))) wall.reset();
   }
   if (std::none_of(walls.begin(), walls.end(), [](const auto& wall) { return wall.has_value(); })) {
-    return filled;
+    return objects;
   }
+  std::vector<int> object_of(walls.size(), 0);
+  for (std::size_t v = 0; v < pieces.size(); ++v) object_of[pieces[v]] = objects[v];
+  std::vector<int> filled = pieces;
   Fill(grid, on_wall, walls, up, filled);
+  std::transform(filled.begin(), filled.end(), filled.begin(),
+                 [&](int piece) { return object_of[piece]; });
   return Renumbered(std::move(filled));
 }
 

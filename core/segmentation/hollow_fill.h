@@ -1,6 +1,5 @@
-// Completing hollow things, bowls, cups and pans, from the inside of their walls: pieces of one
-// round wall are one object, and so is the floor between, which lies too close to the surface that
-// carries it to be told from it. Goes beyond the paper.
+// Completing hollow things, bowls, cups and pans, from the inside of their walls: the floor between
+// them lies too close to the surface that carries it to be told from it. Goes beyond the paper.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,15 +16,16 @@ struct HollowFillOptions {
   double max_radius_m = 0;
 };
 
-// Joins segments that are pieces of one round wall and gives them the background within its circle
-// and below its rim, unless one sees that the rim is open for more than half of the circle.
+// Gives objects with a round wall the background within its circle and below its rim, unless one
+// sees that the rim is open for more than half of the circle.
 //
-// `labels`: one entry a voxel, 0 = background; `points`: CV_32FC3 of the frame; `on_wall`: one
-// entry a voxel, not 0 on walls of the room, which stay background; `up`: unit vector. Returns new
-// labels, 1 … n in order of their first voxel.
-std::vector<int> FillHollows(const VoxelGrid& grid, const std::vector<int>& labels,
-                             const cv::Mat& points, const CameraIntrinsics& intrinsics,
-                             const std::vector<char>& on_wall, const Eigen::Vector3f& up,
-                             const HollowFillOptions& options = {});
+// `objects`: one entry a voxel, 0 = background; `pieces`: the segments that they were joined from,
+// among which the walls are looked for; `points`: CV_32FC3 of the frame; `on_wall`: one entry a
+// voxel, not 0 on walls of the room, which stay background; `up`: unit vector. Returns new labels,
+// 1 … n in order of their first voxel.
+std::vector<int> FillHollows(const VoxelGrid& grid, const std::vector<int>& objects,
+                             const std::vector<int>& pieces, const cv::Mat& points,
+                             const CameraIntrinsics& intrinsics, const std::vector<char>& on_wall,
+                             const Eigen::Vector3f& up, const HollowFillOptions& options = {});
 
 }  // namespace fovea

@@ -1,4 +1,4 @@
-#include "core/segmentation/hollow_wall.h"
+#include "core/segmentation/round_wall.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -14,15 +14,14 @@ namespace {
 constexpr std::size_t kMinVoxels = 24;
 constexpr double kMinRadius_m = 0.02;
 constexpr double kMinArc_rad = 80 * std::numbers::pi / 180;
-constexpr double kMinInwards = 0.88;   // mean cosine between normals and the way to the axis
+constexpr double kMinRadial = 0.88;    // mean cosine between normals and the way to the axis
 constexpr double kMinSteepness = 0.5;  // mean sine between normals and the vertical
 constexpr double kMaxResidual = 0.12;  // of the radius, root mean square
-constexpr double kSameWall = 0.3;      // of the radius, between centres, radii and rims
 
 using Places = std::vector<Eigen::Vector2d>;
 
 // Solves x² + y² = 2 cx x + 2 cy y + (r² − cx² − cy²) in the least squares sense.
-HollowWall FitCircle(const Places& places) {
+RoundWall FitCircle(const Places& places) {
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   for (const Eigen::Vector2d& place : places) mean += place / static_cast<double>(places.size());
   Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
@@ -35,7 +34,7 @@ HollowWall FitCircle(const Places& places) {
   }
   const Eigen::Vector3d x = a.ldlt().solve(b);
   const double squared = x[2] + x.head<2>().squaredNorm();
-  return {mean + x.head<2>(), squared > 0 ? std::sqrt(squared) : 0};
+  return {.center = mean + x.head<2>(), .radius_m = squared > 0 ? std::sqrt(squared) : 0};
 }
 
 // The angle that the places cover around a centre: the full turn less their largest gap.
@@ -61,9 +60,11 @@ std::vector<int> UpperHalf(const VoxelGrid& grid, std::vector<int> voxels,
   return voxels;
 }
 
-// Whether the voxels follow the circle and show its inside.
-bool IsInsideOfWall(const VoxelGrid& grid, const std::vector<int>& voxels, const Places& places,
-                    const LevelAxes& axes, const HollowWall& wall) {
+enum class Side { kNone, kInside, kOutside };
+
+// Which side of the circle the voxels show, if they follow it.
+Side SideOfWall(const VoxelGrid& grid, const std::vector<int>& voxels, const Places& places,
+                const LevelAxes& axes, const RoundWall& wall) {
   double squares = 0, inwards = 0, steepness = 0;
   for (std::size_t i = 0; i < voxels.size(); ++i) {
     const Eigen::Vector2d way = wall.center - places[i];
@@ -73,21 +74,26 @@ bool IsInsideOfWall(const VoxelGrid& grid, const std::vector<int>& voxels, const
     steepness += normal.norm();
   }
   const auto count = static_cast<double>(voxels.size());
-  return std::sqrt(squares / count) <= kMaxResidual * wall.radius_m &&
-         inwards >= kMinInwards * steepness && steepness >= kMinSteepness * count &&
-         ArcAround(wall.center, places) >= kMinArc_rad;
+  if (std::sqrt(squares / count) > kMaxResidual * wall.radius_m ||
+      std::abs(inwards) < kMinRadial * steepness || steepness < kMinSteepness * count ||
+      ArcAround(wall.center, places) < kMinArc_rad) {
+    return Side::kNone;
+  }
+  return inwards > 0 ? Side::kInside : Side::kOutside;
 }
 
-std::optional<HollowWall> FindWall(const VoxelGrid& grid, const std::vector<int>& voxels,
-                                   const Eigen::Vector3f& up, const LevelAxes& axes,
-                                   double max_radius_m) {
+std::optional<RoundWall> FindWall(const VoxelGrid& grid, const std::vector<int>& voxels,
+                                  const Eigen::Vector3f& up, const LevelAxes& axes,
+                                  double max_radius_m) {
   if (voxels.size() < kMinVoxels) return std::nullopt;
   const std::vector<int> upper = UpperHalf(grid, voxels, up);
   Places places;
   for (const int v : upper) places.emplace_back((axes * grid.voxels[v].mean).cast<double>());
-  HollowWall wall = FitCircle(places);
+  RoundWall wall = FitCircle(places);
   if (wall.radius_m < kMinRadius_m || wall.radius_m > max_radius_m) return std::nullopt;
-  if (!IsInsideOfWall(grid, upper, places, axes, wall)) return std::nullopt;
+  const Side side = SideOfWall(grid, upper, places, axes, wall);
+  if (side == Side::kNone) return std::nullopt;
+  wall.is_inside = side == Side::kInside;
   const auto height = [&](int v) { return up.dot(grid.voxels[v].mean); };
   wall.rim_m = wall.foot_m = height(voxels.front());
   for (const int v : voxels) {
@@ -99,27 +105,21 @@ std::optional<HollowWall> FindWall(const VoxelGrid& grid, const std::vector<int>
 
 }  // namespace
 
-std::vector<std::optional<HollowWall>> FindHollowWalls(const VoxelGrid& grid,
-                                                       const std::vector<int>& labels,
-                                                       const Eigen::Vector3f& up,
-                                                       double max_radius_m) {
+std::vector<std::optional<RoundWall>> FindRoundWalls(const VoxelGrid& grid,
+                                                     const std::vector<int>& labels,
+                                                     const Eigen::Vector3f& up,
+                                                     double max_radius_m) {
   std::vector<std::vector<int>> voxels(CountLabels(labels) + 1);
   for (int v = 0; v < static_cast<int>(labels.size()); ++v) {
     if (labels[v] != 0) voxels[labels[v]].push_back(v);
   }
   const LevelAxes axes = LevelAxesFor(up);
-  std::vector<std::optional<HollowWall>> walls;
+  std::vector<std::optional<RoundWall>> walls;
   walls.reserve(voxels.size());
   for (const std::vector<int>& of_label : voxels) {
     walls.push_back(FindWall(grid, of_label, up, axes, max_radius_m));
   }
   return walls;
-}
-
-bool AreOneWall(const HollowWall& a, const HollowWall& b) {
-  const double limit_m = kSameWall * std::min(a.radius_m, b.radius_m);
-  return (a.center - b.center).norm() < limit_m && std::abs(a.radius_m - b.radius_m) < limit_m &&
-         std::abs(a.rim_m - b.rim_m) < limit_m;
 }
 
 }  // namespace fovea
