@@ -1,20 +1,17 @@
 #include "core/detector.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <iterator>
 #include <limits>
 #include <opencv2/core.hpp>
-#include <stdexcept>
 
 #include "core/depth/back_projection.h"
 #include "core/depth/flying_pixels.h"
 #include "core/explanation.h"
+#include "core/refinement.h"
+#include "core/scene/background.h"
 #include "core/segmentation/alpha_expansion.h"
 #include "core/segmentation/contraction.h"
 #include "core/segmentation/labels.h"
-#include "core/segmentation/round_wall_merge.h"
 #include "core/stage_clock.h"
 
 namespace fovea {
@@ -44,41 +41,6 @@ Gravity FindGravity(const RgbdFrame& frame, const cv::Mat& normals, const Gravit
   return {EstimateGravity(normals, options), Gravity::Source::kEstimated};
 }
 
-// What cannot be part of an object, as it is a surface or stands on none; nothing where there is
-// no surface.
-class Background {
- public:
-  Background(const std::vector<Support>& supports, const SupportOptions& options)
-      : supports_(supports), options_(options) {}
-
-  bool Contains(const Eigen::Vector3f& point) const {
-    return !supports_.empty() && !SupportBelow(supports_, point, options_);
-  }
-
- private:
-  const std::vector<Support>& supports_;
-  const SupportOptions& options_;
-};
-
-// The paper removes seeds on the support surface; what lies below it cannot stand on it either.
-std::vector<Seed> SeedsOffBackground(const std::vector<Seed>& seeds, const Background& background) {
-  std::vector<Seed> kept;
-  std::copy_if(seeds.begin(), seeds.end(), std::back_inserter(kept),
-               [&](const Seed& seed) { return !background.Contains(seed.position); });
-  return kept;
-}
-
-std::vector<char> VoxelsOfBackground(const VoxelGrid& grid, const Background& background,
-                                     const CameraIntrinsics& intrinsics,
-                                     const RegionOptions& region) {
-  std::vector<char> is_background(grid.voxels.size());
-  std::transform(
-      grid.voxels.begin(), grid.voxels.end(), is_background.begin(), [&](const Voxel& voxel) {
-        return background.Contains(voxel.mean) || !IsInRegion(voxel.mean, intrinsics, region);
-      });
-  return is_background;
-}
-
 void AddWalls(const std::vector<char>& on_wall, std::vector<char>& is_background) {
   for (std::size_t v = 0; v < on_wall.size(); ++v) is_background[v] |= on_wall[v];
 }
@@ -88,14 +50,6 @@ std::vector<int> LabelVoxels(const PottsEnergy& energy, const MrfOptions& option
   const auto min_weight = static_cast<float>(options.cluster_min_share * options.lambda);
   const Contraction contraction = Contract(energy, options.cluster_voxels, min_weight);
   return Expand(contraction, MinimizeByAlphaExpansion(contraction.energy, options.max_sweeps));
-}
-
-// Images of labels have 16 bits.
-void RequireFewSegments(std::size_t num_segments) {
-  constexpr std::size_t kMax = std::numeric_limits<std::uint16_t>::max();
-  if (num_segments <= kMax) return;
-  throw std::length_error(
-      "segments: more than 65535, depth is mostly noise; raise voxels.size_m or cover.min_voxels");
 }
 
 // Both maps, each scaled to a maximum of 1, count the same.
@@ -175,18 +129,17 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
       FindSupports(points, options.support.wide_normals ? wide_normals : normals,
                    result.gravity.direction, options.support);
   if (!supports.empty()) result.support = supports.front().surface;
-  const Background background(supports, options.support);
   std::vector<Seed> seeds = from_color.seeds;
   seeds.insert(seeds.end(), from_depth.seeds.begin(), from_depth.seeds.end());
   const std::size_t num_candidates = seeds.size();
-  seeds = SeedsOffBackground(seeds, background);
+  seeds = SeedsAbove(supports, seeds, options.support);
   counts.seeds_on_support = num_candidates - seeds.size();
   clock.Finish("support");
 
   // Section 3: the scene as voxels, labelled by a Markov random field.
   const VoxelGrid grid = BuildVoxelGrid(points, normals, options.voxels);
   std::vector<char> is_background =
-      VoxelsOfBackground(grid, background, frame.intrinsics, options.region);
+      FindBackground(grid, supports, options.support, frame.intrinsics, options.region);
   const std::vector<char> on_wall =
       FindWalls(grid, -result.gravity.direction, supports, options.support, options.walls);
   AddWalls(on_wall, is_background);
@@ -200,43 +153,20 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   clock.Finish("graph_cut");
 
   // Section 3.3: segments that look alike are one object.
-  std::vector<int> segments = SplitIntoSegments(grid, labels);
-  counts.num_segments = CountLabels(segments);
-  RequireFewSegments(counts.num_segments);
-  segments = MergeByColor(grid, segments, frame.color_rgb, options.color_merge);
-  const std::vector<int> pieces = segments;
-  if (!supports.empty()) {
-    segments = MergeRoundWalls(grid, segments, -result.gravity.direction,
-                               options.hollow_fill.max_radius_m);
-  }
-  const std::vector<MeanColor> colors = ColorsOfVoxels(grid, segments, frame.color_rgb);
-  std::vector<int> objects = MergeParts(grid, segments, colors, frame.intrinsics,
-                                        -result.gravity.direction, options.part_merge);
-  objects = MergeOccluded(grid, objects, points, colors, frame.intrinsics,
-                          -result.gravity.direction, options.occlusion_merge);
-  objects = MergeUnstable(grid, objects, points, frame.intrinsics, supports, options.support,
-                          -result.gravity.direction, options.stability_merge);
-  if (!supports.empty()) {
-    objects = FillHollows(grid, objects, pieces, points, frame.intrinsics, on_wall,
-                          -result.gravity.direction, options.hollow_fill);
-  }
-  counts.num_merged = counts.num_segments - CountLabels(objects);
-  PlausibleSegments plausible = RemoveImplausible(grid, objects, points, frame.intrinsics, supports,
-                                                  options.support, options.plausibility);
-  counts.segments_implausible = plausible.num_removed;
-  if (!supports.empty()) {
-    plausible = RemoveContinued(grid, plausible.labels, points, frame.intrinsics, on_wall,
-                                -result.gravity.direction, options.continuation);
-    counts.segments_implausible += plausible.num_removed;
-  }
+  const RefinedScene refined = Refine({grid, labels, points, frame.color_rgb, frame.intrinsics,
+                                       -result.gravity.direction, supports, on_wall},
+                                      options);
+  counts.num_segments = refined.num_segments;
+  counts.num_merged = refined.num_merged;
+  counts.segments_implausible = refined.num_implausible;
   clock.Finish("refinement");
 
-  result.labels = LabelsOfMeasured(grid, plausible.labels, measured);
+  result.labels = LabelsOfMeasured(grid, refined.objects, measured);
   DescribeObjects(frame, points, MeanSaliency(color_saliency, depth_saliency), supports,
                   options.objects, result);
   counts.messages = ExplainLosses(result);
   clock.Finish("objects");
-  if (trace != nullptr) *trace = {color_saliency, depth_saliency, seeds, grid, segments};
+  if (trace != nullptr) *trace = {color_saliency, depth_saliency, seeds, grid, refined.segments};
   return result;
 }
 

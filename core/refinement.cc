@@ -1,0 +1,62 @@
+#include "core/refinement.h"
+
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+
+#include "core/segmentation/labels.h"
+#include "core/segmentation/mean_color.h"
+#include "core/segmentation/round_wall_merge.h"
+
+namespace fovea {
+namespace {
+
+// Images of labels have 16 bits.
+void RequireFewSegments(std::size_t num_segments) {
+  constexpr std::size_t kMax = std::numeric_limits<std::uint16_t>::max();
+  if (num_segments <= kMax) return;
+  throw std::length_error(
+      "segments: more than 65535, depth is mostly noise; raise voxels.size_m or cover.min_voxels");
+}
+
+// Segments that are parts of one object.
+std::vector<int> Merge(const LabelledScene& scene, const std::vector<int>& segments,
+                       const DetectorOptions& options) {
+  const auto& [grid, labels, points, color_rgb, intrinsics, up, supports, on_wall] = scene;
+  const std::vector<MeanColor> colors = ColorsOfVoxels(grid, segments, color_rgb);
+  std::vector<int> objects = MergeParts(grid, segments, colors, intrinsics, up, options.part_merge);
+  objects = MergeOccluded(grid, objects, points, colors, intrinsics, up, options.occlusion_merge);
+  return MergeUnstable(grid, objects, points, intrinsics, supports, options.support, up,
+                       options.stability_merge);
+}
+
+}  // namespace
+
+RefinedScene Refine(const LabelledScene& scene, const DetectorOptions& options) {
+  const auto& [grid, labels, points, color_rgb, intrinsics, up, supports, on_wall] = scene;
+  RefinedScene result;
+  result.segments = SplitIntoSegments(grid, labels);
+  result.num_segments = CountLabels(result.segments);
+  RequireFewSegments(result.num_segments);
+  result.segments = MergeByColor(grid, result.segments, color_rgb, options.color_merge);
+
+  const std::vector<int> pieces = result.segments;
+  if (!supports.empty()) {
+    result.segments = MergeRoundWalls(grid, pieces, up, options.hollow_fill.max_radius_m);
+  }
+  result.objects = Merge(scene, result.segments, options);
+  result.num_merged = result.num_segments - CountLabels(result.objects);
+  if (supports.empty()) return result;
+
+  result.objects = FillHollows(grid, result.objects, pieces, points, intrinsics, on_wall, up,
+                               options.hollow_fill);
+  const PlausibleSegments plausible = RemoveImplausible(
+      grid, result.objects, points, intrinsics, supports, options.support, options.plausibility);
+  const PlausibleSegments ended = RemoveContinued(grid, plausible.labels, points, intrinsics,
+                                                  on_wall, up, options.continuation);
+  result.objects = ended.labels;
+  result.num_implausible = plausible.num_removed + ended.num_removed;
+  return result;
+}
+
+}  // namespace fovea

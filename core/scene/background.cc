@@ -1,0 +1,36 @@
+#include "core/scene/background.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace fovea {
+namespace {
+
+bool MayBeObject(const std::vector<Support>& supports, const Eigen::Vector3f& point,
+                 const SupportOptions& options) {
+  return supports.empty() || SupportBelow(supports, point, options);
+}
+
+}  // namespace
+
+std::vector<Seed> SeedsAbove(const std::vector<Support>& supports, const std::vector<Seed>& seeds,
+                             const SupportOptions& options) {
+  std::vector<Seed> above;
+  std::copy_if(seeds.begin(), seeds.end(), std::back_inserter(above),
+               [&](const Seed& seed) { return MayBeObject(supports, seed.position, options); });
+  return above;
+}
+
+std::vector<char> FindBackground(const VoxelGrid& grid, const std::vector<Support>& supports,
+                                 const SupportOptions& options, const CameraIntrinsics& intrinsics,
+                                 const RegionOptions& region) {
+  std::vector<char> is_background(grid.voxels.size());
+  std::transform(grid.voxels.begin(), grid.voxels.end(), is_background.begin(),
+                 [&](const Voxel& voxel) {
+                   return !MayBeObject(supports, voxel.mean, options) ||
+                          !IsInRegion(voxel.mean, intrinsics, region);
+                 });
+  return is_background;
+}
+
+}  // namespace fovea
