@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMinVoxels = 24;
 constexpr double kMinRadius_m = 0.02;
-constexpr double kMinArc_rad = 80 * std::numbers::pi / 180;
+constexpr double kMinArc_rad = 60 * std::numbers::pi / 180;
 constexpr double kMinRadial = 0.88;    // mean cosine between normals and the way to the axis
 constexpr double kMinSteepness = 0.5;  // mean sine between normals and the vertical
 constexpr double kMaxResidual = 0.12;  // of the radius, root mean square
