@@ -69,7 +69,7 @@ DetectorOptions Default() {
   options.objects.selection.min_pixels = 120;
   options.objects.selection.min_truncated_pixels = 300;
   options.objects.selection.min_area_m2 = 0.0018;
-  options.objects.selection.min_hidden_area_m2 = 0.0012;
+  options.objects.selection.min_hidden_area_m2 = 0.001;
   return options;
 }
 
