@@ -49,7 +49,7 @@ struct SupportOptions {
 struct Support {
   SupportSurface surface;
   Footprint footprint;
-  // What stands on the surface begins above this share of the tolerance; 0.5 … 1.
+  // What stands on the surface begins above this share of the tolerance; 0.6 … 1.
   float tolerance_share = 1;
 };
 

@@ -190,7 +190,7 @@ TEST(FindSupports, LetsThingsStandCloserOnWhatScattersLittle) {
     return supports.at(0).tolerance_share;
   };
   EXPECT_EQ(share(0), 1);
-  EXPECT_NEAR(share(2), 2 * 0.2 / 0.6745, 0.01);
+  EXPECT_NEAR(share(2.5), 2.5 * 0.2 / 0.6745, 0.01);
 }
 
 TEST(SupportBelow, IsNoneBesideOrTooHighAbove) {

@@ -24,8 +24,8 @@ TEST(ToleranceShare, IsThatOfSomeStandardDeviations) {
   EXPECT_NEAR(ToleranceShare(Floor(0.002F), kFloor, kOptions), 3.5 * 0.002 / 0.01, 0.03);
 }
 
-TEST(ToleranceShare, StaysBetweenHalfAndOne) {
-  EXPECT_EQ(ToleranceShare(Floor(0.0001F), kFloor, kOptions), 0.5F);
+TEST(ToleranceShare, StaysWithinLimits) {
+  EXPECT_EQ(ToleranceShare(Floor(0.0001F), kFloor, kOptions), 0.6F);
   EXPECT_EQ(ToleranceShare(Floor(0.008F), kFloor, kOptions), 1.0F);
 }
 
