@@ -46,10 +46,11 @@ void AddWalls(const std::vector<char>& on_wall, std::vector<char>& is_background
 }
 
 std::vector<int> LabelVoxels(const PottsEnergy& energy, const MrfOptions& options) {
-  if (options.cluster_voxels <= 1) return MinimizeByAlphaExpansion(energy, options.max_sweeps);
+  const ExpansionOptions expansion{options.max_sweeps, options.only_owners};
+  if (options.cluster_voxels <= 1) return MinimizeByAlphaExpansion(energy, expansion);
   const auto min_weight = static_cast<float>(options.cluster_min_share * options.lambda);
   const Contraction contraction = Contract(energy, options.cluster_voxels, min_weight);
-  return Expand(contraction, MinimizeByAlphaExpansion(contraction.energy, options.max_sweeps));
+  return Expand(contraction, MinimizeByAlphaExpansion(contraction.energy, expansion));
 }
 
 // Both maps, each scaled to a maximum of 1, count the same.

@@ -179,6 +179,8 @@ const std::vector<OptionEntry>& OptionTable() {
       Entry("mrf.reach_m", 0.05, 100, "a hypothesis is no choice for voxels farther off; metres",
             [](O& o) { return &o.mrf.reach_m; }),
       Entry("mrf.max_sweeps", 1, 100, "of alpha-expansion", [](O& o) { return &o.mrf.max_sweeps; }),
+      Entry("mrf.only_owners", 0, 1, "1: later sweeps only over labels that voxels have; paper: 0",
+            [](O& o) { return &o.mrf.only_owners; }),
 
       Entry("mrf.cluster_voxels", 1, 64, "that are labelled together; 1: each alone; paper: 1",
             [](O& o) { return &o.mrf.cluster_voxels; }),

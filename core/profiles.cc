@@ -52,7 +52,8 @@ DetectorOptions Default() {
   options.mrf.gamma_per_m2 = 30;
   options.mrf.lambda = 6;
   options.mrf.reach_m = 0.15;
-  options.mrf.max_sweeps = 1;
+  options.mrf.max_sweeps = 2;
+  options.mrf.only_owners = true;
   options.mrf.cluster_voxels = 6;
   options.mrf.cluster_min_share = 0.85;
   options.mrf.concave_angle_deg = 12;

@@ -110,15 +110,28 @@ class Expansion {
   BinaryEnergy energy_;
 };
 
+// Whether each label is some node's.
+std::vector<char> FindOwners(const Labelling& labelling, std::size_t num_labels) {
+  std::vector<char> owns(num_labels, 0);
+  for (const int label : labelling.labels) owns[label] = 1;
+  return owns;
+}
+
 }  // namespace
 
-std::vector<int> MinimizeByAlphaExpansion(const PottsEnergy& energy, int max_sweeps) {
+std::vector<int> MinimizeByAlphaExpansion(const PottsEnergy& energy,
+                                          const ExpansionOptions& options) {
   const Adjacency adjacency(energy);
   Labelling current = CheapestLabels(energy);
   std::vector<int> scratch(energy.num_nodes, -1);
-  for (int sweep = 0; sweep < max_sweeps; ++sweep) {
+  std::vector<char> is_expanded(energy.choices.size(), 1);
+  for (int sweep = 0; sweep < options.max_sweeps; ++sweep) {
+    if (sweep > 0 && options.only_owners) {
+      is_expanded = FindOwners(current, energy.choices.size());
+    }
     bool changed = false;
     for (int alpha = 0; alpha < static_cast<int>(energy.choices.size()); ++alpha) {
+      if (!is_expanded[alpha]) continue;
       for (const auto& move : Expansion(energy, adjacency, current, alpha, scratch).Solve()) {
         current.labels[move.node] = alpha;
         current.costs[move.node] = move.cost;

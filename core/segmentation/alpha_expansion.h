@@ -8,10 +8,18 @@
 
 namespace fovea {
 
+struct ExpansionOptions {
+  int max_sweeps = 5;
+  // Sweeps after the first only expand labels that some node has: others hardly come back, and most
+  // labels are others by then.
+  bool only_owners = false;
+};
+
 // Starts from each node's cheapest label (the lowest of equals) and expands one label after the
-// other, each by an exact minimum cut, until a sweep over all labels changes nothing or
-// `max_sweeps` is reached. At convergence the energy is within a factor of two of the optimum.
-// Returns one label a node. Cost: grows with the number of choices.
-std::vector<int> MinimizeByAlphaExpansion(const PottsEnergy& energy, int max_sweeps);
+// other, each by an exact minimum cut, until a sweep changes nothing or `max_sweeps` is reached. At
+// convergence over all labels the energy is within a factor of two of the optimum. Returns one
+// label a node. Cost: grows with the number of choices.
+std::vector<int> MinimizeByAlphaExpansion(const PottsEnergy& energy,
+                                          const ExpansionOptions& options = {});
 
 }  // namespace fovea
