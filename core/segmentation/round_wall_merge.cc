@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/segmentation/disjoint_sets.h"
 #include "core/segmentation/labels.h"
@@ -24,11 +25,14 @@ std::vector<int> MergeRoundWalls(const VoxelGrid& grid, const std::vector<int>& 
                                  const Eigen::Vector3f& up, double max_radius_m) {
   if (max_radius_m <= 0) return labels;
   const auto walls = FindRoundWalls(grid, labels, up, max_radius_m);
-  const int num_labels = static_cast<int>(walls.size());
-  DisjointSets objects(num_labels);
-  for (int a = 1; a < num_labels; ++a) {
-    for (int b = a + 1; b < num_labels; ++b) {
-      if (walls[a] && walls[b] && AreOneWall(*walls[a], *walls[b])) objects.Join(a, b);
+  std::vector<int> round;  // labels of those that have one
+  for (int label = 1; label < static_cast<int>(walls.size()); ++label) {
+    if (walls[label]) round.push_back(label);
+  }
+  DisjointSets objects(static_cast<int>(walls.size()));
+  for (auto a = round.begin(); a != round.end(); ++a) {
+    for (auto b = std::next(a); b != round.end(); ++b) {
+      if (AreOneWall(*walls[*a], *walls[*b])) objects.Join(*a, *b);
     }
   }
   return Renumbered(labels, objects);
