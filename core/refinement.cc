@@ -41,15 +41,17 @@ RefinedScene Refine(const LabelledScene& scene, const DetectorOptions& options) 
   result.segments = MergeByColor(grid, result.segments, color_rgb, options.color_merge);
 
   const std::vector<int> pieces = result.segments;
+  RoundWalls walls;
   if (!supports.empty()) {
-    result.segments = MergeRoundWalls(grid, pieces, up, options.hollow_fill.max_radius_m);
+    walls = FindRoundWalls(grid, pieces, up, options.hollow_fill.max_radius_m);
+    result.segments = MergeRoundWalls(pieces, walls);
   }
   result.objects = Merge(scene, result.segments, options);
   result.num_merged = result.num_segments - CountLabels(result.objects);
   if (supports.empty()) return result;
 
-  result.objects = FillHollows(grid, result.objects, pieces, points, intrinsics, on_wall, up,
-                               options.hollow_fill);
+  result.objects =
+      FillHollows(grid, result.objects, pieces, walls, points, intrinsics, on_wall, up);
   const PlausibleSegments plausible = RemoveImplausible(
       grid, result.objects, points, intrinsics, supports, options.support, options.plausibility);
   const PlausibleSegments ended = RemoveContinued(grid, plausible.labels, points, intrinsics,

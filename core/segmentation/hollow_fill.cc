@@ -11,7 +11,6 @@
 #include "core/depth/depth_gap.h"
 #include "core/scene/level_axes.h"
 #include "core/segmentation/labels.h"
-#include "core/segmentation/round_wall.h"
 #include "core/types/projection.h"
 
 namespace fovea {
@@ -23,8 +22,6 @@ constexpr double kFloor_m = 0.03;  // below the lowest visible part of the wall
 constexpr int kRimDirections = 24;
 constexpr std::array<double, 3> kRimRadii = {1, 1.1, 1.2};
 constexpr double kMaxOpen = 0.5;
-
-using Walls = std::vector<std::optional<RoundWall>>;
 
 bool Encloses(const RoundWall& wall, const Eigen::Vector2d& place, double height_m) {
   return (place - wall.center).norm() < wall.radius_m && height_m < wall.rim_m &&
@@ -61,7 +58,7 @@ bool HasRim(const RoundWall& wall, const cv::Mat& points, const CameraIntrinsics
 
 // Spreads the labels of walls to the background that they enclose, neighbour by neighbour: what
 // lies outside below a rim is parted from the inside by the wall.
-void Fill(const VoxelGrid& grid, const std::vector<char>& on_wall, const Walls& walls,
+void Fill(const VoxelGrid& grid, const std::vector<char>& on_wall, const RoundWalls& walls,
           const Eigen::Vector3f& up, std::vector<int>& labels) {
   const LevelAxes axes = LevelAxesFor(up);
   const auto encloses = [&](const std::optional<RoundWall>& wall, int v) {
@@ -95,11 +92,9 @@ void Fill(const VoxelGrid& grid, const std::vector<char>& on_wall, const Walls& 
 }  // namespace
 
 std::vector<int> FillHollows(const VoxelGrid& grid, const std::vector<int>& objects,
-                             const std::vector<int>& pieces, const cv::Mat& points,
-                             const CameraIntrinsics& intrinsics, const std::vector<char>& on_wall,
-                             const Eigen::Vector3f& up, const HollowFillOptions& options) {
-  if (options.max_radius_m <= 0) return objects;
-  Walls walls = FindRoundWalls(grid, pieces, up, options.max_radius_m);
+                             const std::vector<int>& pieces, RoundWalls walls,
+                             const cv::Mat& points, const CameraIntrinsics& intrinsics,
+                             const std::vector<char>& on_wall, const Eigen::Vector3f& up) {
   for (std::optional<RoundWall>& wall : walls) {
     if (wall && !(wall->is_inside && HasRim(*wall, points, intrinsics, up))) wall.reset();
   }

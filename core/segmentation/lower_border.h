@@ -12,7 +12,6 @@ namespace fovea {
 struct LowerBorder {
   int num_pixels = 0;  // below which something else was measured
   int num_free = 0;    // of them, those below which it is farther away by more than noise
-
   int num_hidden = 0;  // of them, those below which it is nearer by more than noise
 
   void Add(const LowerBorder& other) {

@@ -29,8 +29,8 @@ struct MrfOptions {
   double min_probability = 1e-6;
   // Nor for voxels whose mean is farther than this from the seed; metres.
   double reach_m = 100;
-  int max_sweeps = 5;  // of alpha-expansion,
-  // which after the first are only over labels that some voxel has.
+  int max_sweeps = 5;  // of alpha-expansion
+  // Sweeps after the first are only over labels that some voxel has.
   bool only_owners = false;
   // Neighbouring voxels are labelled together, up to this many at a time, where cutting between
   // them would cost at least cluster_min_share of λ; 1: every voxel by itself.

@@ -105,16 +105,15 @@ std::optional<RoundWall> FindWall(const VoxelGrid& grid, const std::vector<int>&
 
 }  // namespace
 
-std::vector<std::optional<RoundWall>> FindRoundWalls(const VoxelGrid& grid,
-                                                     const std::vector<int>& labels,
-                                                     const Eigen::Vector3f& up,
-                                                     double max_radius_m) {
+RoundWalls FindRoundWalls(const VoxelGrid& grid, const std::vector<int>& labels,
+                          const Eigen::Vector3f& up, double max_radius_m) {
   std::vector<std::vector<int>> voxels(CountLabels(labels) + 1);
+  if (max_radius_m <= 0) return RoundWalls(voxels.size());
   for (int v = 0; v < static_cast<int>(labels.size()); ++v) {
     if (labels[v] != 0) voxels[labels[v]].push_back(v);
   }
   const LevelAxes axes = LevelAxesFor(up);
-  std::vector<std::optional<RoundWall>> walls;
+  RoundWalls walls;
   walls.reserve(voxels.size());
   for (const std::vector<int>& of_label : voxels) {
     walls.push_back(FindWall(grid, of_label, up, axes, max_radius_m));

@@ -18,13 +18,14 @@ struct RoundWall {
   double foot_m = 0;       // and of its lowest visible part
 };
 
-// One entry a label, the background's first: the wall that a segment is for the most part, none if
-// it is not round, bends hardly at all, or with a larger radius. `labels`: one entry a voxel; `up`:
-// unit vector. The circle is fitted to the places of the upper half of the voxels, where bowls are
-// nearly upright (least squares; Kåsa 1976).
-std::vector<std::optional<RoundWall>> FindRoundWalls(const VoxelGrid& grid,
-                                                     const std::vector<int>& labels,
-                                                     const Eigen::Vector3f& up,
-                                                     double max_radius_m);
+// One entry a label, the background's first; none for what is no wall.
+using RoundWalls = std::vector<std::optional<RoundWall>>;
+
+// The wall that each segment is for the most part, none if it is not round, bends hardly at all, or
+// with a larger radius. `labels`: one entry a voxel; `up`: unit vector. The circle is fitted to the
+// places of the upper half of the voxels, where bowls are nearly upright (least squares; Kåsa
+// 1976).
+RoundWalls FindRoundWalls(const VoxelGrid& grid, const std::vector<int>& labels,
+                          const Eigen::Vector3f& up, double max_radius_m);
 
 }  // namespace fovea

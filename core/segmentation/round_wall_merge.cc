@@ -6,7 +6,6 @@
 
 #include "core/segmentation/disjoint_sets.h"
 #include "core/segmentation/labels.h"
-#include "core/segmentation/round_wall.h"
 
 namespace fovea {
 namespace {
@@ -21,10 +20,7 @@ bool AreOneWall(const RoundWall& a, const RoundWall& b) {
 
 }  // namespace
 
-std::vector<int> MergeRoundWalls(const VoxelGrid& grid, const std::vector<int>& labels,
-                                 const Eigen::Vector3f& up, double max_radius_m) {
-  if (max_radius_m <= 0) return labels;
-  const auto walls = FindRoundWalls(grid, labels, up, max_radius_m);
+std::vector<int> MergeRoundWalls(const std::vector<int>& labels, const RoundWalls& walls) {
   std::vector<int> round;  // labels of those that have one
   for (int label = 1; label < static_cast<int>(walls.size()); ++label) {
     if (walls[label]) round.push_back(label);

@@ -12,7 +12,6 @@
 namespace fovea {
 namespace {
 
-constexpr HollowFillOptions kOptions{.max_radius_m = 0.2};
 constexpr CameraIntrinsics kCamera{100, 100, 31.5, 23.5};
 
 // The same depth everywhere, NaN = nothing measured.
@@ -23,9 +22,9 @@ struct HollowCup : Cup {
   using Cup::Cup;
   std::vector<int> objects = labels;  // joined from the pieces
 
-  std::vector<int> Fill(const HollowFillOptions& options = kOptions,
-                        const cv::Mat& points = kUnmeasured) const {
-    return FillHollows(grid, objects, labels, points, kCamera, on_wall, kUp, options);
+  std::vector<int> Fill(const cv::Mat& points = kUnmeasured, double max_radius_m = 0.2) const {
+    const RoundWalls walls = FindRoundWalls(grid, labels, kUp, max_radius_m);
+    return FillHollows(grid, objects, labels, walls, points, kCamera, on_wall, kUp);
   }
   // The label of the table's voxel nearest to a place.
   int LabelAt(const std::vector<int>& result, float x, float z) const {
@@ -52,11 +51,11 @@ TEST(FillHollows, GivesTheFloorToTheObjectOfTheWall) {
 
 TEST(FillHollows, LeavesWhatHasNoRimForMostOfItsCircle) {
   const HollowCup cup;
-  EXPECT_NE(cup.LabelAt(cup.Fill(kOptions, PointsAt(0.9F)), 0, 1.02F), 0);  // a rim in front of it
+  EXPECT_NE(cup.LabelAt(cup.Fill(PointsAt(0.9F)), 0, 1.02F), 0);  // a rim in front of it
   cv::Mat beyond = PointsAt(3);  // one sees through where a rim would be …
-  EXPECT_EQ(cup.LabelAt(cup.Fill(kOptions, beyond), 0, 1.02F), 0);
+  EXPECT_EQ(cup.LabelAt(cup.Fill(beyond), 0, 1.02F), 0);
   beyond.colRange(0, 34).setTo(cv::Scalar(0, 0, 0.9));  // … but for its left half
-  EXPECT_NE(cup.LabelAt(cup.Fill(kOptions, beyond), 0, 1.02F), 0);
+  EXPECT_NE(cup.LabelAt(cup.Fill(beyond), 0, 1.02F), 0);
 }
 
 TEST(FillHollows, LeavesTheOutsideOfRoundThings) {
@@ -78,9 +77,9 @@ TEST(FillHollows, FillsOnlyWhatIsConnectedWithTheInside) {
   EXPECT_EQ(cup.LabelAt(cup.Fill(), 0, 1.02F), 0);
 }
 
-TEST(FillHollows, IsOffAtZero) {
+TEST(FillHollows, LeavesThingsWithoutWalls) {
   const HollowCup cup;
-  EXPECT_EQ(cup.Fill({.max_radius_m = 0}), cup.labels);
+  EXPECT_EQ(cup.Fill(kUnmeasured, 0), cup.labels);
 }
 
 }  // namespace

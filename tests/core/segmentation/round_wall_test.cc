@@ -38,7 +38,8 @@ TEST(FindRoundWalls, FindsNoneBeyondTheRadius) {
 }
 
 std::size_t NumMerged(const Cup& cup, double max_radius_m = kMaxRadius_m) {
-  return CountLabels(MergeRoundWalls(cup.grid, cup.labels, kUp, max_radius_m));
+  const RoundWalls walls = FindRoundWalls(cup.grid, cup.labels, kUp, max_radius_m);
+  return CountLabels(MergeRoundWalls(cup.labels, walls));
 }
 
 TEST(MergeRoundWalls, JoinsInsideWithInsideAndOutside) {
