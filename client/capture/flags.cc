@@ -118,8 +118,7 @@ void AddLiveFlags(CLI::App& command, StreamFlags& flags) {
   command
       .add_flag("--every-frame", flags.every_frame,
                 "Take the next frame after the answer and drop none that was taken; a live camera "
-                "goes on "
-                "meanwhile, and what it sees then is not taken")
+                "goes on meanwhile, and what it sees then is not taken")
       ->group(kSending);
 }
 
