@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -19,11 +20,15 @@ constexpr float kMinBack_m = 0.3F;     // width of the back of a chair
 constexpr float kLegMargin_m = 0.04F;  // between what is seen of one leg
 constexpr float kLifted_m = 0.1F;      // above a support, beyond what noise hides
 
+// A support and a connected part of its footprint, by their numbers.
+using SupportPart = std::pair<std::size_t, int>;
+
 struct Segment {
   std::vector<Eigen::Vector3f> points;                 // means of its voxels
   float lowest_m = std::numeric_limits<float>::max();  // above the support below it
   float highest_m = 0;                                 // likewise
-  std::vector<int> num_above;                          // of its voxels, by the support below
+  // How many of its voxels are above each part of each support.
+  std::map<SupportPart, int> num_above;
   // Of the voxels that a support covers from above: how many, and the least distance to it.
   std::size_t num_covered = 0;
   float least_depth_m = std::numeric_limits<float>::max();
@@ -53,8 +58,7 @@ std::vector<Segment> Collect(const VoxelGrid& grid, const std::vector<int>& labe
     Segment& segment = segments[labels[v]];
     segment.points.push_back(point);
     if (const auto below = SupportBelow(supports, point, support_options)) {
-      segment.num_above.resize(supports.size());
-      ++segment.num_above[*below];
+      ++segment.num_above[{*below, supports[*below].footprint.PartAt(point)}];
       const float height_m = supports[*below].surface.HeightOf(point);
       segment.lowest_m = std::min(segment.lowest_m, height_m);
       segment.highest_m = std::max(segment.highest_m, height_m);
@@ -67,15 +71,29 @@ std::vector<Segment> Collect(const VoxelGrid& grid, const std::vector<int>& labe
   return segments;
 }
 
-// As large as what it stands on, if that is not the dominating surface, whose other parts may hide.
+// The area of what a segment stands on; none where that is the largest part of the dominating
+// surface, much of which may hide, or is unbounded.
+std::optional<double> AreaOfItsSupportM2(const Segment& segment,
+                                         const std::vector<Support>& supports) {
+  const auto most =
+      std::max_element(segment.num_above.begin(), segment.num_above.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  if (most == segment.num_above.end()) return std::nullopt;
+  const auto& [support, part] = most->first;
+  const std::vector<double>& areas = supports[support].footprint.PartAreasM2();
+  if (areas.empty()) return std::nullopt;
+  const double largest = *std::max_element(areas.begin(), areas.end());
+  if (support == 0 && areas[part] == largest) return std::nullopt;
+  return areas[part];
+}
+
+// As large as what it stands on.
 bool IsPartOfItsSupport(const Segment& segment, const Eigen::Vector3f& size_m,
                         const std::vector<Support>& supports, double max_support_share) {
   const float width_m = size_m.head<2>().maxCoeff();
-  const auto most = std::max_element(segment.num_above.begin(), segment.num_above.end());
-  if (most == segment.num_above.begin() || most == segment.num_above.end()) return false;
-  const Support& support = supports[most - segment.num_above.begin()];
-  return width_m >= kMinBack_m &&
-         width_m * size_m.z() > max_support_share * support.footprint.AreaM2();
+  if (width_m < kMinBack_m) return false;
+  const std::optional<double> area_m2 = AreaOfItsSupportM2(segment, supports);
+  return area_m2 && width_m * size_m.z() > max_support_share * *area_m2;
 }
 
 bool IsTooLarge(const Segment& segment, const std::vector<Support>& supports,

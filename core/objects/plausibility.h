@@ -23,7 +23,8 @@ struct PlausibilityOptions {
   // their support where nothing is seen that they stand on: the seat of a chair behind a table.
   double max_height_m = 100;
   // Segments at least 30 cm wide on another surface than the dominating one, with a side of more
-  // than this share of its visible area, are a part of it: the back of a chair.
+  // than this share of the visible area of the part that they stand on, belong to it: the back of a
+  // chair.
   double max_support_share = 100;
   // Segments whose lowest point is higher than this above their support must touch another one;
   // metres.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <opencv2/core.hpp>
@@ -86,7 +87,7 @@ SupportSurface FitDominating(const std::vector<Eigen::Vector3f>& level, const Ei
 
 // Every few pixels: enough for the cells of a footprint.
 std::vector<Eigen::Vector3f> PointsAbove(const cv::Mat& points, const SupportSurface& surface,
-                                         const SupportOptions& options) {
+                                         const SupportOptions& options, float tolerance_share) {
   constexpr int kStep_px = 4;
   const auto max_height_m = static_cast<float>(options.max_height_m);
   std::vector<Eigen::Vector3f> above;
@@ -94,7 +95,8 @@ std::vector<Eigen::Vector3f> PointsAbove(const cv::Mat& points, const SupportSur
     for (int col = 0; col < points.cols; col += kStep_px) {
       const Eigen::Vector3f point = ToEigen(points.at<cv::Vec3f>(row, col));
       const float height_m = surface.HeightOf(point);  // NaN where there is no point
-      if (height_m > SupportTolerance(point.z(), options) && height_m < max_height_m) {
+      const float begin_m = tolerance_share * SupportTolerance(point.z(), options);
+      if (height_m > begin_m && height_m < max_height_m) {
         above.push_back(point);
       }
     }
@@ -102,11 +104,25 @@ std::vector<Eigen::Vector3f> PointsAbove(const cv::Mat& points, const SupportSur
   return above;
 }
 
+// Of the points near the surface, those on which nothing can be told to stand.
+std::vector<Eigen::Vector3f> PointsOn(const std::vector<Eigen::Vector3f>& inliers,
+                                      const SupportSurface& surface, const SupportOptions& options,
+                                      float tolerance_share) {
+  std::vector<Eigen::Vector3f> on;
+  std::copy_if(inliers.begin(), inliers.end(), std::back_inserter(on), [&](const auto& p) {
+    return surface.HeightOf(p) <= tolerance_share * SupportTolerance(p.z(), options);
+  });
+  return on;
+}
+
 Footprint FootprintOf(const std::vector<Eigen::Vector3f>& inliers, const cv::Mat& points,
-                      const SupportSurface& surface, const SupportOptions& options) {
+                      const SupportSurface& surface, const SupportOptions& options,
+                      float tolerance_share) {
   const bool matters = options.min_area_m2 > 0 || options.footprint_margin_m > 0;
-  if (!matters || inliers.empty()) return {};
-  return {inliers, PointsAbove(points, surface, options), surface, options.min_area_m2,
+  if (!matters) return {};
+  const std::vector<Eigen::Vector3f> on = PointsOn(inliers, surface, options, tolerance_share);
+  if (on.empty()) return {};
+  return {on, PointsAbove(points, surface, options, tolerance_share), surface, options.min_area_m2,
           options.footprint_margin_m};
 }
 
@@ -162,11 +178,12 @@ std::vector<Support> FindSupports(const cv::Mat& points, const cv::Mat& normals,
     const SupportSurface surface = FitDominating(level, up, options);
     const std::vector<Eigen::Vector3f> inliers = Inliers(level, surface, options, 1.0F);
     if (supports.empty() && inliers.size() < min_points) break;
-    const Footprint footprint = FootprintOf(inliers, points, surface, options);
+    const float tolerance_share = ToleranceShare(inliers, surface, options);
+    const Footprint footprint = FootprintOf(inliers, points, surface, options, tolerance_share);
     if (footprint.AreaM2() >= MinArea_m2(supports, inliers, options)) {
       if (options.max_surfaces > 1 && supports.empty()) up = surface.normal;  // the better vertical
-      supports.push_back({surface, options.footprint_margin_m > 0 ? footprint : Footprint(),
-                          ToleranceShare(inliers, surface, options)});
+      supports.push_back(
+          {surface, options.footprint_margin_m > 0 ? footprint : Footprint(), tolerance_share});
     }
     if (!RemoveInliers(level, surface, options)) break;
   }

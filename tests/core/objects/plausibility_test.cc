@@ -96,6 +96,31 @@ TEST(RemoveImplausible, RemovesTheBackOfAChairFromItsSeat) {
             0U);
 }
 
+TEST(RemoveImplausible, RemovesTheBackOfAChairWhoseSeatIsAsHighAsATable) {
+  const SupportSurface surface{kUp, -0.7F, 1};
+  std::vector<Eigen::Vector3f> points;
+  for (int x = 0; x <= 120; ++x) {
+    for (int z = 0; z <= 30; ++z) {
+      if (x > 50 && x < 100) continue;  // a table up to 1 m, a seat from 2 m to 2.4 m
+      points.emplace_back(0.02F * static_cast<float>(x), -0.7F, 1 + 0.02F * static_cast<float>(z));
+    }
+  }
+  const Support both{surface, Footprint(points, {}, surface, 0, 0)};
+  ASSERT_EQ(both.footprint.PartAreasM2().size(), 2U);
+  PlausibilityOptions options = kOptions;
+  options.max_support_share = 0.3;
+  Scene scene;
+  scene.Add(1, {200, 70, 155}, {239, 105, 158});  // 38 cm wide, 34 cm high, on the seat
+  scene.Add(2, {20, 70, 155}, {59, 105, 158});    // the same on the table
+  const auto plausible =
+      RemoveImplausible(scene.grid, scene.labels, {}, {}, {kFloor, both}, kSupport, options);
+  EXPECT_FALSE(scene.Has(1, plausible));
+  EXPECT_TRUE(scene.Has(2, plausible));
+  // Also where most of the level points are at this height.
+  EXPECT_FALSE(scene.Has(
+      1, RemoveImplausible(scene.grid, scene.labels, {}, {}, {both, kFloor}, kSupport, options)));
+}
+
 TEST(RemoveImplausible, RemovesALegThatHangsFromItsTable) {
   Scene scene;
   scene.Add(1, {5, 25, 105}, {8, 68, 108});      // a leg, 2 cm below the top

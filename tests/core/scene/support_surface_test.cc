@@ -193,6 +193,23 @@ TEST(FindSupports, LetsThingsStandCloserOnWhatScattersLittle) {
   EXPECT_NEAR(share(2.5), 2.5 * 0.2 / 0.6745, 0.01);
 }
 
+TEST(FindSupports, WhatIsTellablyAboveASurfaceIsNoPartOfIt) {
+  Cloud cloud;
+  cloud.AddRectangle(0.705F, -0.5F, 1.0F, 100, 80);
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    cloud.points[i][1] += i % 2 == 0 ? 0.001F : -0.001F;
+  }
+  cloud.AddRectangle(0.697F, 1.5F, 1.0F, 30, 30);  // 8 mm higher, within the tolerance
+  SupportOptions options{.plane_fits = 0, .min_area_m2 = 0.02, .footprint_margin_m = 0.01};
+  const auto covers = [&] {
+    const auto supports = FindSupports(cloud.Points(), cloud.Normals(), kDown, options);
+    return supports.at(0).footprint.Covers({1.65F, 0.6F, 1.15F});
+  };
+  EXPECT_TRUE(covers());
+  options.tolerance_sigmas = 2.5;
+  EXPECT_FALSE(covers());
+}
+
 TEST(SupportBelow, IsNoneBesideOrTooHighAbove) {
   const std::vector<Support> table{FloorAndTable()[1]};
   EXPECT_EQ(SupportBelow(table, {0.8F, 0.2F, 1.4F}, {}), std::nullopt);
