@@ -239,6 +239,10 @@ const std::vector<OptionEntry>& OptionTable() {
       Entry("plausibility.max_rest_m", 0.005, 100,
             "segments higher above their surface must touch another; metres",
             [](O& o) { return &o.plausibility.max_rest_m; }),
+      Entry("plausibility.min_low_pixels", 0, 100000,
+            "smaller segments less than two tolerances above their surface are noise; pixels at "
+            "640x480; paper: 0",
+            [](O& o) { return &o.plausibility.min_low_pixels; }),
 
       Entry("continuation.max_share", 0, 1,
             "of an outline that ends at larger things or with the image; 1: any; paper: 1",

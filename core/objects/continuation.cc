@@ -7,10 +7,12 @@ namespace fovea {
 namespace {
 
 // Whether a segment is, for all one can see, a part of something that goes on: above it, or beyond
-// the end of the image.
+// the end of the image. Things stand against walls, but what ends with the image as well as at a
+// wall is more likely a strip of it.
 bool GoesOn(const Outline& outline, double max_share) {
   const Outline::Upper& upper = outline.upper;
-  return upper.Total() - upper.open > max_share * upper.Total() ||
+  const int open = upper.open + (outline.num_sides_at_end > 0 ? 0 : upper.at_wall);
+  return upper.Total() - open > max_share * upper.Total() ||
          outline.num_sides_at_end > max_share * outline.num_sides;
 }
 

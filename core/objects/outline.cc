@@ -80,8 +80,8 @@ class Search {
     const float gap_m = DepthGap_m(own.z());
     if (step_m < -gap_m) {
       ++upper.hidden;
-    } else if (!on_wall && step_m <= gap_m && up_.dot(beyond - own) > 0.004F * own.z()) {
-      ++upper.attached;
+    } else if (step_m <= gap_m && up_.dot(beyond - own) > 0.004F * own.z()) {
+      ++(on_wall ? upper.at_wall : upper.attached);
     } else {
       ++upper.open;
     }

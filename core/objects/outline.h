@@ -19,10 +19,11 @@ struct Outline {
   // Pixels of the upper border, by what lies above them.
   struct Upper {
     int open = 0;      // something farther away or lower, another segment, or nothing measured
+    int at_wall = 0;   // a wall at the same distance
     int attached = 0;  // background that goes on upwards at the same distance
     int hidden = 0;    // background that is nearer
     int at_end = 0;    // the end of the image
-    int Total() const { return open + attached + hidden + at_end; }
+    int Total() const { return open + at_wall + attached + hidden + at_end; }
   } upper;
 };
 

@@ -2,12 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <limits>
-#include <map>
 #include <optional>
 #include <utility>
 
 #include "core/objects/oriented_box.h"
+#include "core/objects/placed_segment.h"
 #include "core/scene/level_axes.h"
 #include "core/segmentation/contacts.h"
 #include "core/segmentation/labels.h"
@@ -20,60 +19,9 @@ constexpr float kMinBack_m = 0.3F;     // width of the back of a chair
 constexpr float kLegMargin_m = 0.04F;  // between what is seen of one leg
 constexpr float kLifted_m = 0.1F;      // above a support, beyond what noise hides
 
-// A support and a connected part of its footprint, by their numbers.
-using SupportPart = std::pair<std::size_t, int>;
-
-struct Segment {
-  std::vector<Eigen::Vector3f> points;                 // means of its voxels
-  float lowest_m = std::numeric_limits<float>::max();  // above the support below it
-  float highest_m = 0;                                 // likewise
-  // How many of its voxels are above each part of each support.
-  std::map<SupportPart, int> num_above;
-  // Of the voxels that a support covers from above: how many, and the least distance to it.
-  std::size_t num_covered = 0;
-  float least_depth_m = std::numeric_limits<float>::max();
-};
-
-// The smallest distance of a point below a support that covers it.
-std::optional<float> DepthBelowSupport(const std::vector<Support>& supports,
-                                       const Eigen::Vector3f& point,
-                                       const SupportOptions& options) {
-  const float tolerance = SupportTolerance(point.z(), options);
-  std::optional<float> nearest;
-  for (const Support& support : supports) {
-    const float depth = -support.surface.HeightOf(point);
-    if (depth > tolerance && support.footprint.Covers(point))
-      nearest = std::min(depth, nearest.value_or(depth));
-  }
-  return nearest;
-}
-
-std::vector<Segment> Collect(const VoxelGrid& grid, const std::vector<int>& labels,
-                             const std::vector<Support>& supports,
-                             const SupportOptions& support_options) {
-  std::vector<Segment> segments(CountLabels(labels) + 1);
-  for (std::size_t v = 0; v < labels.size(); ++v) {
-    if (labels[v] == 0) continue;
-    const Eigen::Vector3f& point = grid.voxels[v].mean;
-    Segment& segment = segments[labels[v]];
-    segment.points.push_back(point);
-    if (const auto below = SupportBelow(supports, point, support_options)) {
-      ++segment.num_above[{*below, supports[*below].footprint.PartAt(point)}];
-      const float height_m = supports[*below].surface.HeightOf(point);
-      segment.lowest_m = std::min(segment.lowest_m, height_m);
-      segment.highest_m = std::max(segment.highest_m, height_m);
-    }
-    if (const auto depth = DepthBelowSupport(supports, point, support_options)) {
-      ++segment.num_covered;
-      segment.least_depth_m = std::min(segment.least_depth_m, *depth);
-    }
-  }
-  return segments;
-}
-
 // The area of what a segment stands on; none where that is the largest part of the dominating
 // surface, much of which may hide, or is unbounded.
-std::optional<double> AreaOfItsSupportM2(const Segment& segment,
+std::optional<double> AreaOfItsSupportM2(const PlacedSegment& segment,
                                          const std::vector<Support>& supports) {
   const auto most =
       std::max_element(segment.num_above.begin(), segment.num_above.end(),
@@ -88,7 +36,7 @@ std::optional<double> AreaOfItsSupportM2(const Segment& segment,
 }
 
 // As large as what it stands on.
-bool IsPartOfItsSupport(const Segment& segment, const Eigen::Vector3f& size_m,
+bool IsPartOfItsSupport(const PlacedSegment& segment, const Eigen::Vector3f& size_m,
                         const std::vector<Support>& supports, double max_support_share) {
   const float width_m = size_m.head<2>().maxCoeff();
   if (width_m < kMinBack_m) return false;
@@ -96,7 +44,7 @@ bool IsPartOfItsSupport(const Segment& segment, const Eigen::Vector3f& size_m,
   return area_m2 && width_m * size_m.z() > max_support_share * *area_m2;
 }
 
-bool IsTooLarge(const Segment& segment, const std::vector<Support>& supports,
+bool IsTooLarge(const PlacedSegment& segment, const std::vector<Support>& supports,
                 const PlausibilityOptions& options) {
   const Eigen::Vector3f up = supports.front().surface.normal;
   const Eigen::Vector3f size_m = FitOrientedBox(segment.points, up, std::nullopt).size_m;
@@ -104,10 +52,20 @@ bool IsTooLarge(const Segment& segment, const std::vector<Support>& supports,
          IsPartOfItsSupport(segment, size_m, supports, options.max_support_share);
 }
 
-// Most of it lies under a support.
-bool IsCovered(const Segment& segment) { return 2 * segment.num_covered > segment.points.size(); }
+// So little, so close above the surface, that it may be noise.
+bool IsLump(const PlacedSegment& segment, const cv::Size& image,
+            const PlausibilityOptions& options) {
+  constexpr float kLowRise = 2;
+  const double scale = static_cast<double>(image.area()) / (640.0 * 480.0);
+  return segment.rise < kLowRise && segment.num_pixels < scale * options.min_low_pixels;
+}
 
-Eigen::AlignedBox2f SeenFromAbove(const Segment& segment, const LevelAxes& axes) {
+// Most of it lies under a support.
+bool IsCovered(const PlacedSegment& segment) {
+  return 2 * segment.num_covered > segment.points.size();
+}
+
+Eigen::AlignedBox2f SeenFromAbove(const PlacedSegment& segment, const LevelAxes& axes) {
   Eigen::AlignedBox2f box;
   for (const Eigen::Vector3f& point : segment.points) box.extend(Eigen::Vector2f(axes * point));
   return box;
@@ -115,13 +73,13 @@ Eigen::AlignedBox2f SeenFromAbove(const Segment& segment, const LevelAxes& axes)
 
 // Segments that reach up to a support that covers them, and what is covered and stands right below
 // one of them: the lower end of a leg.
-std::vector<char> FindHanging(const std::vector<Segment>& segments, const Eigen::Vector3f& up,
+std::vector<char> FindHanging(const std::vector<PlacedSegment>& segments, const Eigen::Vector3f& up,
                               double max_hang_m) {
   const LevelAxes axes = LevelAxesFor(up);
   std::vector<char> hang(segments.size(), 0);
   std::vector<Eigen::AlignedBox2f> legs;
   for (std::size_t label = 1; label < segments.size(); ++label) {
-    const Segment& segment = segments[label];
+    const PlacedSegment& segment = segments[label];
     if (!IsCovered(segment) || segment.least_depth_m >= max_hang_m) continue;
     hang[label] = 1;
     Eigen::AlignedBox2f& leg = legs.emplace_back(SeenFromAbove(segment, axes));
@@ -139,12 +97,12 @@ std::vector<char> FindHanging(const std::vector<Segment>& segments, const Eigen:
 
 // Segments high above their support that end higher than an object can, where nothing is seen right
 // below them: something in front hides it, or one sees past.
-std::vector<char> FindTooHigh(const std::vector<Segment>& segments, const cv::Mat& labels,
+std::vector<char> FindTooHigh(const std::vector<PlacedSegment>& segments, const cv::Mat& labels,
                               const cv::Mat& points, const CameraIntrinsics& intrinsics,
                               const Eigen::Vector3f& up, double max_height_m) {
   std::vector<char> too_high(segments.size(), 0);
   for (std::size_t label = 1; label < segments.size(); ++label) {
-    const Segment& segment = segments[label];
+    const PlacedSegment& segment = segments[label];
     too_high[label] = segment.lowest_m > kLifted_m && segment.highest_m > max_height_m;
   }
   if (std::count(too_high.begin(), too_high.end(), 1) == 0) return too_high;
@@ -184,7 +142,8 @@ PlausibleSegments RemoveImplausible(const VoxelGrid& grid, const std::vector<int
                                     const PlausibilityOptions& options) {
   PlausibleSegments result{labels, 0};
   if (supports.empty()) return result;
-  const std::vector<Segment> segments = Collect(grid, labels, supports, support_options);
+  const std::vector<PlacedSegment> segments =
+      PlaceSegments(grid, labels, supports, support_options);
   const Eigen::Vector3f& up = supports.front().surface.normal;
   const std::vector<char> hang = FindHanging(segments, up, options.max_hang_m);
   const std::vector<char> too_high =
@@ -192,7 +151,8 @@ PlausibleSegments RemoveImplausible(const VoxelGrid& grid, const std::vector<int
   std::vector<char> stays(segments.size(), 0);
   std::vector<char> rests(segments.size(), 0);
   for (std::size_t label = 1; label < segments.size(); ++label) {
-    stays[label] = !hang[label] && !IsTooLarge(segments[label], supports, options);
+    stays[label] = !hang[label] && !IsTooLarge(segments[label], supports, options) &&
+                   !IsLump(segments[label], points.size(), options);
     rests[label] = !too_high[label] && segments[label].lowest_m <= options.max_rest_m;
   }
   SpreadRest(grid, labels, stays, rests);

@@ -29,6 +29,9 @@ struct PlausibilityOptions {
   // Segments whose lowest point is higher than this above their support must touch another one;
   // metres.
   double max_rest_m = 100;
+  // Segments with fewer pixels that rise less than twice the support's tolerance above it are
+  // noise; at an image of 640×480, scaled with its area.
+  double min_low_pixels = 0;
 };
 
 struct PlausibleSegments {
@@ -38,8 +41,8 @@ struct PlausibleSegments {
 
 // `labels`: one entry a voxel, 0 = background, 1 … n without gaps; `points`: CV_32FC3 of the frame,
 // NaN = none. Removed are segments that are too large by themselves or for their support, that hang
-// from a support, or that neither rest on one nor touch, directly or through others, one that does.
-// Nothing is removed where there is no support.
+// from a support, that are noise on it, or that neither rest on one nor touch, directly or through
+// others, one that does. Nothing is removed where there is no support.
 PlausibleSegments RemoveImplausible(const VoxelGrid& grid, const std::vector<int>& labels,
                                     const cv::Mat& points, const CameraIntrinsics& intrinsics,
                                     const std::vector<Support>& supports,

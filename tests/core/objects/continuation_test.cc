@@ -86,6 +86,13 @@ TEST(RemoveContinued, KeepsWhatStandsAgainstAWall) {
   EXPECT_EQ(scene.Remaining(), std::set<int>{1});
 }
 
+TEST(RemoveContinued, RemovesAStripOfAWallThatTheSideOfTheImageCutsOff) {
+  Scene scene;
+  scene.Add({0, 0, 30, 50}, 1, 0, true);
+  scene.Add({0, 50, 20, 40}, 1, 1);
+  EXPECT_TRUE(scene.Remaining().empty());
+}
+
 TEST(RemoveContinued, KeepsTheLowerOfTwoStackedObjects) {
   Scene scene;
   scene.Add({40, 40, 20, 20}, 1, 1);

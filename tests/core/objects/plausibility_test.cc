@@ -77,6 +77,28 @@ TEST(RemoveImplausible, RemovesWhatIsTooLargeAlongAnyAxis) {
   EXPECT_EQ(plausible.num_removed, 2U);
 }
 
+TEST(RemoveImplausible, RemovesLumpsOfNoise) {
+  Scene scene;
+  scene.Add(1, {0, 1, 100}, {3, 2, 103});    // 90 pixels, 15 mm high
+  scene.Add(2, {20, 1, 100}, {26, 2, 106});  // 360 pixels
+  scene.Add(3, {40, 1, 100}, {42, 4, 102});  // 120 pixels, 35 mm high
+  for (Voxel& voxel : scene.grid.voxels) voxel.num_points = 10;
+  PlausibilityOptions options = kOptions;
+  options.min_low_pixels = 200;
+  const SupportOptions support{.tolerance_m = 0.01};
+  const cv::Mat points(480, 640, CV_32FC3, cv::Scalar::all(0));
+  const auto plausible =
+      RemoveImplausible(scene.grid, scene.labels, points, {}, {kFloor}, support, options);
+  EXPECT_FALSE(scene.Has(1, plausible));
+  EXPECT_TRUE(scene.Has(2, plausible));
+  EXPECT_TRUE(scene.Has(3, plausible));
+  // A quarter of the pixels is enough in an image of a quarter of the size.
+  EXPECT_EQ(RemoveImplausible(scene.grid, scene.labels, points(cv::Rect(0, 0, 320, 240)), {},
+                              {kFloor}, support, options)
+                .num_removed,
+            0U);
+}
+
 TEST(RemoveImplausible, RemovesTheBackOfAChairFromItsSeat) {
   Scene scene;
   scene.Add(1, {5, 70, 150}, {45, 105, 155});   // 39 cm wide, 34 cm high
