@@ -20,5 +20,12 @@ Body Drill(Random& random);   // cordless, standing on its battery or lying on i
 Body Hammer(Random& random);  // lying
 Body Wrench(Random& random);  // lying
 Body Banana(Random& random);  // lying
+Body Pear(Random& random);    // lying or standing
+Body Torch(Random& random);   // lying or standing on its lamp
+Body Keyboard(Random& random);
+Body Plate(Random& random);
+Body Slab(Random& random);   // a phone, a notebook, a bar of chocolate
+Body Bag(Random& random);    // of chips or coffee, creased; lying or standing
+Body Cloth(Random& random);  // folded or crumpled
 
 }  // namespace fovea::scenes

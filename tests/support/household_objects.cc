@@ -8,8 +8,10 @@
 namespace fovea::scenes {
 namespace {
 
-constexpr std::array kForms = {Mug,     Mug, Bottle,      Bottle, FlatBottle, Drill,
-                               Pitcher, Pan, SprayBottle, Banana, Hammer,     Wrench};
+constexpr std::array kVesselsAndTools = {Mug,     Mug, Bottle,      Bottle, FlatBottle, Drill,
+                                         Pitcher, Pan, SprayBottle, Banana, Hammer,     Wrench};
+constexpr std::array kSupplies = {Bag,  Bag,  Bag,      Cloth, Cloth, Plate,
+                                  Slab, Slab, Keyboard, Torch, Pear};
 
 Material RandomPaint(Random& random) {
   const double saturation = random.Chance(0.35) ? random.Uniform(0, 0.08)  // black, grey, white
@@ -18,24 +20,30 @@ Material RandomPaint(Random& random) {
   return {.color = color, .second_color = color};
 }
 
-// Most things are of plain colours; some are printed on.
+// Most things are of plain colours; some are printed on, and most bags.
 void Paint(Body& body, Random& random) {
-  constexpr double kPrinted = 0.3;
-  body.material = random.Chance(kPrinted) ? RandomMaterial(random) : RandomPaint(random);
+  const double printed = body.name == "bag" ? 0.8 : 0.3;
+  body.material = random.Chance(printed) ? RandomMaterial(random) : RandomPaint(random);
   body.other_materials = {RandomPaint(random), RandomPaint(random)};
   if (body.name == "bottle") body.other_materials[1] = RandomMaterial(random);  // the label
 }
 
-}  // namespace
-
-Body RandomHouseholdObject(Random& random) {
+// One of the forms or, two times in five, an object of random_objects.h.
+template <typename Forms>
+Body RandomBody(const Forms& forms, Random& random) {
   constexpr double kOrdinary = 0.4;
   if (random.Chance(kOrdinary)) return RandomObject(random, 1);
-  Body body = random.Pick(kForms)(random);
+  Body body = random.Pick(forms)(random);
   if (body.other_materials.empty()) Paint(body, random);
   body.is_object = true;
   Rest(body, Eigen::Vector2d::Zero(), 0, 0);
   return body;
 }
+
+}  // namespace
+
+Body RandomHouseholdObject(Random& random) { return RandomBody(kVesselsAndTools, random); }
+
+Body RandomSupply(Random& random) { return RandomBody(kSupplies, random); }
 
 }  // namespace fovea::scenes

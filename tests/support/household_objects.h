@@ -1,4 +1,4 @@
-// Things of kitchens and workshops, most of them not convex.
+// Things of kitchens, workshops and desks, most of them not convex.
 #pragma once
 
 #include "tests/support/random.h"
@@ -9,5 +9,8 @@ namespace fovea::scenes {
 // One of the forms of household_forms.h or, two times in five, an object of random_objects.h, on
 // z = 0 around the origin.
 Body RandomHouseholdObject(Random& random);
+
+// The same with those forms that are soft, flat or small.
+Body RandomSupply(Random& random);
 
 }  // namespace fovea::scenes

@@ -26,7 +26,4 @@ struct Material {
 // Linear RGB albedo at a point of the body, in the body's frame and metres.
 Eigen::Vector3d AlbedoAt(const Material& material, const Eigen::Vector3d& point);
 
-// Uniform in [0, 1): the same for the same numbers, on any machine.
-double HashToUnit(std::uint32_t x, std::uint32_t y, std::uint32_t z, std::uint32_t seed);
-
 }  // namespace fovea::scenes

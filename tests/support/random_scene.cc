@@ -17,6 +17,7 @@ namespace fovea::scenes {
 namespace {
 
 enum class Surfaces { kTable, kTwoTables, kFloor };
+enum class Objects { kSimple, kHousehold, kSupplies };  // of random_objects.h, household_objects.h
 
 struct Range {
   double low, high;
@@ -31,11 +32,11 @@ struct Recipe {
   double beside, on_top;      // shares placed against, and on, others; the rest stands free
   Range pitch_deg, distance;  // of the camera; metres to the middle of the area
   bool furnished;
-  bool household = false;  // objects of household_objects.h, else of random_objects.h
+  Objects objects = Objects::kSimple;
 };
 
 // The place in the table is part of a scene's seed: new kinds go to its end.
-constexpr std::array<Recipe, 13> kRecipes = {{
+constexpr std::array<Recipe, 15> kRecipes = {{
     {"tabletop", Surfaces::kTable, 3, 6, 0.25, 0.0, 0.0, {32, 48}, {0.9, 1.1}, false},
     {"cluttered", Surfaces::kTable, 9, 13, 0.28, 0.3, 0.1, {32, 50}, {0.95, 1.15}, false},
     {"stacked", Surfaces::kTable, 5, 8, 0.22, 0.0, 0.6, {28, 45}, {0.9, 1.1}, false},
@@ -47,8 +48,50 @@ constexpr std::array<Recipe, 13> kRecipes = {{
     {"two_tables", Surfaces::kTwoTables, 5, 8, 0.25, 0.2, 0.1, {25, 40}, {1.5, 1.9}, true},
     {"floor", Surfaces::kFloor, 3, 7, 0.45, 0.2, 0.1, {28, 50}, {1.3, 1.8}, true},
     {"empty_table", Surfaces::kTable, 0, 0, 0.25, 0.0, 0.0, {30, 48}, {0.9, 1.2}, true},
-    {"household", Surfaces::kTable, 5, 9, 0.3, 0.25, 0.15, {25, 50}, {0.8, 1.3}, true, true},
-    {"household_floor", Surfaces::kFloor, 4, 8, 0.35, 0.25, 0.15, {25, 50}, {1.0, 1.5}, true, true},
+    {"household",
+     Surfaces::kTable,
+     5,
+     9,
+     0.3,
+     0.25,
+     0.15,
+     {25, 50},
+     {0.8, 1.3},
+     true,
+     Objects::kHousehold},
+    {"household_floor",
+     Surfaces::kFloor,
+     4,
+     8,
+     0.35,
+     0.25,
+     0.15,
+     {25, 50},
+     {1.0, 1.5},
+     true,
+     Objects::kHousehold},
+    {"supplies",
+     Surfaces::kTable,
+     5,
+     9,
+     0.3,
+     0.25,
+     0.15,
+     {25, 50},
+     {0.8, 1.3},
+     true,
+     Objects::kSupplies},
+    {"supplies_floor",
+     Surfaces::kFloor,
+     4,
+     8,
+     0.35,
+     0.25,
+     0.15,
+     {25, 50},
+     {1.0, 1.5},
+     true,
+     Objects::kSupplies},
 }};
 
 double Radians(double degrees) { return degrees * std::numbers::pi / 180; }
@@ -84,12 +127,22 @@ void Furnish(Scene& scene, const Recipe& recipe, Random& random) {
   AddCabinet(scene, {random.Uniform(-1.0, 1.0), wall_m - 0.2}, random);
 }
 
+Body DrawObject(const Recipe& recipe, Random& random) {
+  switch (recipe.objects) {
+    case Objects::kHousehold:
+      return RandomHouseholdObject(random);
+    case Objects::kSupplies:
+      return RandomSupply(random);
+    case Objects::kSimple:
+      break;
+  }
+  return RandomObject(random, recipe.surfaces == Surfaces::kFloor ? 1.4 : 1.0);
+}
+
 void AddObjects(Scene& scene, const Recipe& recipe, int count, Random& random) {
-  const double scale = recipe.surfaces == Surfaces::kFloor ? 1.4 : 1.0;
   for (int i = 0; i < count; ++i) {
     const Area area = {random.Pick(scene.supports), recipe.radius_m};
-    const Body object =
-        recipe.household ? RandomHouseholdObject(random) : RandomObject(random, scale);
+    const Body object = DrawObject(recipe, random);
     const double choice = random.Unit();
     if (choice < recipe.beside && PlaceBeside(scene, object, area, random)) continue;
     if (choice > 1 - recipe.on_top && PlaceOnTop(scene, object, random)) continue;

@@ -12,7 +12,8 @@
 namespace fovea::scenes {
 
 // tabletop, cluttered, stacked, touching, occluded, steep, shallow (camera), room, two_tables,
-// floor, empty_table, household, household_floor: see the table in random_scene.cc.
+// floor, empty_table, household, household_floor, supplies, supplies_floor: see the table in
+// random_scene.cc.
 const std::vector<std::string>& SceneKinds();
 
 // A scene of a kind; the same seed gives the same scene. Every object shows at least some 300

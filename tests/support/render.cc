@@ -5,6 +5,8 @@
 #include <numbers>
 #include <opencv2/core/utility.hpp>
 
+#include "tests/support/value_noise.h"
+
 namespace fovea::scenes {
 namespace {
 

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "tests/support/cushion.h"
+
 namespace fovea::scenes {
 namespace {
 
@@ -80,20 +82,20 @@ std::pair<Span, Span> BodyAndCavity(const Shape& shape, const Ray& ray) {
       return {height & Round(ray, kBall, center, sphere),
               inside() & Round(ray, kBall, center, sphere - shape.wall_m)};
     }
+    case ShapeKind::kCushion:  // is not convex
     case ShapeKind::kCompound:
-      break;  // is made of others
+      break;
   }
   return {kNothing, kNothing};
 }
 
-// The test of the bounding box alone, which most rays fail.
-bool MissesBounds(const Shape& shape, const Ray& ray, double max_t) {
+// Where the ray's line is within the bounding box; the first is larger if it nowhere is.
+std::pair<double, double> WithinBounds(const Shape& shape, const Ray& ray) {
   const Eigen::Array3d half = shape.size_m.array() / 2;
   const Eigen::Array3d inverse = ray.direction.array().inverse();
   const Eigen::Array3d low = (-half - ray.origin.array()) * inverse;
   const Eigen::Array3d high = (half - ray.origin.array()) * inverse;
-  const double in = low.min(high).maxCoeff(), out = low.max(high).minCoeff();
-  return in > out || out <= 0 || in >= max_t;
+  return {low.min(high).maxCoeff(), low.max(high).minCoeff()};
 }
 
 std::optional<Hit> IntersectParts(const Shape& compound, const Ray& ray, double max_t) {
@@ -120,8 +122,11 @@ Eigen::Vector3d HalfExtents(const Part& part) {
 }  // namespace
 
 std::optional<Hit> Intersect(const Shape& shape, const Ray& ray, double max_t) {
-  if (MissesBounds(shape, ray, max_t)) return std::nullopt;
+  const auto [from, to] = WithinBounds(shape, ray);
+  if (from > to || to <= 0 || from >= max_t) return std::nullopt;  // most rays
   if (shape.kind == ShapeKind::kCompound) return IntersectParts(shape, ray, max_t);
+  if (shape.kind == ShapeKind::kCushion)
+    return IntersectCushion(shape, ray, std::max(0.0, from), std::min(to, max_t));
   const auto [body, cavity] = BodyAndCavity(shape, ray);
   if (body.Empty() || body.out <= 0) return std::nullopt;
   const double enter = std::max(body.in, 0.0);
@@ -142,6 +147,8 @@ Shape CompoundOf(std::vector<Part> parts) {
   return {ShapeKind::kCompound, high - low, 0, std::move(parts)};
 }
 
-bool IsRound(ShapeKind kind) { return kind != ShapeKind::kBox && kind != ShapeKind::kCompound; }
+bool IsRound(ShapeKind kind) {
+  return kind != ShapeKind::kBox && kind != ShapeKind::kCushion && kind != ShapeKind::kCompound;
+}
 
 }  // namespace fovea::scenes

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -15,10 +16,19 @@ enum class ShapeKind {
   kSphere,
   kBowl,      // a piece of a spherical shell on a flat foot of half its radius, open towards +z
   kCup,       // a hollow cylinder, open towards +z
+  kCushion,   // flat below, its upper side uneven: bags, folded and crumpled cloth
   kCompound,  // the union of its parts
 };
 
 struct Part;
+
+// The upper side of a cushion.
+struct Relief {
+  double fullness = 2;    // 1 = falls from the middle to the sides, large = at the sides only
+  double depth_m = 0;     // of its dents and creases
+  double scale_m = 0.05;  // across a dent
+  std::uint32_t seed = 0;
+};
 
 // A solid in its own frame: its bounding box is centred on the origin.
 struct Shape {
@@ -26,7 +36,8 @@ struct Shape {
   Eigen::Vector3d size_m = Eigen::Vector3d::Ones();  // full extents of the bounding box; x = y
                                                      // where the shape is round about z
   double wall_m = 0;                                 // of bowls and cups
-  std::vector<Part> parts;                           // of compounds, else none
+  std::vector<Part> parts = {};                      // of compounds, else none
+  Relief relief = {};                                // of cushions
 };
 
 // One of the solids of a compound.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -99,6 +100,47 @@ TEST(Shape, CompoundIsHitAtTheNearestOfItsParts) {
   const auto leaving = Intersect(shape, {{-1 + 1e-4, 0, 0}, {1, 0, 0}});
   ASSERT_TRUE(leaving) << "from the surface of one part to another";
   EXPECT_NEAR(leaving->t, 2 - 1e-4, 1e-12);
+}
+
+TEST(Shape, ASmoothCushionIsFlatBelowAndFullInTheMiddle) {
+  const Shape cushion = {ShapeKind::kCushion, {2, 2, 1}, 0, {}, {.fullness = 1}};
+  const auto top = FromAbove(cushion, 0, 0);
+  ASSERT_TRUE(top);
+  EXPECT_NEAR(top->t, 9.5, 1e-6);
+  EXPECT_TRUE(top->normal.isApprox(Vector3d::UnitZ(), 1e-6));
+  const auto slope = FromAbove(cushion, 0.5, 0);  // z = 1 - x² above the bottom
+  ASSERT_TRUE(slope);
+  EXPECT_NEAR(slope->t, 10.5 - 0.75, 1e-6);
+  EXPECT_TRUE(slope->normal.isApprox(Vector3d(1, 0, 1).normalized(), 1e-3));
+  const auto below = Intersect(cushion, {{0, 0, -5}, {0, 0, 1}});
+  ASSERT_TRUE(below);
+  EXPECT_EQ(below->normal, -Vector3d::UnitZ());
+  EXPECT_FALSE(FromAbove(cushion, 1.01, 0));
+  EXPECT_FALSE(Intersect(cushion, {{-5, 0.95, 0.4}, {1, 0, 0}})) << "over the low edge";
+}
+
+TEST(Shape, CreasesOfACushionStayWithinItsHeight) {
+  const Relief relief = {.fullness = 4, .depth_m = 0.04, .scale_m = 0.05, .seed = 7};
+  const Shape cushion = {ShapeKind::kCushion, {0.2, 0.2, 0.06}, 0, {}, relief};
+  double least = 1, most = 0;
+  for (double x = -0.05; x < 0.05; x += 0.01) {
+    for (double y = -0.05; y < 0.05; y += 0.01) {
+      const auto hit = FromAbove(cushion, x, y);
+      ASSERT_TRUE(hit);
+      const double height = 10.03 - hit->t;
+      least = std::min(least, height);
+      most = std::max(most, height);
+      const auto slanted = Intersect(cushion, {{x - 1, y, 1}, {1, 0, -1}});
+      ASSERT_TRUE(slanted);
+      const Vector3d at = Vector3d(x - 1, y, 1) + slanted->t * Vector3d(1, 0, -1);
+      const auto same = FromAbove(cushion, at.x(), at.y());
+      ASSERT_TRUE(same);
+      EXPECT_NEAR(10 - same->t, at.z(), 1e-6) << "from any side the same surface";
+    }
+  }
+  EXPECT_GT(least, 0.02 - 1e-9);
+  EXPECT_LE(most, 0.06);
+  EXPECT_GT(most - least, 0.01);
 }
 
 TEST(Shape, NormalsOfPartsTurnWithThem) {
