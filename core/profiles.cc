@@ -61,7 +61,7 @@ DetectorOptions Default() {
   options.mrf.step_weight = 0.6;
   // Shape, colour and size together tell the parts of an object; textures would part them.
   options.color_merge.min_correlation = 1;
-  options.part_merge.min_probability = 0.45;
+  options.part_merge.min_probability = 0.4;
   options.hollow_fill.max_radius_m = 0.2;
   options.occlusion_merge.min_shared_surface = 0.3;
   options.occlusion_merge.max_color_distance = 60;

@@ -8,15 +8,14 @@ namespace {
 
 // Beyond these an angle or a difference of colour says hardly more.
 constexpr double kUnevennessDeg = 25;
-constexpr double kColorScale = 12;  // CIELAB units
-constexpr double kContrastScale = 5;
+constexpr double kColorScale = 12;  // units of core/segmentation/mean_color.h
+constexpr double kContrastScale = 6;
 constexpr double kFlat_m = 0.025;
 constexpr double kMinHeight_m = 0.05;
 constexpr double kMaxDistance_m = 3;  // of the scenes of the fit
 
-constexpr double kBias = -2.313;
-constexpr KinshipTerms kWeights = {-8.246, 4.976, -6.702,  8.969, -1.523,
-                                   0.686,  4.099, 0.01498, 3.155};
+constexpr double kBias = -6.744;
+constexpr KinshipTerms kWeights = {-9.112, 5.22, -7.102, 14.16, -2.35, 1.261, 5.226, 0.01795, 3.85};
 
 }  // namespace
 

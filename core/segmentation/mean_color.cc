@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
-#include <numeric>
 #include <opencv2/imgproc.hpp>
 
 #include "core/segmentation/labels.h"
@@ -12,42 +12,47 @@
 namespace fovea {
 namespace {
 
-// The weights of colours were fitted to frames whose light places have at least this lightness and
-// that are not grey.
-constexpr double kLightShare = 0.95;  // of the pixels are darker than the light places
-constexpr double kMinLightness = 50;
-constexpr double kMaxGain = 4;  // in darker frames there is mostly noise
-constexpr double kGreyChroma = 4;
-constexpr double kGreyGain = 1.75;  // of differences in lightness alone
+constexpr double kLightnessWeight = 0.5;
+constexpr double kUnit = 66;  // L + 16 where L is 50
+
+// The weights of colours were fitted to frames that are not grey.
+constexpr double kColorfulShare = 0.05;  // of the pixels have at least
+constexpr double kGreyChroma = 4;        // in frames that are not grey
+constexpr double kGreyGain = 3;
 
 constexpr double kUnitsOfL = 2.55;  // OpenCV scales L to 255, and a and b to 128 ± 127
 constexpr int kNeutral = 128;
 
-// The value that a share of the histogram lies below.
-int Quantile(const std::array<int, 256>& histogram, double share) {
-  const double total = std::accumulate(histogram.begin(), histogram.end(), 0.0);
-  double below = 0;
-  int value = 0;
-  for (; value < 255 && below + histogram[value] < share * total; ++value) {
-    below += histogram[value];
-  }
-  return value;
-}
-
-// By how much colours are farther apart than they look, in a frame that is dark or grey.
-double ColorGain(const cv::Mat& lab) {
-  std::array<int, 256> lightness{}, chroma{};
-  for (int row = 0; row < lab.rows; ++row) {
-    const cv::Vec3b* color = lab.ptr<cv::Vec3b>(row);
-    for (int col = 0; col < lab.cols; ++col) {
-      ++lightness[color[col][0]];
-      ++chroma[std::max(std::abs(color[col][1] - kNeutral), std::abs(color[col][2] - kNeutral))];
+// Of CIELAB as OpenCV scales it, to the colours of the header.
+class ColorTable {
+ public:
+  ColorTable() {
+    for (int value = 0; value < 256; ++value) {
+      const double light = value / kUnitsOfL + 16;
+      lightness_[value] = kLightnessWeight * kUnit * std::log(light / kUnit);
+      chroma_scale_[value] = kUnit / light;
     }
   }
-  const double light = Quantile(lightness, kLightShare) / kUnitsOfL;
-  const double gain = std::clamp(kMinLightness / std::max(light, 1.0), 1.0, kMaxGain);
-  const bool is_grey = gain * Quantile(chroma, kLightShare) < kGreyChroma;
-  return is_grey ? kGreyGain * gain : gain;
+
+  Eigen::Vector3d Of(const cv::Vec3b& lab) const {
+    const double scale = chroma_scale_[lab[0]];
+    return {lightness_[lab[0]], scale * (lab[1] - kNeutral), scale * (lab[2] - kNeutral)};
+  }
+
+ private:
+  std::array<double, 256> lightness_, chroma_scale_;
+};
+
+bool IsGrey(const cv::Mat& lab, const ColorTable& table) {
+  std::size_t num_colorful = 0;
+  for (int row = 0; row < lab.rows; ++row) {
+    const cv::Vec3b* pixel = lab.ptr<cv::Vec3b>(row);
+    for (int col = 0; col < lab.cols; ++col) {
+      const Eigen::Vector3d color = table.Of(pixel[col]);
+      if (color.tail<2>().cwiseAbs().maxCoeff() >= kGreyChroma) ++num_colorful;
+    }
+  }
+  return static_cast<double>(num_colorful) < kColorfulShare * static_cast<double>(lab.total());
 }
 
 }  // namespace
@@ -57,16 +62,15 @@ std::vector<MeanColor> ColorsOfVoxels(const VoxelGrid& grid, const std::vector<i
   std::vector<MeanColor> colors(grid.voxels.size());
   const cv::Rect bounds = cv::boundingRect(LabelImage(grid, labels) != 0);
   if (bounds.empty()) return colors;
+  static const ColorTable kTable;
   const cv::Mat lab = LabOf(color_rgb(bounds));
-  const double gain = ColorGain(lab);
+  const double gain = IsGrey(lab, kTable) ? kGreyGain : 1;
   const cv::Mat voxel_of_pixel = grid.voxel_of_pixel(bounds);
   for (int row = 0; row < lab.rows; ++row) {
     const int* voxel = voxel_of_pixel.ptr<int>(row);
-    const cv::Vec3b* color = lab.ptr<cv::Vec3b>(row);
+    const cv::Vec3b* pixel = lab.ptr<cv::Vec3b>(row);
     for (int col = 0; col < lab.cols; ++col) {
-      if (voxel[col] < 0) continue;
-      const Eigen::Vector3d c(color[col][0] / kUnitsOfL, color[col][1], color[col][2]);
-      colors[voxel[col]].Add({gain * c, 1});
+      if (voxel[col] >= 0) colors[voxel[col]].Add({gain * kTable.Of(pixel[col]), 1});
     }
   }
   return colors;

@@ -1,4 +1,11 @@
-// Mean colours of voxels and segments.
+// Mean colours of voxels and segments, in which the light on a surface counts for less than the
+// surface itself.
+//
+// L + 16, a and b of CIELAB all grow with the cube root of the light that falls on a surface. So
+// a / (L + 16) and b / (L + 16) are the same for the sides of one box, whichever faces the light,
+// and a share of the light less is a difference in ln(L + 16). Colours here are
+// 66 · (ln(L + 16) / 2, a / (L + 16), b / (L + 16)): near L = 50 their units are those of CIELAB,
+// but for lightness, which counts half.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,24 +18,23 @@ namespace fovea {
 
 // Sum over pixels, so that colours of joined parts add up.
 struct MeanColor {
-  Eigen::Vector3d lab_sum = Eigen::Vector3d::Zero();  // CIELAB, L in 0 … 100
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double num_pixels = 0;
 
   void Add(const MeanColor& other) {
-    lab_sum += other.lab_sum;
+    sum += other.sum;
     num_pixels += other.num_pixels;
   }
-  // Distance of the means in CIELAB units.
+  // Distance of the means.
   double DistanceTo(const MeanColor& other) const { return (Mean() - other.Mean()).norm(); }
 
  private:
-  Eigen::Vector3d Mean() const { return lab_sum / (num_pixels > 0 ? num_pixels : 1); }
+  Eigen::Vector3d Mean() const { return sum / (num_pixels > 0 ? num_pixels : 1); }
 };
 
 // One entry a voxel; empty for voxels outside of the bounding rectangle of all that has a label
-// above 0. `color_rgb`: CV_8UC3 of the frame. Where that rectangle is dark, its colours are taken
-// farther apart, as if it were lit (its light places have L = 50, by a factor of 4 at most); where
-// it is grey, by 1.75, for the differences in hue that are not there.
+// above 0. `color_rgb`: CV_8UC3 of the frame. Where that rectangle is grey, colours are taken
+// farther apart, for the differences in hue that are not there.
 std::vector<MeanColor> ColorsOfVoxels(const VoxelGrid& grid, const std::vector<int>& labels,
                                       const cv::Mat& color_rgb);
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <opencv2/core.hpp>
 #include <vector>
 
@@ -24,16 +25,26 @@ double Distance(const cv::Vec3b& left, const cv::Vec3b& right, const cv::Vec3b& 
 }
 
 constexpr double kOneStep = 1.5;  // 8 bits in each of the channels
+constexpr double kUnit = 66;
+const cv::Vec3b kWhite(255, 255, 255);
 
-TEST(ColorsOfVoxels, AreCielabWhereTheFrameIsLight) {
-  // L = 53.2 and 87.7, a = 80 and -86, b = 67 and 83.
-  EXPECT_NEAR(Distance({255, 0, 0}, {0, 255, 0}, {255, 255, 255}), 170.6, kOneStep);
+TEST(ColorsOfVoxels, AreNearCielabForMiddlingLight) {
+  // L = 52.2 of both, a = 42.3 and -32.0, b = 20.6 and 0.6.
+  const double chroma = kUnit / 68.2 * std::hypot(42.3 + 32, 20.6 - 0.6);
+  EXPECT_NEAR(Distance({198, 92, 92}, {41, 139, 123}, kWhite), chroma, 2 * kOneStep);
 }
 
-TEST(ColorsOfVoxels, AreFartherApartWhereTheFrameIsDark) {
-  const double light = Distance({150, 90, 60}, {60, 90, 150}, {122, 122, 122});  // L = 51
-  const double dark = Distance({50, 30, 20}, {20, 30, 50}, {41, 41, 41});        // L = 16
-  EXPECT_NEAR(dark, light, 0.3 * light);  // with colours as they are it would be 26
+TEST(ColorsOfVoxels, DifferMoreInHueThanInLight) {
+  const double sides = Distance({200, 100, 60}, {133, 64, 36}, kWhite);  // two fifths of the light
+  const double things = Distance({200, 100, 60}, {100, 150, 60}, kWhite);
+  EXPECT_LT(sides, 14);
+  EXPECT_GT(things, 4 * sides);
+}
+
+TEST(ColorsOfVoxels, AreTheSameWhereTheFrameIsDark) {
+  const double light = Distance({150, 90, 60}, {60, 90, 150}, {122, 122, 122});
+  const double dark = Distance({50, 30, 20}, {20, 30, 50}, {41, 41, 41});
+  EXPECT_NEAR(dark, light, 0.25 * light) << "a colour of 8 bits has few steps in the dark";
 }
 
 TEST(ColorsOfVoxels, OfABlackFrameStayFinite) {
@@ -42,7 +53,9 @@ TEST(ColorsOfVoxels, OfABlackFrameStayFinite) {
 
 TEST(ColorsOfVoxels, DifferMoreInLightnessWhereTheFrameIsGrey) {
   // L = 40.7 and 61.7.
-  EXPECT_NEAR(Distance({96, 96, 96}, {149, 149, 149}, {200, 200, 200}), 1.75 * 21, 1.75 * kOneStep);
+  const double in_color = 0.5 * kUnit * std::log((61.7 + 16) / (40.7 + 16));
+  EXPECT_NEAR(Distance({96, 96, 96}, {149, 149, 149}, {200, 200, 200}), 3 * in_color, 3 * kOneStep);
+  EXPECT_NEAR(Distance({96, 96, 96}, {149, 149, 149}, {200, 20, 20}), in_color, kOneStep);
 }
 
 }  // namespace
