@@ -233,8 +233,8 @@ const std::vector<OptionEntry>& OptionTable() {
       Entry("plausibility.max_height_m", 0.05, 100, "taller segments are no objects; metres",
             [](O& o) { return &o.plausibility.max_height_m; }),
       Entry("plausibility.max_support_share", 0.01, 100,
-            "wide segments with a side larger than this share of their support, unless that is the "
-            "dominating one, are its parts",
+            "wide segments with a side larger than this share of what they stand on are its parts, "
+            "unless that is most of the dominating surface",
             [](O& o) { return &o.plausibility.max_support_share; }),
       Entry("plausibility.max_rest_m", 0.005, 100,
             "segments higher above their surface must touch another; metres",

@@ -1,5 +1,7 @@
 #include "core/objects/continuation.h"
 
+#include <cstdint>
+
 #include "core/objects/outline.h"
 #include "core/segmentation/labels.h"
 
@@ -16,6 +18,17 @@ bool GoesOn(const Outline& outline, double max_share) {
          outline.num_sides_at_end > max_share * outline.num_sides;
 }
 
+// An image of labels up to `max_label` without those of a few pixels, which are noise.
+cv::Mat WithoutSpecks(cv::Mat_<std::uint16_t> labels, std::size_t max_label) {
+  constexpr int kFewestPixels = 20;
+  std::vector<int> num_pixels(max_label + 1);
+  for (const std::uint16_t label : labels) ++num_pixels[label];
+  for (std::uint16_t& label : labels) {
+    if (num_pixels[label] < kFewestPixels) label = 0;
+  }
+  return labels;
+}
+
 }  // namespace
 
 PlausibleSegments RemoveContinued(const VoxelGrid& grid, const std::vector<int>& labels,
@@ -26,9 +39,11 @@ PlausibleSegments RemoveContinued(const VoxelGrid& grid, const std::vector<int>&
   if (options.max_share >= 1) return result;
   const cv::Mat wall_pixels = LabelImage(grid, {on_wall.begin(), on_wall.end()});
   for (bool changed = true; changed;) {
+    const std::size_t num_labels = CountLabels(result.labels);
+    const cv::Mat segments = WithoutSpecks(LabelImage(grid, result.labels), num_labels);
     const std::vector<Outline> outlines =
-        FindOutlines(LabelImage(grid, result.labels), points, wall_pixels, intrinsics, up);
-    std::vector<char> goes_on(CountLabels(result.labels) + 1, 0);
+        FindOutlines(segments, points, wall_pixels, intrinsics, up);
+    std::vector<char> goes_on(num_labels + 1, 0);
     changed = false;
     for (std::size_t label = 1; label < outlines.size(); ++label) {
       if (!GoesOn(outlines[label], options.max_share)) continue;

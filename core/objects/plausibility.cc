@@ -19,8 +19,8 @@ constexpr float kMinBack_m = 0.3F;     // width of the back of a chair
 constexpr float kLegMargin_m = 0.04F;  // between what is seen of one leg
 constexpr float kLifted_m = 0.1F;      // above a support, beyond what noise hides
 
-// The area of what a segment stands on; none where that is the largest part of the dominating
-// surface, much of which may hide, or is unbounded.
+// The area of what a segment stands on; none where that is unbounded, or the largest part of the
+// dominating surface, much of which may hide.
 std::optional<double> AreaOfItsSupportM2(const PlacedSegment& segment,
                                          const std::vector<Support>& supports) {
   const auto most =

@@ -62,15 +62,15 @@ std::vector<MeanColor> ColorsOfVoxels(const VoxelGrid& grid, const std::vector<i
   std::vector<MeanColor> colors(grid.voxels.size());
   const cv::Rect bounds = cv::boundingRect(LabelImage(grid, labels) != 0);
   if (bounds.empty()) return colors;
-  static const ColorTable kTable;
+  static const ColorTable table;
   const cv::Mat lab = LabOf(color_rgb(bounds));
-  const double gain = IsGrey(lab, kTable) ? kGreyGain : 1;
+  const double gain = IsGrey(lab, table) ? kGreyGain : 1;
   const cv::Mat voxel_of_pixel = grid.voxel_of_pixel(bounds);
   for (int row = 0; row < lab.rows; ++row) {
     const int* voxel = voxel_of_pixel.ptr<int>(row);
     const cv::Vec3b* pixel = lab.ptr<cv::Vec3b>(row);
     for (int col = 0; col < lab.cols; ++col) {
-      if (voxel[col] >= 0) colors[voxel[col]].Add({gain * kTable.Of(pixel[col]), 1});
+      if (voxel[col] >= 0) colors[voxel[col]].Add({gain * table.Of(pixel[col]), 1});
     }
   }
   return colors;

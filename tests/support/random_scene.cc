@@ -35,63 +35,26 @@ struct Recipe {
   Objects objects = Objects::kSimple;
 };
 
+using enum Surfaces;
+using enum Objects;
+
 // The place in the table is part of a scene's seed: new kinds go to its end.
 constexpr std::array<Recipe, 15> kRecipes = {{
-    {"tabletop", Surfaces::kTable, 3, 6, 0.25, 0.0, 0.0, {32, 48}, {0.9, 1.1}, false},
-    {"cluttered", Surfaces::kTable, 9, 13, 0.28, 0.3, 0.1, {32, 50}, {0.95, 1.15}, false},
-    {"stacked", Surfaces::kTable, 5, 8, 0.22, 0.0, 0.6, {28, 45}, {0.9, 1.1}, false},
-    {"touching", Surfaces::kTable, 4, 8, 0.22, 0.7, 0.0, {30, 48}, {0.9, 1.1}, false},
-    {"occluded", Surfaces::kTable, 6, 9, 0.22, 0.0, 0.0, {16, 26}, {0.9, 1.1}, false},
-    {"steep", Surfaces::kTable, 3, 7, 0.22, 0.2, 0.1, {62, 80}, {0.8, 1.0}, false},
-    {"shallow", Surfaces::kTable, 3, 5, 0.25, 0.0, 0.1, {10, 18}, {0.9, 1.2}, true},
-    {"room", Surfaces::kTable, 4, 7, 0.35, 0.2, 0.1, {18, 30}, {1.6, 2.1}, true},
-    {"two_tables", Surfaces::kTwoTables, 5, 8, 0.25, 0.2, 0.1, {25, 40}, {1.5, 1.9}, true},
-    {"floor", Surfaces::kFloor, 3, 7, 0.45, 0.2, 0.1, {28, 50}, {1.3, 1.8}, true},
-    {"empty_table", Surfaces::kTable, 0, 0, 0.25, 0.0, 0.0, {30, 48}, {0.9, 1.2}, true},
-    {"household",
-     Surfaces::kTable,
-     5,
-     9,
-     0.3,
-     0.25,
-     0.15,
-     {25, 50},
-     {0.8, 1.3},
-     true,
-     Objects::kHousehold},
-    {"household_floor",
-     Surfaces::kFloor,
-     4,
-     8,
-     0.35,
-     0.25,
-     0.15,
-     {25, 50},
-     {1.0, 1.5},
-     true,
-     Objects::kHousehold},
-    {"supplies",
-     Surfaces::kTable,
-     5,
-     9,
-     0.3,
-     0.25,
-     0.15,
-     {25, 50},
-     {0.8, 1.3},
-     true,
-     Objects::kSupplies},
-    {"supplies_floor",
-     Surfaces::kFloor,
-     4,
-     8,
-     0.35,
-     0.25,
-     0.15,
-     {25, 50},
-     {1.0, 1.5},
-     true,
-     Objects::kSupplies},
+    {"tabletop", kTable, 3, 6, 0.25, 0.0, 0.0, {32, 48}, {0.9, 1.1}, false},
+    {"cluttered", kTable, 9, 13, 0.28, 0.3, 0.1, {32, 50}, {0.95, 1.15}, false},
+    {"stacked", kTable, 5, 8, 0.22, 0.0, 0.6, {28, 45}, {0.9, 1.1}, false},
+    {"touching", kTable, 4, 8, 0.22, 0.7, 0.0, {30, 48}, {0.9, 1.1}, false},
+    {"occluded", kTable, 6, 9, 0.22, 0.0, 0.0, {16, 26}, {0.9, 1.1}, false},
+    {"steep", kTable, 3, 7, 0.22, 0.2, 0.1, {62, 80}, {0.8, 1.0}, false},
+    {"shallow", kTable, 3, 5, 0.25, 0.0, 0.1, {10, 18}, {0.9, 1.2}, true},
+    {"room", kTable, 4, 7, 0.35, 0.2, 0.1, {18, 30}, {1.6, 2.1}, true},
+    {"two_tables", kTwoTables, 5, 8, 0.25, 0.2, 0.1, {25, 40}, {1.5, 1.9}, true},
+    {"floor", kFloor, 3, 7, 0.45, 0.2, 0.1, {28, 50}, {1.3, 1.8}, true},
+    {"empty_table", kTable, 0, 0, 0.25, 0.0, 0.0, {30, 48}, {0.9, 1.2}, true},
+    {"household", kTable, 5, 9, 0.3, 0.25, 0.15, {25, 50}, {0.8, 1.3}, true, kHousehold},
+    {"household_floor", kFloor, 4, 8, 0.35, 0.25, 0.15, {25, 50}, {1.0, 1.5}, true, kHousehold},
+    {"supplies", kTable, 5, 9, 0.3, 0.25, 0.15, {25, 50}, {0.8, 1.3}, true, kSupplies},
+    {"supplies_floor", kFloor, 4, 8, 0.35, 0.25, 0.15, {25, 50}, {1.0, 1.5}, true, kSupplies},
 }};
 
 double Radians(double degrees) { return degrees * std::numbers::pi / 180; }
@@ -109,34 +72,34 @@ void Furnish(Scene& scene, const Recipe& recipe, Random& random) {
   AddRoom(scene, wall_m, random);
   const double height_m = random.Uniform(0.68, 0.8);
   switch (recipe.surfaces) {
-    case Surfaces::kTable:
+    case kTable:
       AddTable(scene, {0, 0}, {random.Uniform(0.9, 1.5), random.Uniform(0.65, 0.85)}, height_m,
                random);
       break;
-    case Surfaces::kTwoTables:
+    case kTwoTables:
       AddTable(scene, {-0.42, 0}, {0.8, 0.7}, height_m, random);
       AddTable(scene, {0.4, 0.1}, {0.7, 0.6}, height_m - random.Uniform(0.12, 0.3), random);
       break;
-    case Surfaces::kFloor:
+    case kFloor:
       scene.supports.push_back({0, {0, 0}, {1.2, 1.2}});
       break;
   }
   if (!recipe.furnished) return;
-  const bool on_floor = recipe.surfaces == Surfaces::kFloor;
+  const bool on_floor = recipe.surfaces == kFloor;
   AddChair(scene, {random.Uniform(-0.6, 0.6), on_floor ? 0.95 : 0.75}, random);
   AddCabinet(scene, {random.Uniform(-1.0, 1.0), wall_m - 0.2}, random);
 }
 
 Body DrawObject(const Recipe& recipe, Random& random) {
   switch (recipe.objects) {
-    case Objects::kHousehold:
+    case kHousehold:
       return RandomHouseholdObject(random);
-    case Objects::kSupplies:
+    case kSupplies:
       return RandomSupply(random);
-    case Objects::kSimple:
+    case kSimple:
       break;
   }
-  return RandomObject(random, recipe.surfaces == Surfaces::kFloor ? 1.4 : 1.0);
+  return RandomObject(random, recipe.surfaces == kFloor ? 1.4 : 1.0);
 }
 
 void AddObjects(Scene& scene, const Recipe& recipe, int count, Random& random) {

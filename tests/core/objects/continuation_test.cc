@@ -93,6 +93,14 @@ TEST(RemoveContinued, RemovesAStripOfAWallThatTheSideOfTheImageCutsOff) {
   EXPECT_TRUE(scene.Remaining().empty());
 }
 
+TEST(RemoveContinued, SpecksDoNotHideWhatALegEndsAt) {
+  Scene scene;
+  scene.Add({0, 30, 160, 10}, 0.8F, 0);
+  scene.Add({40, 40, 9, 2}, 1.2F, 2);  // 18 pixels
+  scene.Add({40, 42, 9, 60}, 1.2F, 1);
+  EXPECT_EQ(scene.Remaining(), (std::set<int>{2}));
+}
+
 TEST(RemoveContinued, KeepsTheLowerOfTwoStackedObjects) {
   Scene scene;
   scene.Add({40, 40, 20, 20}, 1, 1);
