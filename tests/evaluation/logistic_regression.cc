@@ -6,7 +6,7 @@
 namespace fovea::evaluation {
 namespace {
 
-constexpr double kPenalty = 1e-3;
+constexpr double kPenalty = 1e-5;
 constexpr int kSteps = 50;
 
 }  // namespace

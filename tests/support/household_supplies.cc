@@ -42,7 +42,7 @@ Body Plate(Random& random) {
   const double diameter_m = random.Uniform(0.18, 0.26);
   Body body;
   body.name = "plate";
-  body.shape = {ShapeKind::kBowl, {diameter_m, diameter_m, random.Uniform(0.02, 0.03)}, 0.005};
+  body.shape = {ShapeKind::kBowl, {diameter_m, diameter_m, random.Uniform(0.02, 0.03)}, 0.005, {}};
   return body;
 }
 

@@ -112,7 +112,7 @@ std::optional<Hit> IntersectParts(const Shape& compound, const Ray& ray, double 
 // Half the extents of the box around a part, along the axes of its shape.
 Eigen::Vector3d HalfExtents(const Part& part) {
   const Eigen::Matrix3d axes = part.shape_from_part.linear();
-  const Eigen::Vector3d half = part.shape.size_m / 2;
+  Eigen::Vector3d half = part.shape.size_m / 2;
   if (part.shape.kind == ShapeKind::kSphere) return half;
   if (!IsRound(part.shape.kind)) return axes.cwiseAbs() * half;
   const Eigen::Array3d z = axes.col(2).array();

@@ -36,7 +36,7 @@ struct Shape {
   Eigen::Vector3d size_m = Eigen::Vector3d::Ones();  // full extents of the bounding box; x = y
                                                      // where the shape is round about z
   double wall_m = 0;                                 // of bowls and cups
-  std::vector<Part> parts = {};                      // of compounds, else none
+  std::vector<Part> parts;                           // of compounds, else none
   Relief relief = {};                                // of cushions
 };
 
