@@ -16,8 +16,8 @@ struct LogisticModel {
 };
 
 // The model that gives `is_true` (0 or 1) the highest likelihood, each row counted with its weight;
-// a penalty of 0.00001 · |weights|² on columns scaled to variance 1 keeps it finite. Newton's method.
-// Expects at least one row.
+// a penalty of 0.00001 · |weights|² on columns scaled to variance 1 keeps it finite. Newton's
+// method. Expects at least one row.
 LogisticModel FitLogistic(const Eigen::MatrixXd& rows, const Eigen::VectorXd& is_true,
                           const Eigen::VectorXd& row_weights);
 

@@ -123,8 +123,9 @@ TEST(Shape, CreasesOfACushionStayWithinItsHeight) {
   const Relief relief = {.fullness = 4, .depth_m = 0.04, .scale_m = 0.05, .seed = 7};
   const Shape cushion = {ShapeKind::kCushion, {0.2, 0.2, 0.06}, 0, {}, relief};
   double least = 1, most = 0;
-  for (double x = -0.05; x < 0.05; x += 0.01) {
-    for (double y = -0.05; y < 0.05; y += 0.01) {
+  for (int column = -5; column <= 5; ++column) {
+    for (int row = -5; row <= 5; ++row) {
+      const double x = 0.01 * column, y = 0.01 * row;
       const auto hit = FromAbove(cushion, x, y);
       ASSERT_TRUE(hit);
       const double height = 10.03 - hit->t;
