@@ -113,7 +113,8 @@ const std::vector<OptionEntry>& OptionTable() {
       Entry("support.tolerance_per_m", 0, 0.1, "what is added to it per square metre of distance",
             [](O& o) { return &o.support.tolerance_per_m; }),
       Entry("support.tolerance_sigmas", 0, 20,
-            "less where a surface scatters less; standard deviations; paper: 0",
+            "of a surface's own scatter, instead of the tolerance, from which things stand on it; "
+            "0.6 to 2.5 of the tolerance; paper: 0",
             [](O& o) { return &o.support.tolerance_sigmas; }),
       Entry("support.plane_fits", 0, 20, "least-squares refinements; 0: perpendicular to gravity",
             [](O& o) { return &o.support.plane_fits; }),
@@ -240,8 +241,8 @@ const std::vector<OptionEntry>& OptionTable() {
             "segments higher above their surface must touch another; metres",
             [](O& o) { return &o.plausibility.max_rest_m; }),
       Entry("plausibility.min_low_pixels", 0, 100000,
-            "smaller segments less than two tolerances above their surface are noise; pixels at "
-            "640x480; paper: 0",
+            "smaller segments less than two tolerances above their surface are noise; pixels up to "
+            "640x480, more in larger images; paper: 0",
             [](O& o) { return &o.plausibility.min_low_pixels; }),
 
       Entry("continuation.max_share", 0, 1,

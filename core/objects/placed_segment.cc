@@ -40,7 +40,8 @@ std::vector<PlacedSegment> PlaceSegments(const VoxelGrid& grid, const std::vecto
       ++segment.num_above[{*below, support.footprint.PartAt(point)}];
       segment.lowest_m = std::min(segment.lowest_m, height_m);
       segment.highest_m = std::max(segment.highest_m, height_m);
-      segment.rise = std::max(segment.rise, height_m / SupportTolerance(point.z(), options));
+      const float noise_m = support.LargestShare() * SupportTolerance(point.z(), options);
+      segment.rise = std::max(segment.rise, height_m / noise_m);
     }
     if (const auto depth = DepthBelowSupport(supports, point, options)) {
       ++segment.num_covered;

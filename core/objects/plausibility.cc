@@ -52,11 +52,12 @@ bool IsTooLarge(const PlacedSegment& segment, const std::vector<Support>& suppor
          IsPartOfItsSupport(segment, size_m, supports, options.max_support_share);
 }
 
-// So little, so close above the surface, that it may be noise.
+// So little, so close above the surface, that it may be noise, whose patches have as many pixels in
+// the images of a small sensor.
 bool IsLump(const PlacedSegment& segment, const cv::Size& image,
             const PlausibilityOptions& options) {
   constexpr float kLowRise = 2;
-  const double scale = static_cast<double>(image.area()) / (640.0 * 480.0);
+  const double scale = std::max(1.0, static_cast<double>(image.area()) / (640.0 * 480.0));
   return segment.rise < kLowRise && segment.num_pixels < scale * options.min_low_pixels;
 }
 

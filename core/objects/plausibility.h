@@ -30,7 +30,7 @@ struct PlausibilityOptions {
   // metres.
   double max_rest_m = 100;
   // Segments with fewer pixels that rise less than twice the support's tolerance above it are
-  // noise; at an image of 640×480, scaled with its area.
+  // noise; in images up to 640×480, in larger ones more by their area.
   double min_low_pixels = 0;
 };
 

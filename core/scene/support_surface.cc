@@ -198,7 +198,8 @@ std::optional<std::size_t> SupportBelow(const std::vector<Support>& supports,
   std::optional<std::size_t> below;
   for (std::size_t i = 0; i < supports.size(); ++i) {
     const float height = supports[i].surface.HeightOf(point);
-    if (height < -tolerance || height > nearest || !supports[i].footprint.Covers(point)) continue;
+    const float depth = -supports[i].LargestShare() * tolerance;
+    if (height < depth || height > nearest || !supports[i].footprint.Covers(point)) continue;
     if (height <= supports[i].tolerance_share * tolerance) return std::nullopt;
     nearest = height;
     below = i;
@@ -210,7 +211,7 @@ bool IsOnSupport(const std::vector<Support>& supports, const Eigen::Vector3f& po
                  const SupportOptions& options) {
   const float tolerance = SupportTolerance(point.z(), options);
   return std::any_of(supports.begin(), supports.end(), [&](const Support& support) {
-    return std::abs(support.surface.HeightOf(point)) <= tolerance &&
+    return std::abs(support.surface.HeightOf(point)) <= support.LargestShare() * tolerance &&
            support.footprint.Covers(point);
   });
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
 #include <opencv2/core/mat.hpp>
 #include <optional>
@@ -24,9 +25,9 @@ struct SupportOptions {
   // axis in metres) belong to it; metres, 1/metres. The second follows structured-light noise.
   double tolerance_m = 0.01;
   double tolerance_per_m = 0.0;
-  // Where the points of a surface scatter less than the tolerance allows for, things stand on it
-  // from this many standard deviations above it (core/scene/surface_scatter.h); 0: always from the
-  // tolerance.
+  // Where the points of a surface scatter less, or more, than the tolerance allows for, things
+  // stand on it from this many standard deviations above it (core/scene/surface_scatter.h); 0:
+  // always from the tolerance.
   double tolerance_sigmas = 0;
   // Number of least-squares fits that refine the plane; 0 keeps it exactly perpendicular to
   // gravity.
@@ -49,8 +50,11 @@ struct SupportOptions {
 struct Support {
   SupportSurface surface;
   Footprint footprint;
-  // What stands on the surface begins above this share of the tolerance; 0.6 … 1.
+  // What stands on the surface begins above this share of the tolerance; 0.6 … 2.5.
   float tolerance_share = 1;
+
+  // What is no farther from it than this share of the tolerance, on either side, may be noise.
+  float LargestShare() const { return std::max(1.0F, tolerance_share); }
 };
 
 // Finds the heights at which most of the points with a vertical normal lie and fits a surface
@@ -70,7 +74,8 @@ std::optional<std::size_t> SupportBelow(const std::vector<Support>& supports,
                                         const Eigen::Vector3f& point,
                                         const SupportOptions& options);
 
-// Whether a point lies on one of the supports: inside its footprint and within its tolerance.
+// Whether a point lies on one of the supports: inside its footprint and within its tolerance, or
+// its share of it where that is larger.
 bool IsOnSupport(const std::vector<Support>& supports, const Eigen::Vector3f& point,
                  const SupportOptions& options);
 

@@ -8,6 +8,7 @@ namespace fovea {
 float ToleranceShare(const std::vector<Eigen::Vector3f>& points, const SupportSurface& surface,
                      const SupportOptions& options) {
   constexpr float kMinShare = 0.6F;
+  constexpr float kMaxShare = 2.5F;
   constexpr float kMedianPerSigma = 0.6745F;  // of the absolute values of a normal distribution
   if (options.tolerance_sigmas <= 0) return 1;
   std::vector<float> depths;  // only below the surface: above it there are low objects as well
@@ -19,7 +20,7 @@ float ToleranceShare(const std::vector<Eigen::Vector3f>& points, const SupportSu
   const auto median = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
   std::nth_element(depths.begin(), median, depths.end());
   const float sigma = *median / kMedianPerSigma;
-  return std::clamp(static_cast<float>(options.tolerance_sigmas) * sigma, kMinShare, 1.0F);
+  return std::clamp(static_cast<float>(options.tolerance_sigmas) * sigma, kMinShare, kMaxShare);
 }
 
 }  // namespace fovea

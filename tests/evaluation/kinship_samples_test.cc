@@ -13,7 +13,7 @@ namespace {
 
 std::vector<KinshipSample> SamplesOf(const std::string& kind, bool with_objects) {
   const scenes::LabelledFrame truth =
-      scenes::MakeFrame(scenes::RandomScene(kind, 21, {320, 240}), scenes::SensorKind::kKinect, 1);
+      scenes::MakeFrame(scenes::RandomScene(kind, 21), scenes::SensorKind::kKinect, 1);
   Scene scene{kind, truth.frame, truth.labels, truth.frame.depth_m == truth.frame.depth_m};
   if (!with_objects) scene.truth.setTo(0);
   return SampleKinship(scene, OptionsOfProfile("default"));

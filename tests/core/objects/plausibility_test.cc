@@ -92,11 +92,14 @@ TEST(RemoveImplausible, RemovesLumpsOfNoise) {
   EXPECT_FALSE(scene.Has(1, plausible));
   EXPECT_TRUE(scene.Has(2, plausible));
   EXPECT_TRUE(scene.Has(3, plausible));
-  // A quarter of the pixels is enough in an image of a quarter of the size.
-  EXPECT_EQ(RemoveImplausible(scene.grid, scene.labels, points(cv::Rect(0, 0, 320, 240)), {},
-                              {kFloor}, support, options)
-                .num_removed,
-            0U);
+  // Noise has as many pixels in a smaller image, and more in one that was made larger.
+  const auto num_lumps = [&](const cv::Size& size) {
+    const cv::Mat image(size, CV_32FC3, cv::Scalar::all(0));
+    return RemoveImplausible(scene.grid, scene.labels, image, {}, {kFloor}, support, options)
+        .num_removed;
+  };
+  EXPECT_EQ(num_lumps({320, 240}), 1U);
+  EXPECT_EQ(num_lumps({1280, 960}), 2U);
 }
 
 TEST(RemoveImplausible, RemovesTheBackOfAChairFromItsSeat) {

@@ -178,6 +178,18 @@ TEST(SupportBelow, BeginsAtAShareOfTheTolerance) {
   EXPECT_EQ(SupportBelow(supports, {0, 0.308F, 1.4F}, options), std::nullopt);  // 8 mm below
 }
 
+TEST(SupportBelow, BeginsFartherAboveWhatScattersMuch) {
+  std::vector<Support> supports = FloorAndTable();
+  supports[1].tolerance_share = 2;
+  const SupportOptions options{.tolerance_m = 0.01};
+  for (const float offset : {-0.018F, 0.018F}) {
+    EXPECT_EQ(SupportBelow(supports, {0, 0.3F + offset, 1.4F}, options), std::nullopt) << offset;
+    EXPECT_TRUE(IsOnSupport(supports, {0, 0.3F + offset, 1.4F}, options)) << offset;
+  }
+  EXPECT_EQ(SupportBelow(supports, {0, 0.278F, 1.4F}, options), 1U);
+  EXPECT_FALSE(IsOnSupport(supports, {0, 0.278F, 1.4F}, options));
+}
+
 TEST(FindSupports, LetsThingsStandCloserOnWhatScattersLittle) {
   Cloud cloud;
   cloud.AddLevel(0.7F, 60);
