@@ -63,15 +63,6 @@ cv::Mat MeanSaliency(const cv::Mat& color_saliency, const cv::Mat& depth_salienc
   return color_saliency * scale(color_saliency) + depth_saliency * scale(depth_saliency);
 }
 
-// Voxels that grow with the distance are at least some pixels wide, so that a normal is the mean of
-// several also in small images.
-VoxelOptions WideEnough(VoxelOptions options, const CameraIntrinsics& intrinsics) {
-  constexpr double kMinWidthPx = 3.5;
-  if (!options.perspective) return options;
-  options.size_m = std::max(options.size_m, kMinWidthPx / intrinsics.fx_px);
-  return options;
-}
-
 // Labels only where the sensor measured depth: filled holes help to segment, but nobody has seen
 // what is there.
 cv::Mat LabelsOfMeasured(const VoxelGrid& grid, const std::vector<int>& labels,
@@ -147,8 +138,7 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   clock.Finish("support");
 
   // Section 3: the scene as voxels, labelled by a Markov random field.
-  const VoxelGrid grid =
-      BuildVoxelGrid(points, normals, WideEnough(options.voxels, frame.intrinsics));
+  const VoxelGrid grid = BuildVoxelGrid(points, normals, options.voxels);
   std::vector<char> is_background =
       FindBackground(grid, supports, options.support, frame.intrinsics, options.region);
   const std::vector<char> on_wall =
