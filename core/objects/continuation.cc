@@ -4,6 +4,7 @@
 
 #include "core/objects/outline.h"
 #include "core/segmentation/labels.h"
+#include "core/types/pixels.h"
 
 namespace fovea {
 namespace {
@@ -20,7 +21,6 @@ bool GoesOn(const Outline& outline, double max_share) {
 
 // An image of labels up to `max_label` without those of a few pixels, which are noise.
 cv::Mat WithoutSpecks(cv::Mat_<std::uint16_t> labels, std::size_t max_label) {
-  constexpr int kFewestPixels = 20;
   std::vector<int> num_pixels(max_label + 1);
   for (const std::uint16_t label : labels) ++num_pixels[label];
   for (std::uint16_t& label : labels) {

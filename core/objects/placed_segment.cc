@@ -16,7 +16,7 @@ std::optional<float> DepthBelowSupport(const std::vector<Support>& supports,
   std::optional<float> nearest;
   for (const Support& support : supports) {
     const float depth = -support.surface.HeightOf(point);
-    if (depth > tolerance && support.footprint.Covers(point))
+    if (depth > support.LargestShare() * tolerance && support.footprint.Covers(point))
       nearest = std::min(depth, nearest.value_or(depth));
   }
   return nearest;

@@ -19,8 +19,8 @@ using SupportPart = std::pair<std::size_t, int>;
 struct PlacedSegment {
   std::vector<Eigen::Vector3f> points;  // means of its voxels
   int num_pixels = 0;
-  // Above the support below: the lowest and the highest voxel, metres, and the highest one in
-  // tolerances of the support there.
+  // Above the support below: the lowest and the highest voxel, metres, and the highest one as a
+  // multiple of what may be noise there.
   float lowest_m = std::numeric_limits<float>::max();
   float highest_m = 0;
   float rise = 0;

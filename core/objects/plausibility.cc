@@ -11,6 +11,7 @@
 #include "core/segmentation/contacts.h"
 #include "core/segmentation/labels.h"
 #include "core/segmentation/lower_border.h"
+#include "core/types/pixels.h"
 
 namespace fovea {
 namespace {
@@ -57,7 +58,7 @@ bool IsTooLarge(const PlacedSegment& segment, const std::vector<Support>& suppor
 bool IsLump(const PlacedSegment& segment, const cv::Size& image,
             const PlausibilityOptions& options) {
   constexpr float kLowRise = 2;
-  const double scale = std::max(1.0, static_cast<double>(image.area()) / (640.0 * 480.0));
+  const double scale = std::max(1.0, AreaScale(image));
   return segment.rise < kLowRise && segment.num_pixels < scale * options.min_low_pixels;
 }
 

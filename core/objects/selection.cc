@@ -9,12 +9,10 @@
 #include "core/objects/confidence.h"
 #include "core/objects/measured_area.h"
 #include "core/objects/seclusion.h"
+#include "core/types/pixels.h"
 
 namespace fovea {
 namespace {
-
-// Even of a tiny image, an object has more than noise does.
-constexpr double kFewestPixels = 20;
 
 // Shares of the border of what something in front hides in part.
 constexpr double kMinHidden = 0.25;
@@ -58,10 +56,9 @@ bool IsPartlyHidden(const cv::Mat& labels, const cv::Mat& depth_m,
 }
 
 double FewestPixels(const SelectionOptions& options, bool truncated, const cv::Size& image) {
-  const double scale = static_cast<double>(image.area()) / (640.0 * 480.0);
   const double fewest =
       truncated ? std::max(options.min_pixels, options.min_truncated_pixels) : options.min_pixels;
-  return std::max(kFewestPixels, std::round(fewest * scale));
+  return std::max<double>(kFewestPixels, std::round(fewest * AreaScale(image)));
 }
 
 // Leaves the `max_objects` most salient candidates, in their order; 0: all. Returns how many it

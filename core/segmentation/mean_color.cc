@@ -1,9 +1,8 @@
 #include "core/segmentation/mean_color.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
+#include <cstddef>
 #include <opencv2/imgproc.hpp>
 
 #include "core/segmentation/labels.h"
@@ -43,18 +42,6 @@ class ColorTable {
   std::array<double, 256> lightness_, chroma_scale_;
 };
 
-bool IsGrey(const cv::Mat& lab, const ColorTable& table) {
-  std::size_t num_colorful = 0;
-  for (int row = 0; row < lab.rows; ++row) {
-    const cv::Vec3b* pixel = lab.ptr<cv::Vec3b>(row);
-    for (int col = 0; col < lab.cols; ++col) {
-      const Eigen::Vector3d color = table.Of(pixel[col]);
-      if (color.tail<2>().cwiseAbs().maxCoeff() >= kGreyChroma) ++num_colorful;
-    }
-  }
-  return static_cast<double>(num_colorful) < kColorfulShare * static_cast<double>(lab.total());
-}
-
 }  // namespace
 
 std::vector<MeanColor> ColorsOfVoxels(const VoxelGrid& grid, const std::vector<int>& labels,
@@ -64,14 +51,19 @@ std::vector<MeanColor> ColorsOfVoxels(const VoxelGrid& grid, const std::vector<i
   if (bounds.empty()) return colors;
   static const ColorTable table;
   const cv::Mat lab = LabOf(color_rgb(bounds));
-  const double gain = IsGrey(lab, table) ? kGreyGain : 1;
   const cv::Mat voxel_of_pixel = grid.voxel_of_pixel(bounds);
+  std::size_t num_colorful = 0;
   for (int row = 0; row < lab.rows; ++row) {
     const int* voxel = voxel_of_pixel.ptr<int>(row);
     const cv::Vec3b* pixel = lab.ptr<cv::Vec3b>(row);
     for (int col = 0; col < lab.cols; ++col) {
-      if (voxel[col] >= 0) colors[voxel[col]].Add({gain * table.Of(pixel[col]), 1});
+      const Eigen::Vector3d color = table.Of(pixel[col]);
+      if (color.tail<2>().cwiseAbs().maxCoeff() >= kGreyChroma) ++num_colorful;
+      if (voxel[col] >= 0) colors[voxel[col]].Add({color, 1});
     }
+  }
+  if (static_cast<double>(num_colorful) < kColorfulShare * static_cast<double>(lab.total())) {
+    for (MeanColor& color : colors) color.sum *= kGreyGain;
   }
   return colors;
 }

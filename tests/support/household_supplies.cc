@@ -1,9 +1,6 @@
 // Forms that are soft, flat or small.
-#include <numbers>
-
 #include "tests/support/compound_parts.h"
 #include "tests/support/household_forms.h"
-#include "tests/support/random_objects.h"
 
 namespace fovea::scenes {
 namespace {
