@@ -45,12 +45,16 @@ void AddWalls(const std::vector<char>& on_wall, std::vector<char>& is_background
   for (std::size_t v = 0; v < on_wall.size(); ++v) is_background[v] |= on_wall[v];
 }
 
+// The first sweep, which costs the most, is over clusters; later ones are over single voxels.
 std::vector<int> LabelVoxels(const PottsEnergy& energy, const MrfOptions& options) {
-  const ExpansionOptions expansion{options.max_sweeps, options.only_owners};
-  if (options.cluster_voxels <= 1) return MinimizeByAlphaExpansion(energy, expansion);
+  if (options.cluster_voxels <= 1) {
+    return MinimizeByAlphaExpansion(energy, {options.max_sweeps, options.only_owners});
+  }
   const auto min_weight = static_cast<float>(options.cluster_min_share * options.lambda);
   const Contraction contraction = Contract(energy, options.cluster_voxels, min_weight);
-  return Expand(contraction, MinimizeByAlphaExpansion(contraction.energy, expansion));
+  const std::vector<int> labels =
+      Expand(contraction, MinimizeByAlphaExpansion(contraction.energy, {.max_sweeps = 1}));
+  return ImproveByAlphaExpansion(energy, labels, {options.max_sweeps - 1, options.only_owners});
 }
 
 // Both maps, each scaled to a maximum of 1, count the same.

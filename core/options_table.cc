@@ -183,7 +183,8 @@ const std::vector<OptionEntry>& OptionTable() {
       Entry("mrf.only_owners", 0, 1, "1: later sweeps only over labels that voxels have; paper: 0",
             [](O& o) { return &o.mrf.only_owners; }),
 
-      Entry("mrf.cluster_voxels", 1, 64, "that are labelled together; 1: each alone; paper: 1",
+      Entry("mrf.cluster_voxels", 1, 64,
+            "that the first sweep labels together; 1: each alone; paper: 1",
             [](O& o) { return &o.mrf.cluster_voxels; }),
       Entry("mrf.cluster_min_share", 0, 1, "of lambda that ties voxels to each other",
             [](O& o) { return &o.mrf.cluster_min_share; }),

@@ -55,8 +55,8 @@ DetectorOptions Default() {
   options.mrf.reach_m = 0.15;
   options.mrf.max_sweeps = 2;
   options.mrf.only_owners = true;
-  options.mrf.cluster_voxels = 6;
-  options.mrf.cluster_min_share = 0.85;
+  options.mrf.cluster_voxels = 16;
+  options.mrf.cluster_min_share = 0.6;
   options.mrf.concave_angle_deg = 12;
   options.mrf.step_weight = 0.6;
   // Shape, colour and size together tell the parts of an object; textures would part them.

@@ -1,6 +1,7 @@
 #include "core/segmentation/alpha_expansion.h"
 
 #include <limits>
+#include <utility>
 
 #include "core/segmentation/binary_energy.h"
 
@@ -110,6 +111,18 @@ class Expansion {
   BinaryEnergy energy_;
 };
 
+// A labelling with what its labels cost; infinite where a label is no choice.
+Labelling WithCosts(const PottsEnergy& energy, const std::vector<int>& labels) {
+  Labelling labelling{labels,
+                      std::vector<float>(labels.size(), std::numeric_limits<float>::infinity())};
+  for (int label = 0; label < static_cast<int>(energy.choices.size()); ++label) {
+    for (const PottsEnergy::Choice& choice : energy.choices[label]) {
+      if (labels[choice.node] == label) labelling.costs[choice.node] = choice.cost;
+    }
+  }
+  return labelling;
+}
+
 // Whether each label is some node's.
 std::vector<char> FindOwners(const Labelling& labelling, std::size_t num_labels) {
   std::vector<char> owns(num_labels, 0);
@@ -117,30 +130,62 @@ std::vector<char> FindOwners(const Labelling& labelling, std::size_t num_labels)
   return owns;
 }
 
+// Expands one label after the other.
+class Sweeps {
+ public:
+  Sweeps(const PottsEnergy& energy, Labelling start)
+      : energy_(energy),
+        adjacency_(energy),
+        current_(std::move(start)),
+        scratch_(energy.num_nodes, -1) {}
+
+  // All labels, or those that some node has; whether that changed anything.
+  bool Run(bool only_owners) {
+    const std::size_t num_labels = energy_.choices.size();
+    const std::vector<char> is_expanded =
+        only_owners ? FindOwners(current_, num_labels) : std::vector<char>(num_labels, 1);
+    bool changed = false;
+    for (int alpha = 0; alpha < static_cast<int>(num_labels); ++alpha) {
+      if (is_expanded[alpha]) changed |= Expand(alpha);
+    }
+    return changed;
+  }
+
+  const std::vector<int>& labels() const { return current_.labels; }
+
+ private:
+  bool Expand(int alpha) {
+    const std::vector<PottsEnergy::Choice> moves =
+        Expansion(energy_, adjacency_, current_, alpha, scratch_).Solve();
+    for (const PottsEnergy::Choice& move : moves) {
+      current_.labels[move.node] = alpha;
+      current_.costs[move.node] = move.cost;
+    }
+    return !moves.empty();
+  }
+
+  const PottsEnergy& energy_;
+  Adjacency adjacency_;
+  Labelling current_;
+  std::vector<int> scratch_;
+};
+
 }  // namespace
 
 std::vector<int> MinimizeByAlphaExpansion(const PottsEnergy& energy,
                                           const ExpansionOptions& options) {
-  const Adjacency adjacency(energy);
-  Labelling current = CheapestLabels(energy);
-  std::vector<int> scratch(energy.num_nodes, -1);
-  std::vector<char> is_expanded(energy.choices.size(), 1);
-  for (int sweep = 0; sweep < options.max_sweeps; ++sweep) {
-    if (sweep > 0 && options.only_owners) {
-      is_expanded = FindOwners(current, energy.choices.size());
-    }
-    bool changed = false;
-    for (int alpha = 0; alpha < static_cast<int>(energy.choices.size()); ++alpha) {
-      if (!is_expanded[alpha]) continue;
-      for (const auto& move : Expansion(energy, adjacency, current, alpha, scratch).Solve()) {
-        current.labels[move.node] = alpha;
-        current.costs[move.node] = move.cost;
-        changed = true;
-      }
-    }
-    if (!changed) break;
+  Sweeps sweeps(energy, CheapestLabels(energy));
+  bool changed = options.max_sweeps > 0 && sweeps.Run(false);
+  for (int n = 1; changed && n < options.max_sweeps; ++n) changed = sweeps.Run(options.only_owners);
+  return sweeps.labels();
+}
+
+std::vector<int> ImproveByAlphaExpansion(const PottsEnergy& energy, const std::vector<int>& labels,
+                                         const ExpansionOptions& options) {
+  Sweeps sweeps(energy, WithCosts(energy, labels));
+  for (int n = 0; n < options.max_sweeps && sweeps.Run(options.only_owners); ++n) {
   }
-  return current.labels;
+  return sweeps.labels();
 }
 
 }  // namespace fovea

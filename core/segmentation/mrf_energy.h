@@ -32,8 +32,8 @@ struct MrfOptions {
   int max_sweeps = 5;  // of alpha-expansion
   // Sweeps after the first are only over labels that some voxel has.
   bool only_owners = false;
-  // Neighbouring voxels are labelled together, up to this many at a time, where cutting between
-  // them would cost at least cluster_min_share of λ; 1: every voxel by itself.
+  // In the first sweep neighbouring voxels are labelled together, up to this many at a time, where
+  // cutting between them would cost at least cluster_min_share of λ; 1: every voxel by itself.
   int cluster_voxels = 1;
   double cluster_min_share = 0.8;
 };

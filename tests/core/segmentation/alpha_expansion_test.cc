@@ -104,6 +104,35 @@ TEST(MinimizeByAlphaExpansion, HandlesSingleNodesNoEdgesAndNothing) {
   EXPECT_EQ(MinimizeByAlphaExpansion(tie), (std::vector<int>{0}));
 }
 
+TEST(ImproveByAlphaExpansion, NeverRaisesTheEnergy) {
+  double before = 0, after = 0;
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    std::mt19937 random(seed);
+    const PottsEnergy energy = RandomEnergy(random, 12, 8);
+    std::vector<int> labels(energy.num_nodes, 0);
+    for (const PottsEnergy::Choice& choice : energy.choices[1 + seed % 7]) {
+      if (random() % 2 == 0) labels[choice.node] = static_cast<int>(1 + seed % 7);
+    }
+    const std::vector<int> improved = ImproveByAlphaExpansion(energy, labels, {5, true});
+    EXPECT_LE(EnergyOf(energy, improved), EnergyOf(energy, labels) + 1e-3) << "seed " << seed;
+    before += EnergyOf(energy, labels);
+    after += EnergyOf(energy, improved);
+  }
+  EXPECT_LT(after, before);
+}
+
+TEST(ImproveByAlphaExpansion, LeavesTheOptimumAndOnlyExpandsOwners) {
+  const PottsEnergy energy{.num_nodes = 2,
+                           .choices = {{Choice{0, 3}, Choice{1, 3}},
+                                       {Choice{0, 1}, Choice{1, 2}},
+                                       {Choice{0, 0}, Choice{1, 0}}},
+                           .edges = {{0, 1, 5}}};
+  EXPECT_EQ(ImproveByAlphaExpansion(energy, {2, 2}), (std::vector<int>{2, 2}));
+  EXPECT_EQ(ImproveByAlphaExpansion(energy, {0, 1}), (std::vector<int>{2, 2}));
+  EXPECT_EQ(ImproveByAlphaExpansion(energy, {0, 1}, {5, true}), (std::vector<int>{1, 1}));
+  EXPECT_EQ(ImproveByAlphaExpansion(energy, {0, 1}, {0, false}), (std::vector<int>{0, 1}));
+}
+
 TEST(EnergyOf, CountsCostsAndCutEdges) {
   const PottsEnergy energy{.num_nodes = 3,
                            .choices = {{Choice{0, 1}, Choice{1, 2}, Choice{2, 3}}, {Choice{1, 5}}},
