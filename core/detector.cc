@@ -124,10 +124,9 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   counts.seeds_without_depth = from_color.without_depth + from_depth.without_depth;
   clock.Finish("seeds");
 
-  const NormalOptions wide{.window_radius_px = options.gravity.window_radius_px};
   cv::Mat wide_normals;
   if (!frame.gravity || options.support.wide_normals) {
-    wide_normals = EstimateNormals(points, frame.intrinsics, wide, options.gravity.step_px);
+    wide_normals = EstimateNormals(points, frame.intrinsics, options.gravity.normals);
   }
   result.gravity = FindGravity(frame, wide_normals, options.gravity);
   const std::vector<Support> supports =

@@ -53,6 +53,8 @@ const std::vector<OptionEntry>& OptionTable() {
 
       Entry("normals.window_radius_px", 1, 15, "reach of the window; pixels; Gupta 2013: 3",
             [](O& o) { return &o.normals.window_radius_px; }),
+      Entry("normals.step_px", 1, 8, "distance of the normals; pixels; Gupta 2013: 1",
+            [](O& o) { return &o.normals.step_px; }),
       Entry("normals.max_depth_change", 0.001, 0.5,
             "depth step that ends a surface; share of depth",
             [](O& o) { return &o.normals.max_depth_change; }),
@@ -94,9 +96,11 @@ const std::vector<OptionEntry>& OptionTable() {
       Entry("gravity.iterations", 0, 100, "of each stage; Gupta 2013: 5",
             [](O& o) { return &o.gravity.iterations; }),
       Entry("gravity.window_radius_px", 1, 15, "reach of the normals' window; Gupta 2013: 10",
-            [](O& o) { return &o.gravity.window_radius_px; }),
+            [](O& o) { return &o.gravity.normals.window_radius_px; }),
+      Entry("gravity.sample_px", 1, 4, "distance of the window's pixels; Gupta 2013: 1",
+            [](O& o) { return &o.gravity.normals.sample_px; }),
       Entry("gravity.step_px", 1, 64, "distance of the normals used; pixels",
-            [](O& o) { return &o.gravity.step_px; }),
+            [](O& o) { return &o.gravity.normals.step_px; }),
 
       Entry("gravity.num_starts", 1, 9, "camera pitches it starts from; Gupta 2013: 1",
             [](O& o) { return &o.gravity.num_starts; }),

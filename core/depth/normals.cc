@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <opencv2/core.hpp>
 #include <vector>
 
@@ -16,34 +17,59 @@ struct FitSums {
   Lanes n{}, u{}, v{}, uu{}, uv{}, vv{}, q{}, qu{}, qv{};
 };
 
-// Inverse depth with a margin around it, so that windows need no border checks; 0 = none.
-cv::Mat PaddedInverseDepth(const cv::Mat& points, int radius, int step) {
-  cv::Mat inverse =
-      cv::Mat::zeros(points.rows + 2 * radius, points.cols + 2 * radius + kLanes * step, CV_32FC1);
-  for (int row = 0; row < points.rows; ++row) {
-    const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
-    float* out = inverse.ptr<float>(row + radius) + radius;
-    for (int col = 0; col < points.cols; ++col)
-      out[col] = point[col][2] > 0 ? 1 / point[col][2] : 0;
+// Inverse depth with a margin around it, so that windows need no border checks; 0 = none. In each
+// row every step-th column comes first, then their right neighbours, and so on: so the pixels at
+// one place of the windows around centres `step` apart are neighbours.
+class InverseDepth {
+ public:
+  // Pixels that no window samples stay 0.
+  InverseDepth(const cv::Mat& points, const NormalOptions& options)
+      : radius_(options.window_radius_px),
+        step_(options.step_px),
+        centers_((points.cols + 2 * radius_) / step_ + kLanes),
+        image_(cv::Mat::zeros(points.rows + 2 * radius_, centers_ * step_, CV_32FC1)) {
+    const int lattice = std::gcd(step_, options.sample_px);
+    for (int row = 0; row < points.rows; row += lattice) {
+      const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
+      for (int first = 0; first < step_; first += lattice) {
+        float* out = image_.ptr<float>(row + radius_) + Place(first);
+        for (int col = first; col < points.cols; col += step_) {
+          *out++ = point[col][2] > 0 ? 1 / point[col][2] : 0;
+        }
+      }
+    }
   }
-  return inverse;
-}
 
-// The sums over the windows around kLanes centres, `step` apart, the first of which is at `center`;
-// `stride` leads from row to row. One column of the window at a time, so that its offset du is
-// multiplied in once.
-FOVEA_INLINE FitSums SumWindows(const float* center, std::size_t stride, int step, int radius,
-                                float max_change) {
-  const Lanes at_center = LoadLanes(center, step);
-  const Lanes limit = at_center * max_change;
+  // Of a pixel, followed by those `step`, 2 · step, … to the right of it; up to the window's radius
+  // outside of the image.
+  const float* At(int row, int col) const { return image_.ptr<float>(row + radius_) + Place(col); }
+  std::ptrdiff_t row_stride() const { return static_cast<std::ptrdiff_t>(image_.step1()); }
+
+ private:
+  int Place(int col) const { return (col + radius_) % step_ * centers_ + (col + radius_) / step_; }
+
+  int radius_, step_;
+  int centers_;  // columns that share a remainder by `step`
+  cv::Mat image_;
+};
+
+// The sums over the windows around the centres at `row` and col, col + step, …
+FOVEA_INLINE FitSums SumWindows(const InverseDepth& inverse, int row, int col,
+                                const NormalOptions& options) {
+  const Lanes at_center = LoadLanes(inverse.At(row, col));
+  const Lanes limit = at_center * static_cast<float>(options.max_depth_change);
+  const int sample = options.sample_px;
+  const int reach = options.window_radius_px / sample * sample;
+  const std::ptrdiff_t stride = inverse.row_stride() * sample;
   FitSums sums;
-  for (int du = -radius; du <= radius; ++du) {
+  // One column of the window at a time, so that its offset du is multiplied in once.
+  for (int du = -reach; du <= reach; du += sample) {
     FitSums column;
-    const float* top = center - static_cast<std::ptrdiff_t>(stride) * radius + du;
-    for (int row = 0; row <= 2 * radius; ++row) {
-      const auto dv = static_cast<float>(row - radius);
+    const float* place = inverse.At(row - reach, col + du);
+    for (int dv_px = -reach; dv_px <= reach; dv_px += sample, place += stride) {
+      const auto dv = static_cast<float>(dv_px);
       // Relative to the centre, which keeps precision.
-      const Lanes difference = LoadLanes(top + stride * row, step) - at_center;
+      const Lanes difference = LoadLanes(place) - at_center;
       const auto same_surface = Magnitude(difference) <= limit;
       const Lanes weight = same_surface ? AllLanes(1) : Lanes{};
       const Lanes value = same_surface ? difference : Lanes{};
@@ -119,39 +145,37 @@ cv::Vec3f TowardsCamera(const cv::Vec3f& normal, const cv::Vec3f& point) {
   return normal.dot(point) > 0 ? -normal : normal;
 }
 
-// The columns relative to the principal point.
-std::vector<float> RelativeColumns(int cols, double cx_px) {
-  std::vector<float> relative(cols);
-  for (int col = 0; col < cols; ++col) relative[col] = static_cast<float>(col - cx_px);
+// Every step-th column relative to the principal point, and as many more as a load may reach.
+std::vector<float> RelativeColumns(int cols, int step, double cx_px) {
+  std::vector<float> relative;
+  for (int col = 0; col < cols + kLanes * step; col += step) {
+    relative.push_back(static_cast<float>(col - cx_px));
+  }
   return relative;
 }
 
 // The normals of one row.
 struct RowFit {
   const cv::Mat& points;
-  const cv::Mat& inverse;
+  const InverseDepth& inverse;
   const std::vector<float>& relative_cols;
   const CameraIntrinsics& intrinsics;
   const NormalOptions& options;
-  int step;
 
   FOVEA_INLINE void Run(int row, cv::Mat& normals) const {
-    const int radius = options.window_radius_px;
+    const int step = options.step_px;
     const auto dv0 = static_cast<float>(row - intrinsics.cy_px);
     const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
     cv::Vec3f* normal = normals.ptr<cv::Vec3f>(row);
     for (int first = 0; first < points.cols; first += kLanes * step) {
-      const float* center = inverse.ptr<float>(row + radius) + radius + first;
-      const Lanes at_center = LoadLanes(center, step);
+      const Lanes at_center = LoadLanes(inverse.At(row, first));
       if (LargestLane(at_center) <= 0) continue;
-      const PlaneFit fit = Solve(SumWindows(center, inverse.step1(), step, radius,
-                                            static_cast<float>(options.max_depth_change)),
-                                 at_center);
+      const PlaneFit fit = Solve(SumWindows(inverse, row, first, options), at_center);
       const Vectors n =
-          NormalsOf(fit, LoadLanes(relative_cols.data() + first, step), dv0, intrinsics);
+          NormalsOf(fit, LoadLanes(relative_cols.data() + first / step), dv0, intrinsics);
       for (int lane = 0; lane < kLanes && first + lane * step < points.cols; ++lane) {
         const int col = first + lane * step;
-        if (center[col - first] <= 0 || std::isnan(fit.a[lane])) continue;
+        if (at_center[lane] <= 0 || std::isnan(fit.a[lane])) continue;
         normal[col] = TowardsCamera({n.x[lane], n.y[lane], n.z[lane]}, point[col]);
       }
     }
@@ -161,15 +185,15 @@ struct RowFit {
 }  // namespace
 
 cv::Mat EstimateNormals(const cv::Mat& points, const CameraIntrinsics& intrinsics,
-                        const NormalOptions& options, int step) {
-  const cv::Mat inverse = PaddedInverseDepth(points, options.window_radius_px, step);
+                        const NormalOptions& options) {
+  const InverseDepth inverse(points, options);
   cv::Mat normals(points.size(), CV_32FC3,
                   cv::Scalar::all(std::numeric_limits<float>::quiet_NaN()));
   const std::vector<float> relative_cols =
-      RelativeColumns(points.cols + kLanes * step, intrinsics.cx_px);
-  const RowFit fit{points, inverse, relative_cols, intrinsics, options, step};
+      RelativeColumns(points.cols, options.step_px, intrinsics.cx_px);
+  const RowFit fit{points, inverse, relative_cols, intrinsics, options};
   RunInWidestRegisters([&] {
-    for (int row = 0; row < points.rows; row += step) fit.Run(row, normals);
+    for (int row = 0; row < points.rows; row += options.step_px) fit.Run(row, normals);
   });
   return normals;
 }

@@ -5,6 +5,8 @@
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>
 
+#include "core/depth/normals.h"
+
 namespace fovea {
 
 struct GravityOptions {
@@ -14,10 +16,8 @@ struct GravityOptions {
   double fine_angle_deg = 15;
   // Iterations of each stage. Gupta: 5.
   int iterations = 5;
-  // The window of the normals reaches this far from its centre; pixels. Gupta: 10 (21×21).
-  int window_radius_px = 10;
-  // Normals are taken on every n-th row and column.
-  int step_px = 6;
+  // The normals that it is estimated from. Gupta: windows of 21×21 pixels.
+  NormalOptions normals{.window_radius_px = 10, .step_px = 6};
   // Start from this many camera pitches between level and straight down and keep the direction
   // that explains most normals; 1 starts from the camera's y axis alone, as Gupta does, whose
   // first gate a camera pitched by more than 45° leaves.

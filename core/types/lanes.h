@@ -3,7 +3,6 @@
 // that use them need -Wno-psabi: they are only passed to inlined functions, so how does not matter.
 #pragma once
 
-#include <cstddef>
 #include <cstring>
 
 #include "core/types/widest_registers.h"
@@ -17,12 +16,6 @@ FOVEA_INLINE Lanes LoadLanes(const float* from) {
   Lanes lanes;
   std::memcpy(&lanes, from, sizeof lanes);
   return lanes;
-}
-
-FOVEA_INLINE Lanes LoadLanes(const float* from, std::ptrdiff_t step) {
-  if (step == 1) return LoadLanes(from);
-  return Lanes{from[0],        from[step],     from[2 * step], from[3 * step],
-               from[4 * step], from[5 * step], from[6 * step], from[7 * step]};
 }
 
 FOVEA_INLINE void StoreLanes(const Lanes& lanes, float* to) {

@@ -68,7 +68,7 @@ TEST(EstimateNormals, WithAStepEqualsTheDenseResultOnItsGrid) {
   near *= 0.9;
   const cv::Mat points = BackProject(depth, kCamera, 10);
   const cv::Mat dense = EstimateNormals(points, kCamera);
-  const cv::Mat sparse = EstimateNormals(points, kCamera, {}, 4);
+  const cv::Mat sparse = EstimateNormals(points, kCamera, {.step_px = 4});
   for (int row = 0; row < points.rows; ++row) {
     for (int col = 0; col < points.cols; ++col) {
       const cv::Vec3f& normal = sparse.at<cv::Vec3f>(row, col);
