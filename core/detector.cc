@@ -36,9 +36,10 @@ cv::Mat CleanDepth(const cv::Mat& depth_m) {
   return clean;
 }
 
-Gravity FindGravity(const RgbdFrame& frame, const cv::Mat& normals, const GravityOptions& options) {
+Gravity FindGravity(const RgbdFrame& frame, const NormalMap& normals,
+                    const GravityOptions& options) {
   if (frame.gravity) return {frame.gravity->normalized(), Gravity::Source::kGiven};
-  return {EstimateGravity(normals, options), Gravity::Source::kEstimated};
+  return {EstimateGravity(normals.vectors, options), Gravity::Source::kEstimated};
 }
 
 void AddWalls(const std::vector<char>& on_wall, std::vector<char>& is_background) {
@@ -99,7 +100,7 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   counts.num_points = CountMeasured(ChannelZ(points));
   clock.Finish("depth");
 
-  const cv::Mat normals = EstimateNormals(points, frame.intrinsics, options.normals);
+  const NormalMap normals = EstimateNormals(points, frame.intrinsics, options.normals);
   clock.Finish("normals");
 
   // Section 3.1: where something stands out, in colour and in depth.
@@ -124,7 +125,7 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   counts.seeds_without_depth = from_color.without_depth + from_depth.without_depth;
   clock.Finish("seeds");
 
-  cv::Mat wide_normals;
+  NormalMap wide_normals;
   if (!frame.gravity || options.support.wide_normals) {
     wide_normals = EstimateNormals(points, frame.intrinsics, options.gravity.normals);
   }

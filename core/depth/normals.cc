@@ -166,7 +166,7 @@ struct RowFit {
     const int step = options.step_px;
     const auto dv0 = static_cast<float>(row - intrinsics.cy_px);
     const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
-    cv::Vec3f* normal = normals.ptr<cv::Vec3f>(row);
+    cv::Vec3f* normal = normals.ptr<cv::Vec3f>(row / step);
     for (int first = 0; first < points.cols; first += kLanes * step) {
       const Lanes at_center = LoadLanes(inverse.At(row, first));
       if (LargestLane(at_center) <= 0) continue;
@@ -174,9 +174,9 @@ struct RowFit {
       const Vectors n =
           NormalsOf(fit, LoadLanes(relative_cols.data() + first / step), dv0, intrinsics);
       for (int lane = 0; lane < kLanes && first + lane * step < points.cols; ++lane) {
-        const int col = first + lane * step;
         if (at_center[lane] <= 0 || std::isnan(fit.a[lane])) continue;
-        normal[col] = TowardsCamera({n.x[lane], n.y[lane], n.z[lane]}, point[col]);
+        normal[first / step + lane] =
+            TowardsCamera({n.x[lane], n.y[lane], n.z[lane]}, point[first + lane * step]);
       }
     }
   }
@@ -184,18 +184,18 @@ struct RowFit {
 
 }  // namespace
 
-cv::Mat EstimateNormals(const cv::Mat& points, const CameraIntrinsics& intrinsics,
-                        const NormalOptions& options) {
+NormalMap EstimateNormals(const cv::Mat& points, const CameraIntrinsics& intrinsics,
+                          const NormalOptions& options) {
   const InverseDepth inverse(points, options);
-  cv::Mat normals(points.size(), CV_32FC3,
+  const int step = options.step_px;
+  cv::Mat normals((points.rows + step - 1) / step, (points.cols + step - 1) / step, CV_32FC3,
                   cv::Scalar::all(std::numeric_limits<float>::quiet_NaN()));
-  const std::vector<float> relative_cols =
-      RelativeColumns(points.cols, options.step_px, intrinsics.cx_px);
+  const std::vector<float> relative_cols = RelativeColumns(points.cols, step, intrinsics.cx_px);
   const RowFit fit{points, inverse, relative_cols, intrinsics, options};
   RunInWidestRegisters([&] {
-    for (int row = 0; row < points.rows; row += options.step_px) fit.Run(row, normals);
+    for (int row = 0; row < points.rows; row += step) fit.Run(row, normals);
   });
-  return normals;
+  return {normals, step};
 }
 
 }  // namespace fovea

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <opencv2/core/mat.hpp>
+#include <utility>
 
 #include "core/types/rgbd_frame.h"
 
@@ -19,13 +20,22 @@ struct NormalOptions {
   double max_depth_change = 0.02;
 };
 
+// Normals of every step_px-th row and column of an image. All of them where no step is said.
+struct NormalMap {
+  // NOLINTNEXTLINE(google-explicit-constructor): an image of normals is a map of all of them
+  NormalMap(cv::Mat image = {}, int step = 1) : vectors(std::move(image)), step_px(step) {}
+
+  cv::Mat vectors;  // CV_32FC3, NaN = none; its (row, col) is pixel (row · step_px, col · step_px)
+  int step_px;
+};
+
 // Least-squares fit of a plane to each pixel's window. On a plane 1/z is linear in the pixel
 // coordinates, so the fit is 1/z = a·u + b·v + c (Gupta et al. 2013).
 //
-// `points`: CV_32FC3 as of BackProject. Returns CV_32FC3: unit vectors that point towards the
-// camera; NaN between the steps and where the pixel has no depth or fewer than three pixels off a
-// line fit. Cost: proportional to width · height / step² · (window / sample)².
-cv::Mat EstimateNormals(const cv::Mat& points, const CameraIntrinsics& intrinsics,
-                        const NormalOptions& options = {});
+// `points`: CV_32FC3 as of BackProject. Returns unit vectors that point towards the camera; NaN
+// where the pixel has no depth or fewer than three pixels off a line fit. Cost: proportional to
+// width · height / step² · (window / sample)².
+NormalMap EstimateNormals(const cv::Mat& points, const CameraIntrinsics& intrinsics,
+                          const NormalOptions& options = {});
 
 }  // namespace fovea

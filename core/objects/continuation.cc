@@ -1,7 +1,5 @@
 #include "core/objects/continuation.h"
 
-#include <cstdint>
-
 #include "core/objects/outline.h"
 #include "core/segmentation/labels.h"
 #include "core/types/pixels.h"
@@ -19,11 +17,14 @@ bool GoesOn(const Outline& outline, double max_share) {
          outline.num_sides_at_end > max_share * outline.num_sides;
 }
 
-// An image of labels up to `max_label` without those of a few pixels, which are noise.
-cv::Mat WithoutSpecks(cv::Mat_<std::uint16_t> labels, std::size_t max_label) {
+// Labels up to `max_label` without those of a few pixels, which are noise.
+std::vector<int> WithoutSpecks(const VoxelGrid& grid, std::vector<int> labels,
+                               std::size_t max_label) {
   std::vector<int> num_pixels(max_label + 1);
-  for (const std::uint16_t label : labels) ++num_pixels[label];
-  for (std::uint16_t& label : labels) {
+  for (std::size_t v = 0; v < labels.size(); ++v) {
+    num_pixels[labels[v]] += grid.voxels[v].num_points;
+  }
+  for (int& label : labels) {
     if (num_pixels[label] < kFewestPixels) label = 0;
   }
   return labels;
@@ -40,7 +41,7 @@ PlausibleSegments RemoveContinued(const VoxelGrid& grid, const std::vector<int>&
   const cv::Mat wall_pixels = LabelImage(grid, {on_wall.begin(), on_wall.end()});
   for (bool changed = true; changed;) {
     const std::size_t num_labels = CountLabels(result.labels);
-    const cv::Mat segments = WithoutSpecks(LabelImage(grid, result.labels), num_labels);
+    const cv::Mat segments = LabelImage(grid, WithoutSpecks(grid, result.labels, num_labels));
     const std::vector<Outline> outlines =
         FindOutlines(segments, points, wall_pixels, intrinsics, up);
     std::vector<char> goes_on(num_labels + 1, 0);

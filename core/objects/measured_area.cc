@@ -26,11 +26,13 @@ cv::Rect MeasuredArea(const cv::Mat& points) {
   std::vector<int> in_row(points.rows, 0), in_col(points.cols, 0);
   for (int row = 0; row < points.rows; ++row) {
     const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
+    int count = 0;
     for (int col = 0; col < points.cols; ++col) {
-      if (std::isnan(point[col][2])) continue;
-      ++in_row[row];
-      ++in_col[col];
+      const int is_measured = std::isnan(point[col][2]) ? 0 : 1;
+      count += is_measured;
+      in_col[col] += is_measured;
     }
+    in_row[row] = count;
   }
   const cv::Point first(Margin(in_col, points.rows, false), Margin(in_row, points.cols, false));
   const cv::Point end(points.cols - Margin(in_col, points.rows, true),

@@ -17,15 +17,16 @@ namespace {
 Eigen::Vector3f ToEigen(const cv::Vec3f& v) { return {v[0], v[1], v[2]}; }
 
 // The points whose normal is about vertical.
-std::vector<Eigen::Vector3f> LevelPoints(const cv::Mat& points, const cv::Mat& normals,
+std::vector<Eigen::Vector3f> LevelPoints(const cv::Mat& points, const NormalMap& normals,
                                          const Eigen::Vector3f& up, double max_angle_deg) {
   const float min_cos = static_cast<float>(std::cos(max_angle_deg * std::numbers::pi / 180));
   std::vector<Eigen::Vector3f> level;
-  for (int row = 0; row < points.rows; ++row) {
-    const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
-    const cv::Vec3f* normal = normals.ptr<cv::Vec3f>(row);
-    for (int col = 0; col < points.cols; ++col) {
-      if (ToEigen(normal[col]).dot(up) > min_cos) level.push_back(ToEigen(point[col]));
+  const int step = normals.step_px;
+  for (int row = 0; row < normals.vectors.rows; ++row) {
+    const cv::Vec3f* point = points.ptr<cv::Vec3f>(row * step);
+    const cv::Vec3f* normal = normals.vectors.ptr<cv::Vec3f>(row);
+    for (int col = 0; col < normals.vectors.cols; ++col) {
+      if (ToEigen(normal[col]).dot(up) > min_cos) level.push_back(ToEigen(point[col * step]));
     }
   }
   return level;
@@ -165,12 +166,12 @@ float SupportTolerance(float z_m, const SupportOptions& options) {
          static_cast<float>(options.tolerance_per_m) * z_m * z_m;
 }
 
-std::vector<Support> FindSupports(const cv::Mat& points, const cv::Mat& normals,
+std::vector<Support> FindSupports(const cv::Mat& points, const NormalMap& normals,
                                   const Eigen::Vector3f& gravity, const SupportOptions& options) {
   Eigen::Vector3f up = -gravity;
   std::vector<Eigen::Vector3f> level = LevelPoints(points, normals, up, options.max_angle_deg);
-  const auto min_points = static_cast<std::size_t>(
-      std::max(3.0, std::ceil(options.min_share * static_cast<double>(CountNormals(normals)))));
+  const auto min_points = static_cast<std::size_t>(std::max(
+      3.0, std::ceil(options.min_share * static_cast<double>(CountNormals(normals.vectors)))));
 
   std::vector<Support> supports;
   for (int attempt = 0; attempt < 3 * options.max_surfaces; ++attempt) {

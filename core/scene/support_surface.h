@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/depth/normals.h"
 #include "core/scene/footprint.h"
 #include "core/types/detections.h"
 
@@ -58,9 +59,9 @@ struct Support {
 };
 
 // Finds the heights at which most of the points with a vertical normal lie and fits a surface
-// there. `points`, `normals`: CV_32FC3 in the camera frame, NaN = none; `gravity`: unit vector
-// that points down. The one with most points first; empty where too few points agree.
-std::vector<Support> FindSupports(const cv::Mat& points, const cv::Mat& normals,
+// there. `points`: CV_32FC3, NaN = none; both in the camera frame; `gravity`: unit vector that
+// points down. The one with most points first; empty where too few points agree.
+std::vector<Support> FindSupports(const cv::Mat& points, const NormalMap& normals,
                                   const Eigen::Vector3f& gravity,
                                   const SupportOptions& options = {});
 

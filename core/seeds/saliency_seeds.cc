@@ -15,17 +15,25 @@ bool HasPoint(const cv::Mat& points, const cv::Point& pixel) {
   return !std::isnan(points.at<cv::Vec3f>(pixel)[2]);
 }
 
+void TakeHigher(const float* row, std::vector<float>& highest) {
+  for (std::size_t x = 0; x < highest.size(); ++x) highest[x] = std::max(highest[x], row[x]);
+}
+
 // Maximum of every block; those at the right and lower end may be cut.
 cv::Mat BlockMaxima(const cv::Mat& map, int block_px) {
   const int rows = (map.rows + block_px - 1) / block_px;
   const int cols = (map.cols + block_px - 1) / block_px;
   cv::Mat maxima(rows, cols, CV_32F, cv::Scalar::all(std::numeric_limits<float>::lowest()));
-  for (int y = 0; y < map.rows; ++y) {
-    const float* row = map.ptr<float>(y);
-    float* most = maxima.ptr<float>(y / block_px);
-    for (int block = 0; block < cols; ++block) {
-      const int end = std::min((block + 1) * block_px, map.cols);
-      for (int x = block * block_px; x < end; ++x) most[block] = std::max(most[block], row[x]);
+  std::vector<float> highest(map.cols);  // of each column, within a row of blocks
+  for (int block_row = 0; block_row < rows; ++block_row) {
+    const int first = block_row * block_px;
+    const int end = std::min(first + block_px, map.rows);
+    std::copy_n(map.ptr<float>(first), map.cols, highest.begin());
+    for (int y = first + 1; y < end; ++y) TakeHigher(map.ptr<float>(y), highest);
+    float* most = maxima.ptr<float>(block_row);
+    for (int x = 0, block = 0; x < map.cols; ++block) {
+      const int block_end = std::min(x + block_px, map.cols);
+      for (; x < block_end; ++x) most[block] = std::max(most[block], highest[x]);
     }
   }
   return maxima;

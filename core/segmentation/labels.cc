@@ -36,13 +36,13 @@ std::vector<int> Renumbered(const std::vector<int>& labels, DisjointSets& sets) 
 }
 
 cv::Mat LabelImage(const VoxelGrid& grid, const std::vector<int>& labels) {
-  cv::Mat image = cv::Mat::zeros(grid.voxel_of_pixel.size(), CV_16UC1);
+  std::vector<std::uint16_t> label_of(labels.size() + 1, 0);  // the first for "no voxel"
+  std::copy(labels.begin(), labels.end(), label_of.begin() + 1);
+  cv::Mat image(grid.voxel_of_pixel.size(), CV_16UC1);
   for (int row = 0; row < image.rows; ++row) {
     const int* voxel = grid.voxel_of_pixel.ptr<int>(row);
     auto* label = image.ptr<std::uint16_t>(row);
-    for (int col = 0; col < image.cols; ++col) {
-      if (voxel[col] >= 0) label[col] = static_cast<std::uint16_t>(labels[voxel[col]]);
-    }
+    for (int col = 0; col < image.cols; ++col) label[col] = label_of[voxel[col] + 1];
   }
   return image;
 }

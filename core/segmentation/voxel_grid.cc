@@ -84,23 +84,32 @@ class RowCells {
   std::array<std::vector<int>, 3> cells_;
 };
 
-// Adds the points of the pixels first … end - 1 to a voxel.
-void AddPoints(const cv::Vec3f* points, const cv::Vec3f* normals, int first, int end,
-               Voxel& voxel) {
-  Eigen::Vector3f mean = voxel.mean, normal = voxel.normal;
+// Adds the points of the pixels first … end - 1 of a row to a voxel.
+void AddPoints(const cv::Vec3f* points, int first, int end, Voxel& voxel) {
+  Eigen::Vector3f mean = voxel.mean;
   for (int col = first; col < end; ++col) {
     mean += Eigen::Vector3f(points[col][0], points[col][1], points[col][2]);
-    const cv::Vec3f& n = normals[col];
-    if (!std::isnan(n[0])) normal += Eigen::Vector3f(n[0], n[1], n[2]);
   }
   voxel.mean = mean;
-  voxel.normal = normal;
   voxel.num_points += end - first;
 }
 
+// Adds the normals of those pixels, if they have any.
+void AddNormals(const NormalMap& normals, int row, int first, int end, Voxel& voxel) {
+  const int step = normals.step_px;
+  if (row % step != 0) return;
+  const cv::Vec3f* normal = normals.vectors.ptr<cv::Vec3f>(row / step);
+  Eigen::Vector3f sum = voxel.normal;
+  for (int i = (first + step - 1) / step; i * step < end; ++i) {
+    const cv::Vec3f& n = normal[i];
+    if (!std::isnan(n[0])) sum += Eigen::Vector3f(n[0], n[1], n[2]);
+  }
+  voxel.normal = sum;
+}
+
 // Adds each point to its voxel; means and normals are sums until Finish.
-CellIndex CollectVoxels(const cv::Mat& points, const cv::Mat& normals, const VoxelOptions& options,
-                        VoxelGrid& grid) {
+CellIndex CollectVoxels(const cv::Mat& points, const NormalMap& normals,
+                        const VoxelOptions& options, VoxelGrid& grid) {
   CellIndex index(points.total() / 64);
   RowCells cells(points.cols, options);
   for (int row = 0; row < points.rows; ++row) {
@@ -114,7 +123,8 @@ CellIndex CollectVoxels(const cv::Mat& points, const cv::Mat& normals, const Vox
       const int next = static_cast<int>(grid.voxels.size());
       const int voxel = index.FindOrAdd(cell, next);
       if (voxel == next) grid.voxels.push_back({.cell = cell});
-      AddPoints(point, normals.ptr<cv::Vec3f>(row), first, end, grid.voxels[voxel]);
+      AddPoints(point, first, end, grid.voxels[voxel]);
+      AddNormals(normals, row, first, end, grid.voxels[voxel]);
       std::fill(voxel_of_pixel + first, voxel_of_pixel + end, voxel);
     }
   }
@@ -157,7 +167,7 @@ void SmoothNormals(VoxelGrid& grid) {
 
 }  // namespace
 
-VoxelGrid BuildVoxelGrid(const cv::Mat& points, const cv::Mat& normals,
+VoxelGrid BuildVoxelGrid(const cv::Mat& points, const NormalMap& normals,
                          const VoxelOptions& options) {
   VoxelGrid grid;
   grid.voxel_of_pixel = cv::Mat(points.size(), CV_32SC1, cv::Scalar(-1));

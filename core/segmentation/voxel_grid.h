@@ -6,6 +6,8 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
+#include "core/depth/normals.h"
+
 namespace fovea {
 
 struct VoxelOptions {
@@ -38,8 +40,8 @@ struct VoxelGrid {
   cv::Mat voxel_of_pixel;        // CV_32SC1, frame size; -1 = no point
 };
 
-// Sorts the points into cubes. `points`, `normals`: CV_32FC3, NaN = none.
-VoxelGrid BuildVoxelGrid(const cv::Mat& points, const cv::Mat& normals,
+// Sorts the points into cubes. `points`: CV_32FC3, NaN = none.
+VoxelGrid BuildVoxelGrid(const cv::Mat& points, const NormalMap& normals,
                          const VoxelOptions& options = {});
 
 // Signed angle between the normals of two voxels in degrees: positive where the surface bulges

@@ -32,10 +32,15 @@ cv::Mat PlaneDepth(const cv::Vec3d& n, double d) {
 TEST(EstimateNormals, IsExactOnAPlane) {
   const cv::Vec3d n = cv::normalize(cv::Vec3d(0.2, -0.6, -0.7));
   const cv::Mat points = BackProject(PlaneDepth(n, -0.9), kCamera, 10);
-  const cv::Mat normals = EstimateNormals(points, kCamera);
-  for (int row = 0; row < points.rows; ++row) {
-    for (int col = 0; col < points.cols; ++col) {
-      EXPECT_GT(normals.at<cv::Vec3f>(row, col).dot(cv::Vec3f(n)), 0.9999F) << row << " " << col;
+  for (const int sample_px : {1, 2}) {
+    // Steep to the camera, the plane's depth changes much within the distance of two samples.
+    const NormalOptions options{.sample_px = sample_px, .max_depth_change = 0.02 * sample_px};
+    const cv::Mat normals = EstimateNormals(points, kCamera, options).vectors;
+    for (int row = 0; row < points.rows; ++row) {
+      for (int col = 0; col < points.cols; ++col) {
+        EXPECT_GT(normals.at<cv::Vec3f>(row, col).dot(cv::Vec3f(n)), 0.9999F)
+            << sample_px << " " << row << " " << col;
+      }
     }
   }
 }
@@ -44,21 +49,21 @@ TEST(EstimateNormals, PointTowardsTheCamera) {
   for (const double sign : {-1.0, 1.0}) {
     const cv::Vec3d n = sign * cv::normalize(cv::Vec3d(0.1, 0.2, 1));
     const cv::Mat points = BackProject(PlaneDepth(n, sign), kCamera, 10);
-    EXPECT_LT(EstimateNormals(points, kCamera).at<cv::Vec3f>(20, 30)[2], -0.9F);
+    EXPECT_LT(EstimateNormals(points, kCamera).vectors.at<cv::Vec3f>(20, 30)[2], -0.9F);
   }
 }
 
 TEST(EstimateNormals, DoesNotMixSurfacesAcrossADepthStep) {
   cv::Mat depth = PlaneDepth({0, 0, -1}, -1.0);
   depth.colRange(30, 61).setTo(1.5F);
-  const cv::Mat normals = EstimateNormals(BackProject(depth, kCamera, 10), kCamera);
+  const cv::Mat normals = EstimateNormals(BackProject(depth, kCamera, 10), kCamera).vectors;
   for (int col = 26; col < 34; ++col) EXPECT_LT(normals.at<cv::Vec3f>(20, col)[2], -0.9999F);
 }
 
 TEST(EstimateNormals, HasNoneWhereThereIsNoDepthOrOnlyALine) {
   cv::Mat depth(9, 9, CV_32FC1, cv::Scalar(std::numeric_limits<float>::quiet_NaN()));
   depth.row(4).setTo(1.0F);
-  const cv::Mat normals = EstimateNormals(BackProject(depth, kCamera, 10), kCamera);
+  const cv::Mat normals = EstimateNormals(BackProject(depth, kCamera, 10), kCamera).vectors;
   for (int row = 0; row < 9; ++row) EXPECT_TRUE(std::isnan(normals.at<cv::Vec3f>(row, 4)[0]));
 }
 
@@ -67,15 +72,19 @@ TEST(EstimateNormals, WithAStepEqualsTheDenseResultOnItsGrid) {
   cv::Mat near = depth(cv::Rect(10, 10, 15, 12));
   near *= 0.9;
   const cv::Mat points = BackProject(depth, kCamera, 10);
-  const cv::Mat dense = EstimateNormals(points, kCamera);
-  const cv::Mat sparse = EstimateNormals(points, kCamera, {.step_px = 4});
-  for (int row = 0; row < points.rows; ++row) {
-    for (int col = 0; col < points.cols; ++col) {
-      const cv::Vec3f& normal = sparse.at<cv::Vec3f>(row, col);
-      if (row % 4 == 0 && col % 4 == 0) {
-        EXPECT_EQ(normal, dense.at<cv::Vec3f>(row, col));
-      } else {
-        EXPECT_TRUE(std::isnan(normal[0]));
+  for (const int sample_px : {1, 2}) {
+    const cv::Mat dense = EstimateNormals(points, kCamera, {.sample_px = sample_px}).vectors;
+    for (const int step : {2, 3, 4}) {
+      const NormalMap sparse =
+          EstimateNormals(points, kCamera, {.sample_px = sample_px, .step_px = step});
+      EXPECT_EQ(sparse.step_px, step);
+      ASSERT_EQ(sparse.vectors.size(), cv::Size((60 + step) / step, (40 + step) / step));
+      for (int row = 0; row < sparse.vectors.rows; ++row) {
+        for (int col = 0; col < sparse.vectors.cols; ++col) {
+          EXPECT_EQ(sparse.vectors.at<cv::Vec3f>(row, col),
+                    dense.at<cv::Vec3f>(row * step, col * step))
+              << sample_px << " " << step << ": " << row << " " << col;
+        }
       }
     }
   }
@@ -97,7 +106,7 @@ TEST(EstimateNormals, AgreesWithPclOnANoisySphere) {
     }
   }
   const cv::Mat points = BackProject(depth, kCamera, 10);
-  const cv::Mat normals = EstimateNormals(points, kCamera);
+  const cv::Mat normals = EstimateNormals(points, kCamera).vectors;
 
   pcl::PointCloud<pcl::PointXYZ> cloud;
   for (int i = 0; i < static_cast<int>(points.total()); ++i) {

@@ -35,6 +35,7 @@ class Scene {
     VoxelGrid grid;
     grid.voxels.resize(labels_.size());
     grid.voxel_of_pixel = voxels_;
+    for (const int voxel : cv::Mat_<int>(voxels_)) ++grid.voxels[voxel].num_points;
     const CameraIntrinsics intrinsics{130, 130, 79.5, 59.5};
     const PlausibleSegments left =
         RemoveContinued(grid, labels_, BackProject(depth_, intrinsics, 10), intrinsics, on_wall_,
