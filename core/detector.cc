@@ -12,6 +12,7 @@
 #include "core/segmentation/alpha_expansion.h"
 #include "core/segmentation/contraction.h"
 #include "core/segmentation/labels.h"
+#include "core/segmentation/mean_color.h"
 #include "core/stage_clock.h"
 
 namespace fovea {
@@ -150,7 +151,8 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   AddWalls(on_wall, is_background);
   seeds = CoverWithSeeds(grid, is_background, seeds, options.cover);
   clock.Finish("voxels");
-  const PottsEnergy energy = BuildEnergy(grid, points, is_background, seeds, options.mrf);
+  const std::vector<MeanColor> colors = ColorsOfVoxels(grid, is_background, frame.color_rgb);
+  const PottsEnergy energy = BuildEnergy(grid, points, colors, is_background, seeds, options.mrf);
   counts.num_seeds = seeds.size();
   counts.num_voxels = grid.voxels.size();
   clock.Finish("energy");
@@ -158,9 +160,10 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   clock.Finish("graph_cut");
 
   // Section 3.3: segments that look alike are one object.
-  const RefinedScene refined = Refine({grid, labels, points, frame.color_rgb, frame.intrinsics,
-                                       -result.gravity.direction, supports, on_wall},
-                                      options);
+  const RefinedScene refined =
+      Refine({grid, labels, points, frame.color_rgb, colors, frame.intrinsics,
+              -result.gravity.direction, supports, on_wall},
+             options);
   counts.num_segments = refined.num_segments;
   counts.num_merged = refined.num_merged;
   counts.segments_implausible = refined.num_implausible;
@@ -171,7 +174,8 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
                   options.objects, result);
   counts.messages = ExplainLosses(result);
   clock.Finish("objects");
-  if (trace != nullptr) *trace = {color_saliency, depth_saliency, seeds, grid, refined.segments};
+  if (trace != nullptr)
+    *trace = {color_saliency, depth_saliency, seeds, grid, colors, refined.segments};
   return result;
 }
 

@@ -63,6 +63,7 @@ DetectorOptions Default() {
   options.mrf.cluster_min_share = 0.6;
   options.mrf.concave_angle_deg = 12;
   options.mrf.step_weight = 0.6;
+  options.mrf.color_floor = 0.35;
   // Shape, colour and size together tell the parts of an object; textures would part them.
   options.color_merge.min_correlation = 1;
   options.part_merge.min_probability = 0.4;

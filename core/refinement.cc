@@ -22,8 +22,7 @@ void RequireFewSegments(std::size_t num_segments) {
 // Segments that are parts of one object.
 std::vector<int> Merge(const LabelledScene& scene, const std::vector<int>& segments,
                        const DetectorOptions& options) {
-  const auto& [grid, labels, points, color_rgb, intrinsics, up, supports, on_wall] = scene;
-  const std::vector<MeanColor> colors = ColorsOfVoxels(grid, segments, color_rgb);
+  const auto& [grid, labels, points, color_rgb, colors, intrinsics, up, supports, on_wall] = scene;
   std::vector<int> objects = MergeParts(grid, segments, colors, intrinsics, up, options.part_merge);
   objects = MergeOccluded(grid, objects, points, colors, intrinsics, up, options.occlusion_merge);
   return MergeUnstable(grid, objects, points, intrinsics, supports, options.support, up,
@@ -33,7 +32,7 @@ std::vector<int> Merge(const LabelledScene& scene, const std::vector<int>& segme
 }  // namespace
 
 RefinedScene Refine(const LabelledScene& scene, const DetectorOptions& options) {
-  const auto& [grid, labels, points, color_rgb, intrinsics, up, supports, on_wall] = scene;
+  const auto& [grid, labels, points, color_rgb, colors, intrinsics, up, supports, on_wall] = scene;
   RefinedScene result;
   result.segments = SplitIntoSegments(grid, labels);
   result.num_segments = CountLabels(result.segments);

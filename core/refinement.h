@@ -13,9 +13,10 @@ namespace fovea {
 // What is known of a scene by then.
 struct LabelledScene {
   const VoxelGrid& grid;
-  const std::vector<int>& labels;  // one entry a voxel, 0 = background
-  const cv::Mat& points;           // CV_32FC3 in the camera frame, NaN = none
-  const cv::Mat& color_rgb;        // CV_8UC3 of the same size
+  const std::vector<int>& labels;        // one entry a voxel, 0 = background
+  const cv::Mat& points;                 // CV_32FC3 in the camera frame, NaN = none
+  const cv::Mat& color_rgb;              // CV_8UC3 of the same size
+  const std::vector<MeanColor>& colors;  // one entry a voxel
   const CameraIntrinsics& intrinsics;
   Eigen::Vector3f up;  // unit vector
   const std::vector<Support>& supports;

@@ -4,6 +4,7 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
+#include "core/segmentation/mean_color.h"
 #include "core/segmentation/voxel_grid.h"
 #include "core/types/detections.h"
 
@@ -14,7 +15,8 @@ struct Trace {
   cv::Mat depth_saliency;   // CV_32FC1 in [0, 1], frame size
   std::vector<Seed> seeds;  // those that became object hypotheses
   VoxelGrid voxels;
-  std::vector<int> segments;  // one entry a voxel, before parts are joined; 0 = background
+  std::vector<MeanColor> colors;  // of the voxels
+  std::vector<int> segments;      // one entry a voxel, before parts are joined; 0 = background
 };
 
 }  // namespace fovea

@@ -14,8 +14,9 @@ constexpr double kFlat_m = 0.025;
 constexpr double kMinHeight_m = 0.05;
 constexpr double kMaxDistance_m = 3;  // of the scenes of the fit
 
-constexpr double kBias = -6.744;
-constexpr KinshipTerms kWeights = {-9.112, 5.22, -7.102, 14.16, -2.35, 1.261, 5.226, 0.01795, 3.85};
+constexpr double kBias = -7.6904;
+constexpr KinshipTerms kWeights = {-8.6196, 5.6609, -5.9672,  14.633, -2.4911,
+                                   1.074,   4.7959, 0.021465, 3.2038};
 
 }  // namespace
 

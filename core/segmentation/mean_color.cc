@@ -42,12 +42,19 @@ class ColorTable {
   std::array<double, 256> lightness_, chroma_scale_;
 };
 
+cv::Rect BoundsOfForeground(const VoxelGrid& grid, const std::vector<char>& is_background) {
+  std::vector<int> foreground;
+  foreground.reserve(is_background.size());
+  for (const char background : is_background) foreground.push_back(background == 0 ? 1 : 0);
+  return cv::boundingRect(LabelImage(grid, foreground) != 0);
+}
+
 }  // namespace
 
-std::vector<MeanColor> ColorsOfVoxels(const VoxelGrid& grid, const std::vector<int>& labels,
+std::vector<MeanColor> ColorsOfVoxels(const VoxelGrid& grid, const std::vector<char>& is_background,
                                       const cv::Mat& color_rgb) {
   std::vector<MeanColor> colors(grid.voxels.size());
-  const cv::Rect bounds = cv::boundingRect(LabelImage(grid, labels) != 0);
+  const cv::Rect bounds = BoundsOfForeground(grid, is_background);
   if (bounds.empty()) return colors;
   static const ColorTable table;
   const cv::Mat lab = LabOf(color_rgb(bounds));

@@ -152,7 +152,14 @@ float PairwiseWeight(const Voxel& a, const Voxel& b, const MrfOptions& options) 
   return static_cast<float>(options.lambda / distance * ((convex ? 1 : 0) + options.epsilon));
 }
 
+float ColorShare(const MeanColor& a, const MeanColor& b, const MrfOptions& options) {
+  const double beyond = std::max(0.0, a.DistanceTo(b) - options.color_distance);
+  const double share = std::exp(-beyond / options.color_scale);
+  return static_cast<float>(options.color_floor + (1 - options.color_floor) * share);
+}
+
 PottsEnergy BuildEnergy(const VoxelGrid& grid, const cv::Mat& points,
+                        const std::vector<MeanColor>& colors,
                         const std::vector<char>& is_background, const std::vector<Seed>& seeds,
                         const MrfOptions& options) {
   const PointStatistics statistics = Collect(grid, points, is_background, seeds, options);
@@ -175,8 +182,12 @@ PottsEnergy BuildEnergy(const VoxelGrid& grid, const cv::Mat& points,
   }
   for (const VoxelEdge& edge : grid.edges) {
     if (is_background[edge.a] && is_background[edge.b]) continue;
-    energy.edges.push_back(
-        {edge.a, edge.b, PairwiseWeight(grid.voxels[edge.a], grid.voxels[edge.b], options)});
+    float weight = PairwiseWeight(grid.voxels[edge.a], grid.voxels[edge.b], options);
+    const bool between_objects = !is_background[edge.a] && !is_background[edge.b];
+    if (options.color_floor < 1 && between_objects) {
+      weight *= ColorShare(colors[edge.a], colors[edge.b], options);
+    }
+    energy.edges.push_back({edge.a, edge.b, weight});
   }
   return energy;
 }

@@ -5,6 +5,7 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
+#include "core/segmentation/mean_color.h"
 #include "core/segmentation/potts_energy.h"
 #include "core/segmentation/voxel_grid.h"
 #include "core/types/detections.h"
@@ -24,6 +25,12 @@ struct MrfOptions {
   // With concave_angle: how much of the angle of a step between surfaces that look the same way,
   // one in front of the other, is added to a.
   double step_weight = 0;
+  // The weight between voxels whose colours are farther apart than color_distance falls towards
+  // color_floor of itself, by a factor of e every color_scale; units of mean_color.h. Floor 1: only
+  // shape counts.
+  double color_floor = 1;
+  double color_distance = 12;
+  double color_scale = 8;
   // Probabilities below this count as this, since Eq. 6 is 0 at a seed; a hypothesis is no choice
   // for voxels where Eq. 5 is below it.
   double min_probability = 1e-6;
@@ -43,12 +50,17 @@ struct MrfOptions {
 // support surface, where the paper sets the background's probability to one. A hypothesis offers
 // itself to the voxels within `reach_m` where Eq. 5 is above `min_probability`.
 // `points`: CV_32FC3, the image that the grid was built from. Throws std::length_error if there
-// are more choices of voxel and hypothesis than memory should hold (2^25).
+// are more choices of voxel and hypothesis than memory should hold (2^25). `colors`: one entry a
+// voxel, as of ColorsOfVoxels; not used where color_floor is 1.
 PottsEnergy BuildEnergy(const VoxelGrid& grid, const cv::Mat& points,
+                        const std::vector<MeanColor>& colors,
                         const std::vector<char>& is_background, const std::vector<Seed>& seeds,
                         const MrfOptions& options = {});
 
 // Eq. 7 without the indicator: the cost of cutting between two neighbouring voxels.
 float PairwiseWeight(const Voxel& a, const Voxel& b, const MrfOptions& options);
+
+// The share of it that the colours of the two voxels leave; 0 … 1.
+float ColorShare(const MeanColor& a, const MeanColor& b, const MrfOptions& options);
 
 }  // namespace fovea

@@ -42,9 +42,7 @@ struct TruePixels {
 class Sampler {
  public:
   Sampler(const Scene& scene, const Trace& trace, const Eigen::Vector3f& up)
-      : graph_(trace.voxels, trace.segments,
-               ColorsOfVoxels(trace.voxels, trace.segments, scene.frame.color_rgb),
-               scene.frame.intrinsics, up),
+      : graph_(trace.voxels, trace.segments, trace.colors, scene.frame.intrinsics, up),
         pixels_(CountLabels(trace.segments) + 1) {
     const cv::Mat labels = LabelImage(trace.voxels, trace.segments);
     for (int row = 0; row < labels.rows; ++row) {

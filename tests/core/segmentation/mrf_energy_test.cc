@@ -61,7 +61,7 @@ TEST(BuildEnergy, HasTheDataTermAsPrinted) {
   const Scene scene = RandomScene(11);
   const MrfOptions options;
   const std::vector<char> none(scene.grid.voxels.size(), 0);
-  const PottsEnergy energy = BuildEnergy(scene.grid, scene.points, none, scene.seeds, options);
+  const PottsEnergy energy = BuildEnergy(scene.grid, scene.points, {}, none, scene.seeds, options);
   ASSERT_EQ(energy.choices.size(), 4U);
   for (int label = 0; label < 4; ++label) {
     ASSERT_EQ(energy.choices[label].size(), scene.grid.voxels.size());
@@ -78,7 +78,7 @@ TEST(BuildEnergy, BackgroundOfSinglePointsKnowsTheirNearestSeed) {
   ASSERT_EQ(scene.grid.voxels.size(), scene.points.total());
   const MrfOptions options;
   const std::vector<char> none(scene.grid.voxels.size(), 0);
-  const PottsEnergy energy = BuildEnergy(scene.grid, scene.points, none, scene.seeds, options);
+  const PottsEnergy energy = BuildEnergy(scene.grid, scene.points, {}, none, scene.seeds, options);
   for (const auto& choice : energy.choices[0]) {
     EXPECT_NEAR(choice.cost, LiteralCost(scene, choice.node, 0, options), 2e-3) << choice.node;
   }
@@ -89,7 +89,7 @@ TEST(BuildEnergy, OffersNothingOnTheSupportAndBeyondReach) {
   scene.seeds[2].position.z() = 3.0F;  // two metres off: Eq. 5 is below min_probability
   std::vector<char> is_background(scene.grid.voxels.size(), 0);
   is_background[0] = 1;
-  const PottsEnergy energy = BuildEnergy(scene.grid, scene.points, is_background, scene.seeds);
+  const PottsEnergy energy = BuildEnergy(scene.grid, scene.points, {}, is_background, scene.seeds);
   EXPECT_EQ(energy.choices[0].size(), scene.grid.voxels.size());
   EXPECT_EQ(energy.choices[1].size(), scene.grid.voxels.size() - 1);
   EXPECT_EQ(energy.choices[1].front().node, 1);
@@ -127,6 +127,42 @@ TEST(PairwiseWeight, FallsWithGroovesAndSteps) {
   options.step_weight = 0.5;
   EXPECT_NEAR(PairwiseWeight(At(0, front), behind, options), 7 * std::exp(-22.5 / 12), 1e-4);
   EXPECT_NEAR(PairwiseWeight(At(0, left), At(0.01F, right), options), 7, 1e-5);
+}
+
+MeanColor Color(double hue) { return {{0, hue, 0}, 1}; }
+
+TEST(ColorShare, FallsWithTheDistanceOfTheColors) {
+  const MrfOptions options{.color_floor = 0.3, .color_distance = 10, .color_scale = 5};
+  EXPECT_EQ(ColorShare(Color(0), Color(10), options), 1);
+  EXPECT_NEAR(ColorShare(Color(0), Color(15), options), 0.3 + 0.7 * std::exp(-1), 1e-6);
+  EXPECT_EQ(ColorShare(Color(3), Color(18), options), ColorShare(Color(18), Color(3), options));
+  EXPECT_NEAR(ColorShare(Color(0), Color(1000), options), 0.3, 1e-6);
+}
+
+// Where both may be objects: a support's colour says nothing of what stands on it.
+TEST(BuildEnergy, WeighsColorsBetweenWhatMayBeObjects) {
+  const Scene scene = RandomScene(13);
+  std::vector<char> is_background(scene.grid.voxels.size(), 0);
+  is_background[0] = 1;
+  std::vector<MeanColor> colors;
+  for (std::size_t v = 0; v < scene.grid.voxels.size(); ++v) {
+    colors.push_back(Color(v % 2 == 0 ? 0 : 1000));
+  }
+  const auto edges = [&](double floor) {
+    return BuildEnergy(scene.grid, scene.points, colors, is_background, scene.seeds,
+                       {.color_floor = floor})
+        .edges;
+  };
+  const auto plain = edges(1), colored = edges(0.3);
+  ASSERT_EQ(plain.size(), colored.size());
+  std::size_t num_lighter = 0;
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    const bool differ = plain[i].a % 2 != plain[i].b % 2;
+    const bool counts = differ && plain[i].a != 0 && plain[i].b != 0;
+    EXPECT_NEAR(colored[i].weight, (counts ? 0.3F : 1.0F) * plain[i].weight, 1e-5);
+    num_lighter += counts ? 1 : 0;
+  }
+  EXPECT_GT(num_lighter, 0U);
 }
 
 TEST(PairwiseWeight, DoesNotDependOnTheOrder) {

@@ -45,8 +45,12 @@ const Eigen::Vector3f kUp(0, -1, 0);
 const cv::Vec3b kGrey(100, 100, 100);
 const cv::Vec3b kWhite(255, 255, 255);
 
+std::vector<MeanColor> ColorsOf(const Scene& scene) {
+  return ColorsOfVoxels(scene.grid, std::vector<char>(scene.labels.size(), 0), scene.color);
+}
+
 std::size_t SegmentsLeft(const Scene& scene, const PartMergeOptions& options) {
-  const auto colors = ColorsOfVoxels(scene.grid, scene.labels, scene.color);
+  const auto colors = ColorsOf(scene);
   const auto merged = MergeParts(scene.grid, scene.labels, colors, kCamera, kUp, options);
   return static_cast<std::size_t>(*std::max_element(merged.begin(), merged.end()));
 }
@@ -63,13 +67,12 @@ TEST(MergeParts, IsOffAtOne) {
 TEST(MergeParts, DoesNotTouchTheBackground) {
   Scene scene = TwoFaces(0, kGrey);
   std::replace(scene.labels.begin(), scene.labels.end(), 2, 0);
-  const auto colors = ColorsOfVoxels(scene.grid, scene.labels, scene.color);
+  const auto colors = ColorsOf(scene);
   EXPECT_EQ(MergeParts(scene.grid, scene.labels, colors, kCamera, kUp, kOptions), scene.labels);
 }
 
 SegmentGraph GraphOf(const Scene& scene) {
-  return {scene.grid, scene.labels, ColorsOfVoxels(scene.grid, scene.labels, scene.color), kCamera,
-          kUp};
+  return {scene.grid, scene.labels, ColorsOf(scene), kCamera, kUp};
 }
 
 Kinship KinshipIn(const Scene& scene) { return GraphOf(scene).Pairs().at({1, 2}); }
