@@ -66,7 +66,7 @@ DetectorOptions Default() {
   options.mrf.color_floor = 0.35;
   // Shape, colour and size together tell the parts of an object; textures would part them.
   options.color_merge.min_correlation = 1;
-  options.part_merge.min_probability = 0.4;
+  options.part_merge.min_probability = 0.5;
   options.hollow_fill.max_radius_m = 0.2;
   options.occlusion_merge.min_shared_surface = 0.3;
   options.occlusion_merge.max_color_distance = 60;

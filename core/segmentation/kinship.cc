@@ -14,9 +14,9 @@ constexpr double kFlat_m = 0.025;
 constexpr double kMinHeight_m = 0.05;
 constexpr double kMaxDistance_m = 3;  // of the scenes of the fit
 
-constexpr double kBias = -7.6904;
-constexpr KinshipTerms kWeights = {-8.6196, 5.6609, -5.9672,  14.633, -2.4911,
-                                   1.074,   4.7959, 0.021465, 3.2038};
+constexpr double kBias = -7.152;
+constexpr KinshipTerms kWeights = {-9.092, 5.042, -6.006,  14.23, -2.507,
+                                   1.142,  4.574, 0.02211, 3.911};
 
 }  // namespace
 

@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
-#include <opencv2/core/utility.hpp>
 
+#include "server/compute_process.h"
 #include "tests/evaluation/detection_command.h"
 #include "tests/evaluation/kinship_command.h"
 #include "tests/evaluation/saliency/saliency_command.h"
@@ -12,7 +12,7 @@
 namespace {
 
 int Run(int argc, char** argv) {
-  cv::setNumThreads(1);  // times are those of one thread per frame
+  fovea::server::SetUpComputing(1);  // times are those of the server, one thread a frame
   CLI::App app{"Scores the detector and its saliency against ground truth."};
   app.require_subcommand(1);
   fovea::evaluation::AddDetectionCommand(app);
