@@ -43,7 +43,7 @@ class InverseDepth {
   // Of a pixel, followed by those `step`, 2 · step, … to the right of it; up to the window's radius
   // outside of the image.
   const float* At(int row, int col) const { return image_.ptr<float>(row + radius_) + Place(col); }
-  std::ptrdiff_t row_stride() const { return static_cast<std::ptrdiff_t>(image_.step1()); }
+  std::ptrdiff_t RowStride() const { return static_cast<std::ptrdiff_t>(image_.step1()); }
 
  private:
   int Place(int col) const { return (col + radius_) % step_ * centers_ + (col + radius_) / step_; }
@@ -60,7 +60,7 @@ FOVEA_INLINE FitSums SumWindows(const InverseDepth& inverse, int row, int col,
   const Lanes limit = at_center * static_cast<float>(options.max_depth_change);
   const int sample = options.sample_px;
   const int reach = options.window_radius_px / sample * sample;
-  const std::ptrdiff_t stride = inverse.row_stride() * sample;
+  const std::ptrdiff_t stride = inverse.RowStride() * sample;
   FitSums sums;
   // One column of the window at a time, so that its offset du is multiplied in once.
   for (int du = -reach; du <= reach; du += sample) {

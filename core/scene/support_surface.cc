@@ -23,10 +23,10 @@ std::vector<Eigen::Vector3f> LevelPoints(const cv::Mat& points, const NormalMap&
   std::vector<Eigen::Vector3f> level;
   const int step = normals.step_px;
   for (int row = 0; row < normals.vectors.rows; ++row) {
-    const cv::Vec3f* point = points.ptr<cv::Vec3f>(row * step);
     const cv::Vec3f* normal = normals.vectors.ptr<cv::Vec3f>(row);
     for (int col = 0; col < normals.vectors.cols; ++col) {
-      if (ToEigen(normal[col]).dot(up) > min_cos) level.push_back(ToEigen(point[col * step]));
+      if (ToEigen(normal[col]).dot(up) <= min_cos || std::isnan(normal[col][0])) continue;
+      level.push_back(ToEigen(points.at<cv::Vec3f>(row * step, col * step)));
     }
   }
   return level;

@@ -151,7 +151,7 @@ class Sweeps {
     return changed;
   }
 
-  const std::vector<int>& labels() const { return current_.labels; }
+  const std::vector<int>& Labels() const { return current_.labels; }
 
  private:
   bool Expand(int alpha) {
@@ -177,7 +177,7 @@ std::vector<int> MinimizeByAlphaExpansion(const PottsEnergy& energy,
   Sweeps sweeps(energy, CheapestLabels(energy));
   bool changed = options.max_sweeps > 0 && sweeps.Run(false);
   for (int n = 1; changed && n < options.max_sweeps; ++n) changed = sweeps.Run(options.only_owners);
-  return sweeps.labels();
+  return sweeps.Labels();
 }
 
 std::vector<int> ImproveByAlphaExpansion(const PottsEnergy& energy, const std::vector<int>& labels,
@@ -185,7 +185,7 @@ std::vector<int> ImproveByAlphaExpansion(const PottsEnergy& energy, const std::v
   Sweeps sweeps(energy, WithCosts(energy, labels));
   for (int n = 0; n < options.max_sweeps && sweeps.Run(options.only_owners); ++n) {
   }
-  return sweeps.labels();
+  return sweeps.Labels();
 }
 
 }  // namespace fovea
