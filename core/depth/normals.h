@@ -2,7 +2,6 @@
 #pragma once
 
 #include <opencv2/core/mat.hpp>
-#include <utility>
 
 #include "core/types/rgbd_frame.h"
 
@@ -20,13 +19,10 @@ struct NormalOptions {
   double max_depth_change = 0.02;
 };
 
-// Normals of every step_px-th row and column of an image. All of them where no step is said.
+// Normals of every step_px-th row and column of an image.
 struct NormalMap {
-  // NOLINTNEXTLINE(google-explicit-constructor): an image of normals is a map of all of them
-  NormalMap(cv::Mat image = {}, int step = 1) : vectors(std::move(image)), step_px(step) {}
-
   cv::Mat vectors;  // CV_32FC3, NaN = none; its (row, col) is pixel (row · step_px, col · step_px)
-  int step_px;
+  int step_px = 1;
 };
 
 // Least-squares fit of a plane to each pixel's window. On a plane 1/z is linear in the pixel

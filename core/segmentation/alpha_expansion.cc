@@ -111,18 +111,6 @@ class Expansion {
   BinaryEnergy energy_;
 };
 
-// A labelling with what its labels cost; infinite where a label is no choice.
-Labelling WithCosts(const PottsEnergy& energy, const std::vector<int>& labels) {
-  Labelling labelling{labels,
-                      std::vector<float>(labels.size(), std::numeric_limits<float>::infinity())};
-  for (int label = 0; label < static_cast<int>(energy.choices.size()); ++label) {
-    for (const PottsEnergy::Choice& choice : energy.choices[label]) {
-      if (labels[choice.node] == label) labelling.costs[choice.node] = choice.cost;
-    }
-  }
-  return labelling;
-}
-
 // Whether each label is some node's.
 std::vector<char> FindOwners(const Labelling& labelling, std::size_t num_labels) {
   std::vector<char> owns(num_labels, 0);
@@ -182,7 +170,7 @@ std::vector<int> MinimizeByAlphaExpansion(const PottsEnergy& energy,
 
 std::vector<int> ImproveByAlphaExpansion(const PottsEnergy& energy, const std::vector<int>& labels,
                                          const ExpansionOptions& options) {
-  Sweeps sweeps(energy, WithCosts(energy, labels));
+  Sweeps sweeps(energy, {labels, CostsOf(energy, labels)});
   for (int n = 0; n < options.max_sweeps && sweeps.Run(options.only_owners); ++n) {
   }
   return sweeps.Labels();

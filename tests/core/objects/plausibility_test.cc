@@ -195,7 +195,7 @@ PlausibleSegments WithSegmentAbove(float below_m) {
     }
   }
   const cv::Mat normals(40, 40, CV_32FC3, cv::Scalar(0, 0, -1));
-  const VoxelGrid grid = BuildVoxelGrid(points, normals, {.size_m = 0.01});
+  const VoxelGrid grid = BuildVoxelGrid(points, {normals}, {.size_m = 0.01});
   std::vector<int> labels(grid.voxels.size(), 0);
   for (int i = 0; i < 40 * 40; ++i) {
     labels[grid.voxel_of_pixel.at<int>(i / 40, i % 40)] = upper.at<uchar>(i / 40, i % 40);

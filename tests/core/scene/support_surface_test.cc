@@ -50,7 +50,7 @@ const Eigen::Vector3f kDown = Eigen::Vector3f::UnitY();
 std::optional<SupportSurface> Dominating(const cv::Mat& points, const cv::Mat& normals,
                                          const Eigen::Vector3f& gravity,
                                          const SupportOptions& options = {}) {
-  const std::vector<Support> supports = FindSupports(points, normals, gravity, options);
+  const std::vector<Support> supports = FindSupports(points, {normals}, gravity, options);
   return supports.empty() ? std::nullopt : std::optional(supports.front().surface);
 }
 
@@ -93,20 +93,20 @@ TEST(FindSupports, FindsSeveralTheFullestFirst) {
   cloud.AddLevel(0.4F, 20);
   cloud.AddLevel(0.7F, 40);
   cloud.AddLevel(0.1F, 30);
-  const auto supports = FindSupports(cloud.Points(), cloud.Normals(), kDown, {.max_surfaces = 5});
+  const auto supports = FindSupports(cloud.Points(), {cloud.Normals()}, kDown, {.max_surfaces = 5});
   ASSERT_EQ(supports.size(), 3U);
   EXPECT_NEAR(supports[0].surface.HeightOf({0, 0.7F, 1.5F}), 0.0F, 1e-4F);
   EXPECT_NEAR(supports[1].surface.HeightOf({0, 0.1F, 1.5F}), 0.0F, 1e-4F);
   EXPECT_NEAR(supports[2].surface.HeightOf({0, 0.4F, 1.5F}), 0.0F, 1e-4F);
   EXPECT_EQ(supports[1].surface.num_points, 900U);
-  EXPECT_EQ(FindSupports(cloud.Points(), cloud.Normals(), kDown, {.max_surfaces = 2}).size(), 2U);
+  EXPECT_EQ(FindSupports(cloud.Points(), {cloud.Normals()}, kDown, {.max_surfaces = 2}).size(), 2U);
 }
 
 TEST(FindSupports, TheShareIsAskedOfTheFirstOnly) {
   Cloud cloud;
   cloud.AddLevel(0.7F, 40);
   cloud.AddLevel(0.4F, 5);  // 25 of 1625 points
-  EXPECT_EQ(FindSupports(cloud.Points(), cloud.Normals(), kDown, {.max_surfaces = 2}).size(), 2U);
+  EXPECT_EQ(FindSupports(cloud.Points(), {cloud.Normals()}, kDown, {.max_surfaces = 2}).size(), 2U);
 }
 
 TEST(FindSupports, LeavesOutWhatIsTooSmallToCarry) {
@@ -115,20 +115,20 @@ TEST(FindSupports, LeavesOutWhatIsTooSmallToCarry) {
   cloud.AddRectangle(0.6F, 0.0F, 1.2F, 12, 12);    // the top of a box on it
   cloud.AddRectangle(0.3F, -0.5F, 2.0F, 60, 30);   // a shelf
   SupportOptions options{.max_surfaces = 3, .min_area_m2 = 0.05};
-  const auto supports = FindSupports(cloud.Points(), cloud.Normals(), kDown, options);
+  const auto supports = FindSupports(cloud.Points(), {cloud.Normals()}, kDown, options);
   ASSERT_EQ(supports.size(), 2U);
   EXPECT_NEAR(supports[0].surface.HeightOf({0, 0.7F, 1.5F}), 0.0F, 1e-4F);
   EXPECT_NEAR(supports[1].surface.HeightOf({0, 0.3F, 2.1F}), 0.0F, 1e-4F);
   EXPECT_TRUE(supports[1].footprint.Covers({3, 0.3F, 5}));  // no margin: everywhere above it
   options.min_area_m2 = 0;
-  EXPECT_EQ(FindSupports(cloud.Points(), cloud.Normals(), kDown, options).size(), 3U);
+  EXPECT_EQ(FindSupports(cloud.Points(), {cloud.Normals()}, kDown, options).size(), 3U);
 }
 
 TEST(FindSupports, AMarginBoundsTheFootprints) {
   Cloud cloud;
   cloud.AddRectangle(0.7F, -0.5F, 1.0F, 100, 80);
   const auto supports =
-      FindSupports(cloud.Points(), cloud.Normals(), kDown, {.footprint_margin_m = 0.06});
+      FindSupports(cloud.Points(), {cloud.Normals()}, kDown, {.footprint_margin_m = 0.06});
   ASSERT_EQ(supports.size(), 1U);
   EXPECT_TRUE(supports[0].footprint.Covers({0.53F, 0.6F, 1.4F}));
   EXPECT_FALSE(supports[0].footprint.Covers({0.65F, 0.6F, 1.4F}));
@@ -198,7 +198,7 @@ TEST(FindSupports, LetsThingsStandCloserOnWhatScattersLittle) {
   }
   const auto share = [&](double sigmas) {
     const auto supports =
-        FindSupports(cloud.Points(), cloud.Normals(), kDown, {.tolerance_sigmas = sigmas});
+        FindSupports(cloud.Points(), {cloud.Normals()}, kDown, {.tolerance_sigmas = sigmas});
     return supports.at(0).tolerance_share;
   };
   EXPECT_EQ(share(0), 1);
@@ -214,7 +214,7 @@ TEST(FindSupports, WhatIsTellablyAboveASurfaceIsNoPartOfIt) {
   cloud.AddRectangle(0.697F, 1.5F, 1.0F, 30, 30);  // 8 mm higher, within the tolerance
   SupportOptions options{.plane_fits = 0, .min_area_m2 = 0.02, .footprint_margin_m = 0.01};
   const auto covers = [&] {
-    const auto supports = FindSupports(cloud.Points(), cloud.Normals(), kDown, options);
+    const auto supports = FindSupports(cloud.Points(), {cloud.Normals()}, kDown, options);
     return supports.at(0).footprint.Covers({1.65F, 0.6F, 1.15F});
   };
   EXPECT_TRUE(covers());

@@ -14,7 +14,7 @@ VoxelGrid Line(int length, const std::vector<int>& gaps = {}) {
     points.at<cv::Vec3f>(i) = {0.005F + 0.01F * static_cast<float>(i), 0.005F, 1.005F};
   }
   for (const int i : gaps) points.at<cv::Vec3f>(i) = cv::Vec3f::all(std::nanf(""));
-  return BuildVoxelGrid(points, cv::Mat(points.size(), CV_32FC3, cv::Scalar(0, 0, -1)));
+  return BuildVoxelGrid(points, {cv::Mat(points.size(), CV_32FC3, cv::Scalar(0, 0, -1))});
 }
 
 std::vector<int> Columns(const std::vector<Seed>& seeds) {

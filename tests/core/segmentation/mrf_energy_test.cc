@@ -22,7 +22,7 @@ Scene RandomScene(unsigned seed, double voxel_m = 0.05) {
     *it = {0.1F * uniform(), 0.1F * uniform(), 1 + 0.1F * uniform()};
   }
   const cv::Mat normals(scene.points.size(), CV_32FC3, cv::Scalar(0, 0, -1));
-  scene.grid = BuildVoxelGrid(scene.points, normals, {.size_m = voxel_m});
+  scene.grid = BuildVoxelGrid(scene.points, {normals}, {.size_m = voxel_m});
   for (int i = 0; i < 3; ++i) {
     scene.seeds.push_back({{}, {0.1F * uniform(), 0.1F * uniform(), 1.0F}});
   }

@@ -45,7 +45,7 @@ Scene MakeScene(int rows, int cols, const std::function<Pixel(int row, int col)>
       labels.at<int>(row, col) = pixel.label;
     }
   }
-  scene.grid = BuildVoxelGrid(scene.points, normals, {.size_m = 0.01});
+  scene.grid = BuildVoxelGrid(scene.points, {normals}, {.size_m = 0.01});
   scene.labels.resize(scene.grid.voxels.size());
   for (int i = 0; i < rows * cols; ++i) {
     const int voxel = scene.grid.voxel_of_pixel.at<int>(i / cols, i % cols);

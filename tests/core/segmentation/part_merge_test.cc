@@ -33,7 +33,7 @@ Scene TwoFaces(float slope, const cv::Vec3b& right_color) {
       if (right) scene.color.at<cv::Vec3b>(row, col) = right_color;
     }
   }
-  scene.grid = BuildVoxelGrid(points, normals, {.size_m = 0.01});
+  scene.grid = BuildVoxelGrid(points, {normals}, {.size_m = 0.01});
   for (const Voxel& voxel : scene.grid.voxels) scene.labels.push_back(voxel.mean.x() < 0 ? 1 : 2);
   return scene;
 }

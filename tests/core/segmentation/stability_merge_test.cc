@@ -39,7 +39,7 @@ class Scene {
   std::size_t SegmentsLeft(const std::vector<Support>& supports = {{{kUp, kTable_m, 1}, {}}},
                            const StabilityMergeOptions& options = kOptions) const {
     const cv::Mat normals(200, 200, CV_32FC3, cv::Scalar(0, 0, -1));
-    const VoxelGrid grid = BuildVoxelGrid(points_, normals, {.size_m = 0.01});
+    const VoxelGrid grid = BuildVoxelGrid(points_, {normals}, {.size_m = 0.01});
     std::vector<int> labels(grid.voxels.size());
     for (int i = 0; i < 200 * 200; ++i) {
       labels[grid.voxel_of_pixel.at<int>(i / 200, i % 200)] = labels_.at<int>(i / 200, i % 200);

@@ -36,7 +36,7 @@ bool AreNeighbors(const Voxel& a, const Voxel& b, int axes) {
 
 TEST(BuildVoxelGrid, HasTheCentroidsOfPclsVoxelGrid) {
   const cv::Mat points = RandomPoints(1, 30, 40);
-  const VoxelGrid grid = BuildVoxelGrid(points, Upwards(points), {.size_m = 0.01});
+  const VoxelGrid grid = BuildVoxelGrid(points, {Upwards(points)}, {.size_m = 0.01});
 
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
   for (auto it = points.begin<cv::Vec3f>(); it != points.end<cv::Vec3f>(); ++it) {
@@ -61,7 +61,7 @@ TEST(BuildVoxelGrid, ConnectsExactlyTheNeighborsOfEachKind) {
   const cv::Mat points = RandomPoints(2, 20, 20);
   for (const int axes : {1, 2, 3}) {
     const VoxelGrid grid =
-        BuildVoxelGrid(points, Upwards(points), {.size_m = 0.015, .neighbor_axes = axes});
+        BuildVoxelGrid(points, {Upwards(points)}, {.size_m = 0.015, .neighbor_axes = axes});
     std::set<std::pair<int, int>> expected;
     for (int a = 0; a < static_cast<int>(grid.voxels.size()); ++a) {
       for (int b = a + 1; b < static_cast<int>(grid.voxels.size()); ++b) {
@@ -82,7 +82,7 @@ TEST(BuildVoxelGrid, TellsTheVoxelOfEachPixel) {
           std::vector<cv::Vec3f>{{0.001F, 0, 1}, {nan, nan, nan}, {0.002F, 0, 1}, {-0.001F, 0, 1}},
           true)
           .reshape(3, 1);
-  const VoxelGrid grid = BuildVoxelGrid(points, Upwards(points), {.size_m = 0.01});
+  const VoxelGrid grid = BuildVoxelGrid(points, {Upwards(points)}, {.size_m = 0.01});
   EXPECT_EQ(grid.voxels.size(), 2U);
   EXPECT_EQ(grid.voxel_of_pixel.at<int>(0), 0);
   EXPECT_EQ(grid.voxel_of_pixel.at<int>(1), -1);
@@ -111,12 +111,12 @@ TEST(BuildVoxelGrid, PerspectiveVoxelsHoldTheSameNumberOfPixelsAtAnyDistance) {
   for (const float z : {0.6F, 1.01F, 2.02F, 5.05F}) {
     const cv::Mat points = WallAt(z);
     const VoxelGrid grid =
-        BuildVoxelGrid(points, Upwards(points), {.size_m = 0.05, .perspective = true});
+        BuildVoxelGrid(points, {Upwards(points)}, {.size_m = 0.05, .perspective = true});
     EXPECT_EQ(grid.voxels.size(), 16U) << z;  // 0.05 rad · 100 px = 5 px
     for (const Voxel& voxel : grid.voxels) EXPECT_EQ(voxel.num_points, 25) << z;
   }
   const cv::Mat far = WallAt(2.02F);  // 20 px are 40 cm: 8 voxels of 5 cm a side
-  EXPECT_EQ(BuildVoxelGrid(far, Upwards(far), {.size_m = 0.05}).voxels.size(), 64U);
+  EXPECT_EQ(BuildVoxelGrid(far, {Upwards(far)}, {.size_m = 0.05}).voxels.size(), 64U);
 }
 
 TEST(BuildVoxelGrid, PerspectiveVoxelsGrowAlongTheAxisToo) {
@@ -127,7 +127,7 @@ TEST(BuildVoxelGrid, PerspectiveVoxelsGrowAlongTheAxisToo) {
     const std::vector<cv::Vec3f> axis{at(k + 0.1), at(k + 0.9), at(k + 1.1)};
     const cv::Mat points = cv::Mat(axis, true).reshape(3, 1);
     const VoxelGrid grid =
-        BuildVoxelGrid(points, Upwards(points), {.size_m = 0.05, .perspective = true});
+        BuildVoxelGrid(points, {Upwards(points)}, {.size_m = 0.05, .perspective = true});
     ASSERT_EQ(grid.voxels.size(), 2U) << k;
     EXPECT_EQ(grid.voxels[0].num_points, 2) << k;
     EXPECT_EQ(grid.edges.size(), 1U) << k;
@@ -137,7 +137,7 @@ TEST(BuildVoxelGrid, PerspectiveVoxelsGrowAlongTheAxisToo) {
 TEST(BuildVoxelGrid, IsEmptyWithoutPoints) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const cv::Mat none(2, 2, CV_32FC3, cv::Scalar::all(nan));
-  const VoxelGrid grid = BuildVoxelGrid(none, none);
+  const VoxelGrid grid = BuildVoxelGrid(none, {none});
   EXPECT_TRUE(grid.voxels.empty());
   EXPECT_TRUE(grid.edges.empty());
 }
