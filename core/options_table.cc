@@ -122,6 +122,9 @@ const std::vector<OptionEntry>& OptionTable() {
             [](O& o) { return &o.support.tolerance_sigmas; }),
       Entry("support.plane_fits", 0, 20, "least-squares refinements; 0: perpendicular to gravity",
             [](O& o) { return &o.support.plane_fits; }),
+      Entry("support.common_height_fits", 0, 20,
+            "further fits to the points about the height of most; paper: 0",
+            [](O& o) { return &o.support.common_height_fits; }),
       Entry("support.min_share", 0, 1, "fewer of all points make no surface; share",
             [](O& o) { return &o.support.min_share; }),
 

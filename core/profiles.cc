@@ -31,6 +31,7 @@ DetectorOptions Default() {
   options.support.tolerance_m = 0.004;
   options.support.tolerance_per_m = 0.006;
   options.support.tolerance_sigmas = 3.5;
+  options.support.common_height_fits = 3;
   // Farther off, the noise of such cameras is the size of the objects.
   options.max_depth_m = 3;
   // Whole frames: several surfaces, each carrying only what stands within its footprint; no walls,

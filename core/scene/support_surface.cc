@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <numbers>
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "core/scene/plane_fit.h"
+#include "core/scene/level_fit.h"
 #include "core/scene/surface_scatter.h"
 
 namespace fovea {
@@ -32,58 +31,10 @@ std::vector<Eigen::Vector3f> LevelPoints(const cv::Mat& points, const NormalMap&
   return level;
 }
 
-// Middle of the fullest interval; the lowest of equals.
-float DominatingHeight(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& up,
-                       float bin) {
-  std::map<int, std::size_t> histogram;
-  for (const Eigen::Vector3f& p : points)
-    ++histogram[static_cast<int>(std::floor(up.dot(p) / bin))];
-  // Neighbouring bins count half, so that a surface that straddles a border is not missed.
-  int best_bin = 0;
-  std::size_t best_count = 0;
-  for (const auto& [index, count] : histogram) {
-    const auto below = histogram.find(index - 1);
-    const auto above = histogram.find(index + 1);
-    const std::size_t smoothed = 2 * count + (below == histogram.end() ? 0 : below->second) +
-                                 (above == histogram.end() ? 0 : above->second);
-    if (smoothed > best_count) {
-      best_count = smoothed;
-      best_bin = index;
-    }
-  }
-  return (static_cast<float>(best_bin) + 0.5F) * bin;
-}
-
-std::vector<Eigen::Vector3f> Inliers(const std::vector<Eigen::Vector3f>& points,
-                                     const SupportSurface& surface, const SupportOptions& options,
-                                     float widening) {
-  std::vector<Eigen::Vector3f> inliers;
-  for (const Eigen::Vector3f& p : points) {
-    if (std::abs(surface.HeightOf(p)) <= widening * SupportTolerance(p.z(), options)) {
-      inliers.push_back(p);
-    }
-  }
-  return inliers;
-}
-
 std::size_t CountNormals(const cv::Mat& normals) {
   cv::Mat x;
   cv::extractChannel(normals, x, 0);
   return static_cast<std::size_t>(cv::countNonZero(x == x));  // false for NaN
-}
-
-SupportSurface FitDominating(const std::vector<Eigen::Vector3f>& level, const Eigen::Vector3f& up,
-                             const SupportOptions& options) {
-  const float height = DominatingHeight(level, up, static_cast<float>(options.height_bin_m));
-  SupportSurface surface{up, -height, 0};
-  for (int fit = 0; fit < options.plane_fits; ++fit) {
-    const float widening = fit == 0 ? 2.0F : 1.0F;  // gravity may be off by a degree at first
-    const std::vector<Eigen::Vector3f> inliers = Inliers(level, surface, options, widening);
-    if (inliers.size() < 3) break;
-    surface = FitPlane(inliers, up);
-  }
-  surface.num_points = Inliers(level, surface, options, 1.0F).size();
-  return surface;
 }
 
 // Every few pixels: enough for the cells of a footprint.
@@ -176,8 +127,8 @@ std::vector<Support> FindSupports(const cv::Mat& points, const NormalMap& normal
   std::vector<Support> supports;
   for (int attempt = 0; attempt < 3 * options.max_surfaces; ++attempt) {
     if (level.size() < 3 || static_cast<int>(supports.size()) == options.max_surfaces) break;
-    const SupportSurface surface = FitDominating(level, up, options);
-    const std::vector<Eigen::Vector3f> inliers = Inliers(level, surface, options, 1.0F);
+    const SupportSurface surface = FitLevelSurface(level, up, options);
+    const std::vector<Eigen::Vector3f> inliers = PointsNear(level, surface, options);
     if (supports.empty() && inliers.size() < min_points) break;
     const float tolerance_share = ToleranceShare(inliers, surface, options);
     const Footprint footprint = FootprintOf(inliers, points, surface, options, tolerance_share);

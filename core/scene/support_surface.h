@@ -33,6 +33,9 @@ struct SupportOptions {
   // Number of least-squares fits that refine the plane; 0 keeps it exactly perpendicular to
   // gravity.
   int plane_fits = 3;
+  // Number of further fits, each to the points about the height of most of those within the
+  // tolerance, so that low things on the surface do not lift or tilt it. 0: none, as in the paper.
+  int common_height_fits = 0;
   // Fewer points than this share of all points make no surface; 0 … 1. Tells whether there is a
   // surface at all, so it is asked of the first only.
   double min_share = 0.05;
@@ -51,7 +54,7 @@ struct SupportOptions {
 struct Support {
   SupportSurface surface;
   Footprint footprint;
-  // What stands on the surface begins above this share of the tolerance; 0.6 … 2.5.
+  // What stands on the surface begins above this share of the tolerance; 0.35 … 2.5.
   float tolerance_share = 1;
 
   // What is no farther from it than this share of the tolerance, on either side, may be noise.

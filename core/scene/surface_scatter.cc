@@ -7,7 +7,7 @@ namespace fovea {
 
 float ToleranceShare(const std::vector<Eigen::Vector3f>& points, const SupportSurface& surface,
                      const SupportOptions& options) {
-  constexpr float kMinShare = 0.6F;
+  constexpr float kMinShare = 0.35F;
   constexpr float kMaxShare = 2.5F;
   constexpr float kMedianPerSigma = 0.6745F;  // of the absolute values of a normal distribution
   if (options.tolerance_sigmas <= 0) return 1;

@@ -10,7 +10,7 @@
 namespace fovea {
 
 // Above which share of the tolerance points stand on the surface rather than belong to it:
-// `tolerance_sigmas` standard deviations of the scatter, between 0.6, as neither tables nor lenses
+// `tolerance_sigmas` standard deviations of the scatter, between 0.35, as neither tables nor lenses
 // are perfect, and 2.5. `points`: those within the tolerance, so that what scatters farther is
 // underrated. 1 where none lies below the surface.
 float ToleranceShare(const std::vector<Eigen::Vector3f>& points, const SupportSurface& surface,

@@ -22,6 +22,9 @@ constexpr double kFloor_m = 0.03;  // below the lowest visible part of the wall
 constexpr int kRimDirections = 24;
 constexpr std::array<double, 3> kRimRadii = {1, 1.1, 1.2};
 constexpr double kMaxOpen = 0.5;
+// What is filled ends at objects; where more of its border than that is one with background, it is
+// a part of the surface below.
+constexpr double kMaxLeak = 0.6;
 
 bool Encloses(const RoundWall& wall, const Eigen::Vector2d& place, double height_m) {
   return (place - wall.center).norm() < wall.radius_m && height_m < wall.rim_m &&
@@ -89,6 +92,40 @@ void Fill(const VoxelGrid& grid, const std::vector<char>& on_wall, const RoundWa
   }
 }
 
+struct Border {
+  int with_objects = 0;
+  int with_background = 0;
+};
+
+// Of what Fill gave to each piece, one entry a piece.
+std::vector<Border> BordersOfFilled(const VoxelGrid& grid, const std::vector<int>& pieces,
+                                    const std::vector<int>& filled, std::size_t num_pieces) {
+  std::vector<Border> borders(num_pieces);
+  const auto count = [&](int from, int to) {
+    if (pieces[from] != 0 || filled[from] == 0) return;
+    Border& border = borders[filled[from]];
+    if (filled[to] == 0) ++border.with_background;
+    if (pieces[to] != 0) ++border.with_objects;
+  };
+  for (const VoxelEdge& edge : grid.edges) {
+    count(edge.a, edge.b);
+    count(edge.b, edge.a);
+  }
+  return borders;
+}
+
+// Takes back what runs out into the background: noise on a flat side may look like the inside of a
+// wall, with a disc of table before it.
+void EmptyLeaking(const VoxelGrid& grid, const std::vector<int>& pieces, std::size_t num_pieces,
+                  std::vector<int>& filled) {
+  const std::vector<Border> borders = BordersOfFilled(grid, pieces, filled, num_pieces);
+  for (std::size_t v = 0; v < filled.size(); ++v) {
+    const Border& border = borders[filled[v]];
+    const int length = border.with_objects + border.with_background;
+    if (pieces[v] == 0 && border.with_background > kMaxLeak * length) filled[v] = 0;
+  }
+}
+
 }  // namespace
 
 std::vector<int> FillHollows(const VoxelGrid& grid, const std::vector<int>& objects,
@@ -105,6 +142,7 @@ std::vector<int> FillHollows(const VoxelGrid& grid, const std::vector<int>& obje
   for (std::size_t v = 0; v < pieces.size(); ++v) object_of[pieces[v]] = objects[v];
   std::vector<int> filled = pieces;
   Fill(grid, on_wall, walls, up, filled);
+  EmptyLeaking(grid, pieces, walls.size(), filled);
   std::transform(filled.begin(), filled.end(), filled.begin(),
                  [&](int piece) { return object_of[piece]; });
   return Renumbered(std::move(filled));

@@ -19,7 +19,8 @@ struct HollowFillOptions {
 };
 
 // Gives objects with the inside of a round wall the background within its circle and below its rim,
-// unless one sees that the rim is open for more than half of the circle.
+// unless one sees that the rim is open for more than half of the circle, or what would be filled
+// borders for the most part on background.
 //
 // `objects`: one entry a voxel, 0 = background; `pieces`: the segments that they were joined from,
 // whose walls `walls` are; `points`: CV_32FC3 of the frame; `on_wall`: one entry a

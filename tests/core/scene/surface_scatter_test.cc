@@ -25,7 +25,7 @@ TEST(ToleranceShare, IsThatOfSomeStandardDeviations) {
 }
 
 TEST(ToleranceShare, StaysWithinLimits) {
-  EXPECT_EQ(ToleranceShare(Floor(0.0001F), kFloor, kOptions), 0.6F);
+  EXPECT_EQ(ToleranceShare(Floor(0.0001F), kFloor, kOptions), 0.35F);
   EXPECT_NEAR(ToleranceShare(Floor(0.005F), kFloor, kOptions), 3.5 * 0.005 / 0.01, 0.08);
   EXPECT_EQ(ToleranceShare(Floor(0.008F), kFloor, kOptions), 2.5F);
 }

@@ -12,7 +12,8 @@ namespace fovea {
 inline const Eigen::Vector3f kUp = -Eigen::Vector3f::UnitY();
 
 // A cup of 5 cm radius and 8 cm height on a table, most of its wall seen from inside: labels 1 and
-// 2 left and right of the middle. Its floor and the table around it are background.
+// 2 left and right of the middle. Its floor and the table around it are background; where the wall
+// stands, no table is seen.
 struct Cup {
   VoxelGrid grid;
   std::vector<int> labels;
@@ -40,8 +41,15 @@ struct Cup {
       }
     }
     for (float x = -0.1F; x < 0.1F; x += 0.01F) {
-      for (float z = 0.9F; z < 1.1F; z += 0.01F) Add(x, 0.005F, z, kUp, 0);
+      for (float z = 0.9F; z < 1.1F; z += 0.01F) {
+        const float radius = std::hypot(x, z - 1);
+        if (radius < 0.045F || radius > 0.06F) Add(x, 0.005F, z, kUp, 0);
+      }
     }
+    Connect();
+  }
+  void Connect() {
+    grid.edges.clear();
     for (int a = 0; a < static_cast<int>(labels.size()); ++a) {
       for (int b = a + 1; b < static_cast<int>(labels.size()); ++b) {
         const float distance = (grid.voxels[a].mean - grid.voxels[b].mean).norm();

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <opencv2/core.hpp>
 
 #include "core/segmentation/labels.h"
@@ -74,6 +76,19 @@ TEST(FillHollows, FillsOnlyWhatIsConnectedWithTheInside) {
   std::erase_if(cup.grid.edges, [&](const VoxelEdge& edge) {
     return (cup.labels[edge.a] == 0) != (cup.labels[edge.b] == 0);
   });
+  EXPECT_EQ(cup.LabelAt(cup.Fill(), 0, 1.02F), 0);
+}
+
+TEST(FillHollows, LeavesWhatRunsOutIntoTheBackground) {
+  HollowCup cup;
+  for (float degree = 0; degree < 360; degree += 5) {  // a table all below the wall
+    const float angle = degree * std::numbers::pi_v<float> / 180;
+    for (const float radius : {0.045F, 0.05F, 0.055F, 0.06F}) {
+      cup.Add(radius * std::cos(angle), 0.005F, 1 + radius * std::sin(angle), kUp, 0);
+    }
+  }
+  cup.Connect();
+  cup.objects = cup.labels;
   EXPECT_EQ(cup.LabelAt(cup.Fill(), 0, 1.02F), 0);
 }
 

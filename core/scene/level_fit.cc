@@ -1,0 +1,142 @@
+#include "core/scene/level_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <map>
+
+#include "core/scene/plane_fit.h"
+
+namespace fovea {
+namespace {
+
+using Points = std::vector<Eigen::Vector3f>;
+
+constexpr std::size_t kMinPoints = 3;
+
+// Middle of the fullest interval; the lowest of equals.
+float DominatingHeight(const Points& points, const Eigen::Vector3f& up, float bin) {
+  std::map<int, std::size_t> histogram;
+  for (const Eigen::Vector3f& p : points)
+    ++histogram[static_cast<int>(std::floor(up.dot(p) / bin))];
+  // Neighbouring bins count half, so that a surface that straddles a border is not missed.
+  int best_bin = 0;
+  std::size_t best_count = 0;
+  for (const auto& [index, count] : histogram) {
+    const auto below = histogram.find(index - 1);
+    const auto above = histogram.find(index + 1);
+    const std::size_t smoothed = 2 * count + (below == histogram.end() ? 0 : below->second) +
+                                 (above == histogram.end() ? 0 : above->second);
+    if (smoothed > best_count) {
+      best_count = smoothed;
+      best_bin = index;
+    }
+  }
+  return (static_cast<float>(best_bin) + 0.5F) * bin;
+}
+
+struct Interval {
+  float middle = 0;
+  float half_width = 0;
+};
+
+// The shortest interval that holds half of the values (Rousseeuw 1984); at least one value.
+Interval ShortestHalf(std::vector<float> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  const auto width = [&](std::size_t begin) { return values[begin + half] - values[begin]; };
+  std::size_t best = 0;
+  for (std::size_t begin = 1; begin + half < values.size(); ++begin) {
+    if (width(begin) < width(best)) best = begin;
+  }
+  return {(values[best] + values[best + half]) / 2, width(best) / 2};
+}
+
+// How far points lie above a surface, in tolerances.
+std::vector<float> Heights(const Points& points, const SupportSurface& surface,
+                           const SupportOptions& options) {
+  std::vector<float> heights;
+  heights.reserve(points.size());
+  std::transform(points.begin(), points.end(), std::back_inserter(heights), [&](const auto& p) {
+    return surface.HeightOf(p) / SupportTolerance(p.z(), options);
+  });
+  return heights;
+}
+
+// Of the points within the tolerance, those that scatter about the height of most of them. Low
+// things lie within the tolerance as well, but at another height.
+Points PointsAtCommonHeight(const Points& points, const SupportSurface& surface,
+                            const SupportOptions& options) {
+  constexpr float kSigmas = 2.5F;
+  constexpr float kHalfPerSigma = 0.6745F;  // half of a normal distribution is so near its mean
+  const Points near = PointsNear(points, surface, options);
+  if (near.empty()) return near;
+  const std::vector<float> heights = Heights(near, surface, options);
+  const Interval most = ShortestHalf(heights);
+  const float reach = kSigmas / kHalfPerSigma * most.half_width;
+  Points common;
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    if (std::abs(heights[i] - most.middle) <= reach) common.push_back(near[i]);
+  }
+  return common;
+}
+
+SupportSurface FitWide(const Points& points, SupportSurface surface, const Eigen::Vector3f& up,
+                       const SupportOptions& options) {
+  for (int fit = 0; fit < options.plane_fits; ++fit) {
+    const float widening = fit == 0 ? 2.0F : 1.0F;  // gravity may be off by a degree at first
+    const Points inliers = PointsNear(points, surface, options, widening);
+    if (inliers.size() < kMinPoints) break;
+    surface = FitPlane(inliers, up);
+  }
+  return surface;
+}
+
+SupportSurface FitToCommonHeight(const Points& points, SupportSurface surface,
+                                 const Eigen::Vector3f& up, const SupportOptions& options) {
+  for (int fit = 0; fit < options.common_height_fits; ++fit) {
+    const Points inliers = PointsAtCommonHeight(points, surface, options);
+    if (inliers.size() < kMinPoints) break;
+    surface = FitPlane(inliers, up);
+  }
+  return surface;
+}
+
+// From two starts, as each may end in a plane through the surface and a low thing on it. The better
+// one has the least median of residuals.
+SupportSurface FitRobustly(const Points& points, const SupportSurface& level,
+                           const SupportSurface& wide, const Eigen::Vector3f& up,
+                           const SupportOptions& options) {
+  const Points near = PointsNear(points, level, options, 2);
+  if (near.empty()) return wide;
+  const auto scatter = [&](const SupportSurface& surface) {
+    return ShortestHalf(Heights(near, surface, options)).half_width;
+  };
+  const SupportSurface from_level = FitToCommonHeight(points, level, up, options);
+  const SupportSurface from_wide = FitToCommonHeight(points, wide, up, options);
+  return scatter(from_level) < scatter(from_wide) ? from_level : from_wide;
+}
+
+}  // namespace
+
+Points PointsNear(const Points& points, const SupportSurface& surface,
+                  const SupportOptions& options, float widening) {
+  Points near;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(near), [&](const auto& p) {
+    return std::abs(surface.HeightOf(p)) <= widening * SupportTolerance(p.z(), options);
+  });
+  return near;
+}
+
+SupportSurface FitLevelSurface(const Points& points, const Eigen::Vector3f& up,
+                               const SupportOptions& options) {
+  const float height = DominatingHeight(points, up, static_cast<float>(options.height_bin_m));
+  const SupportSurface level{up, -height, 0};
+  SupportSurface surface = FitWide(points, level, up, options);
+  if (options.common_height_fits > 0) surface = FitRobustly(points, level, surface, up, options);
+  surface.num_points = PointsNear(points, surface, options).size();
+  return surface;
+}
+
+}  // namespace fovea

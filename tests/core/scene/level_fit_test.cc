@@ -1,0 +1,56 @@
+#include "core/scene/level_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace fovea {
+namespace {
+
+const Eigen::Vector3f kUp = -Eigen::Vector3f::UnitY();
+
+// A table of 60 x 60 cm at y = 1, at 1.5 to 2.1 m, with 2 mm of noise. Its right two fifths are
+// covered by a slab.
+std::vector<Eigen::Vector3f> TableWithSlab(float slab_m) {
+  std::mt19937 random(5);
+  std::normal_distribution<float> noise(0, 0.002F);
+  std::vector<Eigen::Vector3f> points;
+  for (float x = -0.3F; x < 0.3F; x += 0.01F) {
+    for (float z = 1.5F; z < 2.1F; z += 0.01F) {
+      points.emplace_back(x, 1 - (x > 0.06F ? slab_m : 0) + noise(random), z);
+    }
+  }
+  return points;
+}
+
+constexpr SupportOptions kOptions{.tolerance_m = 0.02, .common_height_fits = 3};
+
+TEST(FitLevelSurface, IsNotTiltedByALowThingOnIt) {
+  const auto points = TableWithSlab(0.015F);
+  const SupportSurface surface = FitLevelSurface(points, kUp, kOptions);
+  EXPECT_NEAR(surface.HeightOf({-0.25F, 1, 1.8F}), 0, 0.002F);
+  EXPECT_NEAR(surface.HeightOf({0.25F, 1, 1.8F}), 0, 0.002F);
+  SupportOptions wide = kOptions;
+  wide.common_height_fits = 0;
+  const SupportSurface tilted = FitLevelSurface(points, kUp, wide);
+  EXPECT_LT(tilted.HeightOf({0.25F, 1, 1.8F}), -0.005F);
+}
+
+TEST(FitLevelSurface, FollowsATableThatIsNotQuiteLevel) {
+  std::vector<Eigen::Vector3f> points = TableWithSlab(0);
+  const float slope = std::tan(1.0F * 3.14159F / 180);
+  for (Eigen::Vector3f& point : points) point.y() += slope * point.x();
+  const SupportSurface surface = FitLevelSurface(points, kUp, kOptions);
+  EXPECT_NEAR(surface.HeightOf({0.25F, 1 + slope * 0.25F, 1.8F}), 0, 0.001F);
+  EXPECT_EQ(surface.num_points, points.size());
+}
+
+TEST(FitLevelSurface, KeepsTheHeightOfTooFewPointsForAPlane) {
+  const SupportSurface surface = FitLevelSurface({{0, 1, 1}, {0.1F, 1, 1}}, kUp, kOptions);
+  EXPECT_EQ(surface.normal, kUp);
+  EXPECT_NEAR(surface.HeightOf({0, 1, 1}), 0, 0.005F);
+}
+
+}  // namespace
+}  // namespace fovea
