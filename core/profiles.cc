@@ -46,7 +46,7 @@ DetectorOptions Default() {
   options.continuation.max_share = 0.4;
   options.plausibility.max_hang_m = 0.3;
   options.plausibility.max_support_share = 0.5;
-  options.plausibility.min_low_pixels = 200;
+  options.plausibility.min_low_pixels = 260;
   options.walls.min_extent_m = 0.6;
   options.walls.min_area_m2 = 0.08;
   // Voxels that grow with the distance, as pixels and noise do.

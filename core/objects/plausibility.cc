@@ -18,6 +18,7 @@ namespace {
 
 constexpr float kMinBack_m = 0.3F;     // width of the back of a chair
 constexpr float kLegMargin_m = 0.04F;  // between what is seen of one leg
+constexpr int kTouchCells = 2;         // between segments that touch
 constexpr float kLifted_m = 0.1F;      // above a support, beyond what noise hides
 
 // The area of what a segment stands on; none where that is unbounded, or the largest part of the
@@ -117,12 +118,37 @@ std::vector<char> FindTooHigh(const std::vector<PlacedSegment>& segments, const 
   return too_high;
 }
 
+// Adds what touches a segment that is too high from below, and nothing beside it: its legs.
+void AddLegs(const std::vector<PlacedSegment>& segments, const std::vector<int>& labels,
+             const std::vector<VoxelEdge>& contacts, const Eigen::Vector3f& up,
+             std::vector<char>& too_high) {
+  const LevelAxes axes = LevelAxesFor(up);
+  const std::vector<char> seats = too_high;
+  const auto add = [&](int leg, int seat) {
+    if (!seats[seat] || too_high[leg] || segments[leg].lowest_m >= segments[seat].lowest_m) return;
+    Eigen::AlignedBox2f box = SeenFromAbove(segments[seat], axes);
+    box.min().array() -= kLegMargin_m;
+    box.max().array() += kLegMargin_m;
+    too_high[leg] = box.contains(SeenFromAbove(segments[leg], axes)) ? 1 : 0;
+  };
+  for (const VoxelEdge& contact : contacts) {
+    add(labels[contact.a], labels[contact.b]);
+    add(labels[contact.b], labels[contact.a]);
+  }
+}
+
+// Whether it matters what touches what.
+bool MatterContacts(const std::vector<PlacedSegment>& segments, const std::vector<char>& too_high,
+                    const PlausibilityOptions& options) {
+  if (std::count(too_high.begin(), too_high.end(), 1) > 0) return true;
+  return std::any_of(segments.begin() + 1, segments.end(), [&](const PlacedSegment& segment) {
+    return segment.lowest_m > options.max_rest_m;
+  });
+}
+
 // Segments that touch one that rests, directly or through others, rest too.
-void SpreadRest(const VoxelGrid& grid, const std::vector<int>& labels,
+void SpreadRest(const std::vector<int>& labels, const std::vector<VoxelEdge>& contacts,
                 const std::vector<char>& stays, std::vector<char>& rests) {
-  constexpr int kTouchCells = 2;
-  if (std::all_of(rests.begin() + 1, rests.end(), [](char rest) { return rest != 0; })) return;
-  const std::vector<VoxelEdge> contacts = FindContacts(grid, labels, kTouchCells);
   for (bool changed = true; changed;) {
     changed = false;
     for (const VoxelEdge& contact : contacts) {
@@ -148,16 +174,22 @@ PlausibleSegments RemoveImplausible(const VoxelGrid& grid, const std::vector<int
       PlaceSegments(grid, labels, supports, support_options);
   const Eigen::Vector3f& up = supports.front().surface.normal;
   const std::vector<char> hang = FindHanging(segments, up, options.max_hang_m);
-  const std::vector<char> too_high =
+  std::vector<char> too_high =
       FindTooHigh(segments, LabelImage(grid, labels), points, intrinsics, up, options.max_height_m);
+  std::vector<VoxelEdge> contacts;
+  if (MatterContacts(segments, too_high, options)) {
+    contacts = FindContacts(grid, labels, kTouchCells);
+  }
+  AddLegs(segments, labels, contacts, up, too_high);
   std::vector<char> stays(segments.size(), 0);
   std::vector<char> rests(segments.size(), 0);
   for (std::size_t label = 1; label < segments.size(); ++label) {
-    stays[label] = !hang[label] && !IsTooLarge(segments[label], supports, options) &&
+    stays[label] = !hang[label] && !too_high[label] &&
+                   !IsTooLarge(segments[label], supports, options) &&
                    !IsLump(segments[label], points.size(), options);
-    rests[label] = !too_high[label] && segments[label].lowest_m <= options.max_rest_m;
+    rests[label] = segments[label].lowest_m <= options.max_rest_m;
   }
-  SpreadRest(grid, labels, stays, rests);
+  SpreadRest(labels, contacts, stays, rests);
   for (std::size_t label = 1; label < segments.size(); ++label) {
     if (!stays[label] || !rests[label]) ++result.num_removed;
   }
