@@ -14,6 +14,7 @@ namespace {
 using Points = std::vector<Eigen::Vector3f>;
 
 constexpr std::size_t kMinPoints = 3;
+constexpr std::size_t kManyPoints = 500;  // tell a plane within a millimetre
 
 // Middle of the fullest interval; the lowest of equals.
 float DominatingHeight(const Points& points, const Eigen::Vector3f& up, float bin) {
@@ -53,6 +54,17 @@ Interval ShortestHalf(std::vector<float> values) {
   return {(values[best] + values[best + half]) / 2, width(best) / 2};
 }
 
+// Every k-th of the points within two tolerances of the surface.
+Points SampleNear(const Points& points, const SupportSurface& surface,
+                  const SupportOptions& options) {
+  Points near = PointsNear(points, surface, options, 2);
+  const std::size_t step = (near.size() + kManyPoints - 1) / kManyPoints;
+  if (step <= 1) return near;
+  for (std::size_t i = 0; i * step < near.size(); ++i) near[i] = near[i * step];
+  near.resize((near.size() + step - 1) / step);
+  return near;
+}
+
 // How far points lie above a surface, in tolerances.
 std::vector<float> Heights(const Points& points, const SupportSurface& surface,
                            const SupportOptions& options) {
@@ -68,7 +80,7 @@ std::vector<float> Heights(const Points& points, const SupportSurface& surface,
 // things lie within the tolerance as well, but at another height.
 Points PointsAtCommonHeight(const Points& points, const SupportSurface& surface,
                             const SupportOptions& options) {
-  constexpr float kSigmas = 2.5F;
+  constexpr float kSigmas = 2.0F;
   constexpr float kHalfPerSigma = 0.6745F;  // half of a normal distribution is so near its mean
   const Points near = PointsNear(points, surface, options);
   if (near.empty()) return near;
@@ -95,27 +107,29 @@ SupportSurface FitWide(const Points& points, SupportSurface surface, const Eigen
 
 SupportSurface FitToCommonHeight(const Points& points, SupportSurface surface,
                                  const Eigen::Vector3f& up, const SupportOptions& options) {
+  const Points sample = SampleNear(points, surface, options);
   for (int fit = 0; fit < options.common_height_fits; ++fit) {
-    const Points inliers = PointsAtCommonHeight(points, surface, options);
+    const Points inliers = PointsAtCommonHeight(sample, surface, options);
     if (inliers.size() < kMinPoints) break;
     surface = FitPlane(inliers, up);
   }
   return surface;
 }
 
-// From two starts, as each may end in a plane through the surface and a low thing on it. The better
-// one has the least median of residuals.
+// From two starts, as each may end in a plane through the surface and a low thing on it, and a
+// level one may miss what gravity is off. The median of residuals tells.
 SupportSurface FitRobustly(const Points& points, const SupportSurface& level,
                            const SupportSurface& wide, const Eigen::Vector3f& up,
                            const SupportOptions& options) {
-  const Points near = PointsNear(points, level, options, 2);
-  if (near.empty()) return wide;
+  const Points sample = SampleNear(points, level, options);
+  if (sample.empty()) return wide;
   const auto scatter = [&](const SupportSurface& surface) {
-    return ShortestHalf(Heights(near, surface, options)).half_width;
+    return ShortestHalf(Heights(sample, surface, options)).half_width;
   };
   const SupportSurface from_level = FitToCommonHeight(points, level, up, options);
   const SupportSurface from_wide = FitToCommonHeight(points, wide, up, options);
-  return scatter(from_level) < scatter(from_wide) ? from_level : from_wide;
+  constexpr float kClearlyLess = 0.8F;
+  return scatter(from_wide) < kClearlyLess * scatter(from_level) ? from_wide : from_level;
 }
 
 }  // namespace
