@@ -118,7 +118,7 @@ const std::vector<OptionEntry>& OptionTable() {
             [](O& o) { return &o.support.tolerance_per_m; }),
       Entry("support.tolerance_sigmas", 0, 20,
             "of a surface's own scatter, instead of the tolerance, from which things stand on it; "
-            "0.6 to 2.5 of the tolerance; paper: 0",
+            "0.35 to 2.5 of the tolerance; paper: 0",
             [](O& o) { return &o.support.tolerance_sigmas; }),
       Entry("support.plane_fits", 0, 20, "least-squares refinements; 0: perpendicular to gravity",
             [](O& o) { return &o.support.plane_fits; }),

@@ -20,7 +20,8 @@ struct PlausibilityOptions {
   // the test off.
   double max_hang_m = 0;
   // Segments taller than this along the vertical do not stand by themselves; metres. Counted from
-  // their support where nothing is seen that they stand on: the seat of a chair behind a table.
+  // their support where nothing is seen that they stand on: the seat of a chair, whose legs go with
+  // it.
   double max_height_m = 100;
   // Segments at least 30 cm wide on another surface than the dominating one, with a side of more
   // than this share of the visible area of the part that they stand on, belong to it: the back of a
@@ -40,9 +41,10 @@ struct PlausibleSegments {
 };
 
 // `labels`: one entry a voxel, 0 = background, 1 … n without gaps; `points`: CV_32FC3 of the frame,
-// NaN = none. Removed are segments that are too large by themselves or for their support, that hang
-// from a support, that are noise on it, or that neither rest on one nor touch, directly or through
-// others, one that does. Nothing is removed where there is no support.
+// NaN = none. Removed are segments that are too large by themselves or for their support, that are
+// parts of furniture (core/objects/furniture.h), that are noise on their support, or that neither
+// rest on one nor touch, directly or through others, one that does. Nothing is removed where there
+// is no support.
 PlausibleSegments RemoveImplausible(const VoxelGrid& grid, const std::vector<int>& labels,
                                     const cv::Mat& points, const CameraIntrinsics& intrinsics,
                                     const std::vector<Support>& supports,
