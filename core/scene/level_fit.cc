@@ -80,7 +80,7 @@ std::vector<float> Heights(const Points& points, const SupportSurface& surface,
 // things lie within the tolerance as well, but at another height.
 Points PointsAtCommonHeight(const Points& points, const SupportSurface& surface,
                             const SupportOptions& options) {
-  constexpr float kSigmas = 2.0F;
+  constexpr float kSigmas = 2;
   constexpr float kHalfPerSigma = 0.6745F;  // half of a normal distribution is so near its mean
   const Points near = PointsNear(points, surface, options);
   if (near.empty()) return near;
@@ -126,6 +126,8 @@ SupportSurface FitRobustly(const Points& points, const SupportSurface& level,
   const auto scatter = [&](const SupportSurface& surface) {
     return ShortestHalf(Heights(sample, surface, options)).half_width;
   };
+  constexpr float kBlurred = 0.25F;  // of the tolerance; such noise hides low things anyway
+  if (scatter(wide) > kBlurred) return wide;
   const SupportSurface from_level = FitToCommonHeight(points, level, up, options);
   const SupportSurface from_wide = FitToCommonHeight(points, wide, up, options);
   constexpr float kClearlyLess = 0.8F;
