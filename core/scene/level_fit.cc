@@ -82,7 +82,7 @@ Points PointsAtCommonHeight(const Points& points, const SupportSurface& surface,
                             const SupportOptions& options) {
   constexpr float kSigmas = 2;
   constexpr float kHalfPerSigma = 0.6745F;  // half of a normal distribution is so near its mean
-  const Points near = PointsNear(points, surface, options);
+  Points near = PointsNear(points, surface, options);
   if (near.empty()) return near;
   const std::vector<float> heights = Heights(near, surface, options);
   const Interval most = ShortestHalf(heights);

@@ -16,8 +16,10 @@ std::vector<Eigen::Vector3f> TableWithSlab(float slab_m) {
   std::mt19937 random(5);
   std::normal_distribution<float> noise(0, 0.002F);
   std::vector<Eigen::Vector3f> points;
-  for (float x = -0.3F; x < 0.3F; x += 0.01F) {
-    for (float z = 1.5F; z < 2.1F; z += 0.01F) {
+  for (int i = 0; i < 60; ++i) {
+    for (int j = 0; j < 60; ++j) {
+      const float x = 0.01F * static_cast<float>(i) - 0.295F;
+      const float z = 0.01F * static_cast<float>(j) + 1.5F;
       points.emplace_back(x, 1 - (x > 0.06F ? slab_m : 0) + noise(random), z);
     }
   }

@@ -33,15 +33,18 @@ struct Cup {
     for (int degree = -25; degree < 210; degree += 10) {
       const float angle = static_cast<float>(degree) * std::numbers::pi_v<float> / 180;
       const Eigen::Vector3f out(std::cos(angle), 0, std::sin(angle));
-      for (float height = 0.015F; height < 0.08F; height += 0.01F) {
+      for (int cm = 1; cm < 8; ++cm) {
+        const float height = 0.01F * static_cast<float>(cm) + 0.005F;
         const float shift = degree < 90 ? gap_m : 0;
         const float facing = degree < 90 ? facing_of_1 : facing_of_2;
         Add(0.05F * out.x() + shift, height, 1 + 0.05F * out.z(), -facing * out,
             degree < 90 ? 1 : 2);
       }
     }
-    for (float x = -0.1F; x < 0.1F; x += 0.01F) {
-      for (float z = 0.9F; z < 1.1F; z += 0.01F) {
+    for (int i = -10; i < 10; ++i) {
+      for (int j = -10; j < 10; ++j) {
+        const float x = 0.01F * static_cast<float>(i);
+        const float z = 1 + 0.01F * static_cast<float>(j);
         const float radius = std::hypot(x, z - 1);
         if (radius < 0.045F || radius > 0.06F) Add(x, 0.005F, z, kUp, 0);
       }

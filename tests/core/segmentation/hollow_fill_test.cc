@@ -81,8 +81,8 @@ TEST(FillHollows, FillsOnlyWhatIsConnectedWithTheInside) {
 
 TEST(FillHollows, LeavesWhatRunsOutIntoTheBackground) {
   HollowCup cup;
-  for (float degree = 0; degree < 360; degree += 5) {  // a table all below the wall
-    const float angle = degree * std::numbers::pi_v<float> / 180;
+  for (int degree = 0; degree < 360; degree += 5) {  // a table all below the wall
+    const float angle = static_cast<float>(degree) * std::numbers::pi_v<float> / 180;
     for (const float radius : {0.045F, 0.05F, 0.055F, 0.06F}) {
       cup.Add(radius * std::cos(angle), 0.005F, 1 + radius * std::sin(angle), kUp, 0);
     }
