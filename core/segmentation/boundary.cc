@@ -12,6 +12,8 @@ void Boundary::Add(const Boundary& other) {
   convexity_sum_deg += other.convexity_sum_deg;
   step_sum_deg += other.step_sum_deg;
   contrast_sum += other.contrast_sum;
+  way_sum_m2 += other.way_sum_m2;
+  rise_sum_m2 += other.rise_sum_m2;
 }
 
 namespace {
@@ -20,15 +22,21 @@ constexpr int kGapCells = 2;
 constexpr double kMinGapPairs = 4;
 
 Boundaries CollectWithin(int reach_cells, const VoxelGrid& grid, const std::vector<int>& labels,
-                         const std::vector<MeanColor>& colors) {
+                         const std::vector<MeanColor>& colors, const Eigen::Vector3f& up) {
   Boundaries boundaries;
   for (const VoxelEdge& pair : FindContacts(grid, labels, reach_cells)) {
     const auto [low, high] = std::minmax(labels[pair.a], labels[pair.b]);
     const Voxel& a = grid.voxels[pair.a];
     const Voxel& b = grid.voxels[pair.b];
     if (a.normal.isZero() || b.normal.isZero()) continue;
-    boundaries[{low, high}].Add({1, ConvexityDeg(a, b), std::abs(StepDeg(a, b)),
-                                 colors[pair.a].DistanceTo(colors[pair.b])});
+    const Eigen::Vector3f way_m = b.mean - a.mean;
+    const float rise_m = up.dot(way_m);
+    boundaries[{low, high}].Add({.num_pairs = 1,
+                                 .convexity_sum_deg = ConvexityDeg(a, b),
+                                 .step_sum_deg = std::abs(StepDeg(a, b)),
+                                 .contrast_sum = colors[pair.a].DistanceTo(colors[pair.b]),
+                                 .way_sum_m2 = way_m.squaredNorm(),
+                                 .rise_sum_m2 = rise_m * rise_m});
   }
   return boundaries;
 }
@@ -53,10 +61,10 @@ std::vector<int> LabelsOfRims(const VoxelGrid& grid, std::vector<int> labels) {
 }  // namespace
 
 Boundaries CollectBoundaries(const VoxelGrid& grid, const std::vector<int>& labels,
-                             const std::vector<MeanColor>& colors) {
-  Boundaries boundaries = CollectWithin(1, grid, labels, colors);
+                             const std::vector<MeanColor>& colors, const Eigen::Vector3f& up) {
+  Boundaries boundaries = CollectWithin(1, grid, labels, colors, up);
   for (const auto& [pair, boundary] :
-       CollectWithin(kGapCells, grid, LabelsOfRims(grid, labels), colors)) {
+       CollectWithin(kGapCells, grid, LabelsOfRims(grid, labels), colors, up)) {
     if (boundary.num_pairs >= kMinGapPairs) boundaries.try_emplace(pair, boundary);
   }
   return boundaries;

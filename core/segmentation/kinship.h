@@ -28,17 +28,29 @@ struct Kinship {
   double convexity_deg = 0;
   // 1 where the colour goes on across the boundary, towards 0 the more it changes there.
   double color_continuity = 0;
+  // How long the boundary is against the smaller one: logarithm of pairs of voxels over the root of
+  // its voxels.
+  double contact = 0;
+  double log_area_ratio = 0;    // of the smaller to the larger one, 0 for two of a size,
+  double log_smaller_area = 0;  // and of the smaller one in m²
+  // Between the ends to the left or those to the right, whichever are closer, as a share of the
+  // width of both: faces of one object share a side, and its parts more often than two objects.
+  double side_step = 0;
+  double depth_overlap = 0;   // what both have in common of their extent away from the camera,
+  double height_overlap = 0;  // and of their height, 0 … 1
+  double rise = 0;            // how much the way across the boundary goes up, 0 … 1
 };
 
 Kinship KinshipOf(const Boundary& boundary, const Part& a, const Part& b);
 
-// A linear function of what speaks for and against it, the logarithm of the odds: positive where
-// one object is more likely than two. Weights by logistic regression on segments of scenes whose
-// objects are known (`fovea-eval kinship`; docs/quality.md says which scenes).
+// The logarithm of the odds, positive where one object is more likely than two: a linear function
+// of what speaks for and against it and of some products, for what one thing says depends on
+// another. Weights by logistic regression on segments of scenes whose objects are known
+// (`fovea-eval kinship`; docs/quality.md says which scenes).
 double LogOdds(const Kinship& kinship);
 
-// What is in Kinship by number and name, for those who fit the weights.
-constexpr std::size_t kNumKinshipTerms = 9;
+// The terms of that function by number and name, for those who fit the weights.
+constexpr std::size_t kNumKinshipTerms = 16;
 using KinshipTerms = std::array<double, kNumKinshipTerms>;
 KinshipTerms TermsOf(const Kinship& kinship);
 const std::array<std::string_view, kNumKinshipTerms>& KinshipTermNames();

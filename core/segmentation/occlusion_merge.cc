@@ -113,7 +113,7 @@ class Evidence {
     if (options_.min_hollow_curvature_per_m <= 0) return false;
     const double curvature = segments_[inside].roundness.curvature_per_m;
     return -curvature >= options_.min_hollow_curvature_per_m && Hides(outside, inside) &&
-           std::abs(segments_[inside].part.top_m - segments_[outside].part.top_m) <=
+           std::abs(segments_[inside].part.Top_m() - segments_[outside].part.Top_m()) <=
                options_.max_rim_step_m &&
            LiesAround(outside, segments_[inside].roundness);
   }
@@ -126,8 +126,9 @@ class Evidence {
     const Part& large = segments_[front].part;
     const double behind_m = segments_[part].MeanZ() - segments_[front].MeanZ();
     return small.num_voxels <= kMaxNotchShare * large.num_voxels && Hides(front, part) &&
-           behind_m <= kMaxNotchDepth * std::sqrt(large.area_m2) && small.top_m <= large.top_m &&
-           small.bottom_m >= large.bottom_m + kMinNotchHeight * (large.top_m - large.bottom_m) &&
+           behind_m <= kMaxNotchDepth * std::sqrt(large.area_m2) &&
+           small.Top_m() <= large.Top_m() &&
+           small.Bottom_m() >= large.Bottom_m() + kMinNotchHeight * large.Height_m() &&
            ShareInHull(image_, part, front) >= options_.min_share_in_hull;
   }
 

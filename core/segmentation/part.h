@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <limits>
+#include <Eigen/Geometry>
 #include <vector>
 
 #include "core/segmentation/mean_color.h"
@@ -14,13 +14,15 @@ namespace fovea {
 // Sums and extremes, so that joined parts add up.
 struct Part {
   double num_voxels = 0;
-  double z_sum_m = 0;                                // over the voxels
-  double area_m2 = 0;                                // as seen from the camera
-  float top_m = -std::numeric_limits<float>::max();  // heights along up
-  float bottom_m = std::numeric_limits<float>::max();
+  double z_sum_m = 0;          // over the voxels
+  double area_m2 = 0;          // as seen from the camera
+  Eigen::AlignedBox3f extent;  // to the right, away from the camera and up, in metres
   MeanColor color;
 
   void Add(const Part& other);
+  float Top_m() const { return extent.max().z(); }
+  float Bottom_m() const { return extent.min().z(); }
+  float Height_m() const { return Top_m() - Bottom_m(); }
 };
 
 // One entry a label, the background's first. `labels`, `colors`: one entry a voxel; `up`: unit

@@ -10,7 +10,7 @@ SegmentGraph::SegmentGraph(const VoxelGrid& grid, const std::vector<int>& labels
                            const Eigen::Vector3f& up)
     : parts_(CollectParts(grid, labels, colors, intrinsics, up)),
       neighbors_(parts_.size()),
-      boundaries_(CollectBoundaries(grid, labels, colors)),
+      boundaries_(CollectBoundaries(grid, labels, colors, up)),
       objects_(static_cast<int>(parts_.size())) {
   for (const auto& [pair, boundary] : boundaries_) {
     neighbors_[pair.first].insert(pair.second);

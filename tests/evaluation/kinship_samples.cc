@@ -56,51 +56,60 @@ class Sampler {
   }
 
   std::vector<KinshipSample> Run() {
-    for (const auto& [pair, kinship] : graph_.Pairs()) Take(pair, kinship);
-    for (auto pair = MostLikelyRightPair(); pair; pair = MostLikelyRightPair()) {
-      const auto [into, from] = *pair;
-      graph_.Join(*pair);
-      pixels_[into].Add(pixels_[from]);
-      for (const auto& [other, kinship] : graph_.Pairs()) {
-        if (other.first == into || other.second == into) Take(other, kinship);
+    for (auto pair = MostLikelyPair(); pair; pair = MostLikelyPair()) {
+      const Kinship kinship = graph_.Pairs().at(*pair);
+      const auto [first, second] = *pair;
+      const std::optional<int> a = pixels_[first].Object(), b = pixels_[second].Object();
+      if (!a || !b || a != b) {
+        refused_[*pair] = LogOdds(kinship);
+        if (a && b) TakeLikelier(std::minmax(*a, *b), {kinship, false, WeightOf(*pair)});
+        continue;
       }
+      samples_.push_back({kinship, true, WeightOf(*pair)});
+      graph_.Join(*pair);
+      pixels_[first].Add(pixels_[second]);
     }
+    for (const auto& [objects, sample] : of_two_objects_) samples_.push_back(sample);
     return std::move(samples_);
   }
 
  private:
-  std::optional<SegmentPair> MostLikelyRightPair() const {
+  // Of those that are not refused as they are now.
+  std::optional<SegmentPair> MostLikelyPair() const {
     std::optional<SegmentPair> best;
     double best_odds = 0;
     for (const auto& [pair, kinship] : graph_.Pairs()) {
-      const auto object = pixels_[pair.first].Object();
-      if (!object || object != pixels_[pair.second].Object()) continue;
-      if (best && LogOdds(kinship) <= best_odds) continue;
+      const double log_odds = LogOdds(kinship);
+      const auto refused = refused_.find(pair);
+      if (refused != refused_.end() && refused->second == log_odds) continue;
+      if (best && log_odds <= best_odds) continue;
       best = pair;
-      best_odds = LogOdds(kinship);
+      best_odds = log_odds;
     }
     return best;
   }
 
-  double WeightOf(const TruePixels& segment) const {
-    const double total = segment.Total();
+  double WeightOf(const SegmentPair& pair) const {
+    const TruePixels& a = pixels_[pair.first];
+    const TruePixels& b = pixels_[pair.second];
+    const TruePixels& smaller = a.Total() < b.Total() ? a : b;
+    const double total = smaller.Total();
     if (total <= kSpeckPx) return kSpeckWeight;
-    const int object = *segment.Object();
+    const int object = *smaller.Object();
     if (object == 0) return std::min(1.0, total / kBackgroundPx) * kBackgroundWeight;
     return std::min(1.0, total / (kWholeShare * area_px_.at(object)));
   }
 
-  void Take(const SegmentPair& pair, const Kinship& kinship) {
-    const TruePixels& a = pixels_[pair.first];
-    const TruePixels& b = pixels_[pair.second];
-    if (!a.Object() || !b.Object()) return;
-    samples_.push_back(
-        {kinship, a.Object() == b.Object(), WeightOf(a.Total() < b.Total() ? a : b)});
+  void TakeLikelier(const std::pair<int, int>& objects, const KinshipSample& sample) {
+    const auto [known, is_new] = of_two_objects_.try_emplace(objects, sample);
+    if (!is_new && LogOdds(sample.kinship) > LogOdds(known->second.kinship)) known->second = sample;
   }
 
   SegmentGraph graph_;
-  std::vector<TruePixels> pixels_;  // of each segment
-  std::map<int, double> area_px_;   // of each object
+  std::vector<TruePixels> pixels_;         // of each segment
+  std::map<int, double> area_px_;          // of each object
+  std::map<SegmentPair, double> refused_;  // log odds then; they change when either is joined
+  std::map<std::pair<int, int>, KinshipSample> of_two_objects_;
   std::vector<KinshipSample> samples_;
 };
 

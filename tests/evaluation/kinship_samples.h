@@ -17,8 +17,9 @@ struct KinshipSample {
   double weight = 0;
 };
 
-// All pairs of a scene's segments, and those that arise while the right ones are joined, the most
-// likely first. Pairs with a segment of several objects are left out.
+// The decisions of joining a scene's segments if all of them are right: the most likely pair that
+// is left, one after the other. Of the pairs of two objects only the likeliest, for one wrong join
+// is enough. Pairs with a segment of several objects are left out.
 std::vector<KinshipSample> SampleKinship(const Scene& scene, const DetectorOptions& options);
 
 }  // namespace fovea::evaluation

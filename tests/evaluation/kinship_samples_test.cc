@@ -31,6 +31,17 @@ TEST(SampleKinship, TellsPartsOfOneObjectFromTwoObjects) {
   }
 }
 
+TEST(SampleKinship, TakesTwoObjectsOnce) {
+  const cv::Mat truth =
+      scenes::MakeFrame(scenes::RandomScene("touching", 21), scenes::SensorKind::kKinect, 1).labels;
+  double num_objects = 0;  // the background is label 0
+  cv::minMaxLoc(truth, nullptr, &num_objects);
+  const std::vector<KinshipSample> samples = SamplesOf("touching", true);
+  const auto num_two = std::count_if(samples.begin(), samples.end(),
+                                     [](const auto& sample) { return !sample.one_object; });
+  EXPECT_LE(static_cast<double>(num_two), num_objects * (num_objects + 1) / 2);
+}
+
 TEST(SampleKinship, TakesAllOfTheBackgroundForOneThingThatMattersLittle) {
   const std::vector<KinshipSample> samples = SamplesOf("touching", false);
   ASSERT_FALSE(samples.empty());

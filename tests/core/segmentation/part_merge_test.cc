@@ -144,6 +144,49 @@ TEST(KinshipOf, SeesTheStepBetweenTheTops) {
   EXPECT_NEAR(KinshipIn(scene).top_step, 0.1 / 0.19, 1e-3);
 }
 
+// Of the right face only what lies beyond `min_m` along an axis.
+Scene WithRightFaceFrom(int axis, float min_m) {
+  Scene scene = TwoFaces(0, kGrey);
+  for (std::size_t v = 0; v < scene.labels.size(); ++v) {
+    if (scene.labels[v] == 2 && scene.grid.voxels[v].mean[axis] < min_m) scene.labels[v] = 0;
+  }
+  return scene;
+}
+
+TEST(KinshipOf, ComparesSizes) {
+  const Kinship equal = KinshipIn(TwoFaces(0, kGrey));
+  EXPECT_NEAR(equal.log_area_ratio, 0, 1e-6);
+  EXPECT_NEAR(equal.log_smaller_area, std::log(0.04), 0.02);
+  // 20 voxels meet 20, each of them up to three of the other side.
+  EXPECT_NEAR(equal.contact, std::log(58 / std::sqrt(400)), 1e-6);
+  const Kinship half = KinshipIn(WithRightFaceFrom(1, 0.1F));
+  EXPECT_NEAR(half.log_area_ratio, std::log(0.5), 1e-6);
+  EXPECT_NEAR(half.log_smaller_area, std::log(0.02), 0.02);
+}
+
+TEST(KinshipOf, ComparesExtents) {
+  const Kinship beside = KinshipIn(TwoFaces(0, kGrey));  // of 39 cm, from 0 and from 20
+  EXPECT_NEAR(beside.side_step, 20.0 / 39, 1e-3);
+  EXPECT_NEAR(beside.height_overlap, 1, 1e-3);
+  EXPECT_NEAR(beside.rise, 38.0 / 96, 1e-3);  // 20 pairs go straight across, 38 at 45 degrees
+  EXPECT_NEAR(KinshipIn(WithRightFaceFrom(1, 0.1F)).height_overlap, 9.0 / 19, 1e-3);
+
+  Scene stacked = TwoFaces(0, kGrey);  // the lower face is 5 cm less wide, on one side
+  for (std::size_t v = 0; v < stacked.labels.size(); ++v) {
+    const Eigen::Vector3f& mean = stacked.grid.voxels[v].mean;
+    stacked.labels[v] = mean.y() < 0.1F ? 1 : mean.x() < 0.15F ? 2 : 0;
+  }
+  const Kinship kinship = KinshipIn(stacked);
+  EXPECT_NEAR(kinship.side_step, 0, 1e-3);
+  EXPECT_NEAR(kinship.height_overlap, 0, 1e-3);
+  EXPECT_GT(kinship.rise, 0.5);
+}
+
+TEST(KinshipOf, SeesWhatLiesBehind) {
+  const Kinship sloped = KinshipIn(TwoFaces(1, kGrey));  // away from z = 1 over 20 cm
+  EXPECT_NEAR(sloped.depth_overlap, 0, 0.05);
+}
+
 TEST(KinshipOf, KnowsNoDistanceBeyondThatOfItsFit) {
   Scene scene = TwoFaces(0, kGrey);
   for (Voxel& voxel : scene.grid.voxels) voxel.mean.z() += 6;
