@@ -15,7 +15,8 @@ namespace {
 
 // In an image 640 wide:
 constexpr double kEdgePx = 6;    // what sensors mix at an edge
-constexpr double kReachPx = 40;  // how far to look for depth beyond it
+constexpr double kReachPx = 60;  // how far to look for depth beyond it: near a table, its front
+constexpr double kEndPx = 40;    // may be nearer than sensors measure; and for the image's end
 
 Eigen::Vector3f PointAt(const cv::Mat& points, const cv::Point& pixel) {
   const cv::Vec3f& p = points.at<cv::Vec3f>(pixel);
@@ -32,6 +33,7 @@ class Search {
         up_(up),
         edge_px_(ScaledPx(kEdgePx, labels.cols, 1)),
         reach_px_(ScaledPx(kReachPx, labels.cols, 4)),
+        end_px_(ScaledPx(kEndPx, labels.cols, 4)),
         measured_(MeasuredArea(points)) {}
 
   void CountSides(const cv::Point& pixel, Outline& outline) const {
@@ -55,7 +57,7 @@ class Search {
       const cv::Point beyond(cvRound(static_cast<float>(pixel.x) + step * direction.x),
                              cvRound(static_cast<float>(pixel.y) + step * direction.y));
       if (!image.contains(beyond)) {
-        ++upper.at_end;
+        ++(step <= end_px_ ? upper.at_end : upper.open);
         return;
       }
       const std::uint16_t other = labels_.at<std::uint16_t>(beyond);
@@ -93,6 +95,7 @@ class Search {
   const Eigen::Vector3f& up_;
   const int edge_px_;
   const int reach_px_;
+  const int end_px_;
   const cv::Rect measured_;
 };
 

@@ -65,6 +65,21 @@ TEST(RemoveContinued, RemovesALegBehindTheEdgeOfItsTable) {
   EXPECT_TRUE(scene.Remaining().empty());
 }
 
+TEST(RemoveContinued, RemovesALegBehindATableWhoseFrontIsTooNearToMeasure) {
+  Scene scene;
+  scene.Add({0, 20, 160, 10}, 0.8F, 0);
+  scene.Forget({0, 30, 160, 12});
+  scene.Add({40, 42, 10, 60}, 1.2F, 1);
+  EXPECT_TRUE(scene.Remaining().empty());
+}
+
+TEST(RemoveContinued, KeepsWhatEndsWellBelowTheEndOfTheImage) {
+  Scene scene;
+  scene.Forget({0, 0, 160, 12});
+  scene.Add({40, 12, 20, 40}, 1, 1);
+  EXPECT_EQ(scene.Remaining(), std::set<int>{1});
+}
+
 TEST(RemoveContinued, RemovesALegThatGoesOnIntoWhatItCarries) {
   Scene scene;
   scene.Add({20, 30, 100, 20}, 1, 0);
