@@ -15,8 +15,9 @@ namespace {
 
 // In an image 640 wide:
 constexpr double kEdgePx = 6;    // what sensors mix at an edge
-constexpr double kReachPx = 60;  // how far to look for depth beyond it: near a table, its front
-constexpr double kEndPx = 40;    // may be nearer than sensors measure; and for the image's end
+constexpr double kReachPx = 60;  // how far to look for depth beyond it: the front of a table may
+                                 // be nearer than sensors measure
+constexpr double kEndPx = 40;    // how far to look for the end of the image
 
 Eigen::Vector3f PointAt(const cv::Mat& points, const cv::Point& pixel) {
   const cv::Vec3f& p = points.at<cv::Vec3f>(pixel);

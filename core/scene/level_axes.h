@@ -17,4 +17,19 @@ inline LevelAxes LevelAxesFor(const Eigen::Vector3f& up) {
   return axes;
 }
 
+// The same, of which the first leads to the right and the second away from the camera; to the upper
+// border of the image where the camera looks straight down or up.
+inline LevelAxes LevelAxesAlongView(const Eigen::Vector3f& up) {
+  constexpr float kMinLevel = 0.1F;  // of the optical axis
+  const auto level = [&up](const Eigen::Vector3f& way) -> Eigen::Vector3f {
+    return way - up * up.dot(way);
+  };
+  Eigen::Vector3f away = level(Eigen::Vector3f::UnitZ());
+  if (away.norm() < kMinLevel) away = level(-Eigen::Vector3f::UnitY());
+  away.normalize();
+  LevelAxes axes;
+  axes << away.cross(up).transpose(), away.transpose();
+  return axes;
+}
+
 }  // namespace fovea

@@ -1,24 +1,9 @@
 #include "core/segmentation/part.h"
 
+#include "core/scene/level_axes.h"
 #include "core/segmentation/labels.h"
 
 namespace fovea {
-namespace {
-
-// Unit vectors as rows: level across the view, level along it (to the upper border of the image
-// where the camera looks nearly straight down or up), and up.
-Eigen::Matrix3f ViewAxes(const Eigen::Vector3f& up) {
-  constexpr float kMinLevel = 0.3F;  // of the optical axis
-  const auto level = [&up](const Eigen::Vector3f& way) { return way - up * up.dot(way); };
-  Eigen::Vector3f away = level(Eigen::Vector3f::UnitZ());
-  if (away.norm() < kMinLevel) away = level(-Eigen::Vector3f::UnitY());
-  away.normalize();
-  Eigen::Matrix3f axes;
-  axes << away.cross(up).transpose(), away.transpose(), up.transpose();
-  return axes;
-}
-
-}  // namespace
 
 void Part::Add(const Part& other) {
   num_voxels += other.num_voxels;
@@ -31,7 +16,8 @@ void Part::Add(const Part& other) {
 std::vector<Part> CollectParts(const VoxelGrid& grid, const std::vector<int>& labels,
                                const std::vector<MeanColor>& colors,
                                const CameraIntrinsics& intrinsics, const Eigen::Vector3f& up) {
-  const Eigen::Matrix3f axes = ViewAxes(up);
+  Eigen::Matrix3f axes;
+  axes << LevelAxesAlongView(up), up.transpose();
   std::vector<Part> parts(CountLabels(labels) + 1);
   for (std::size_t v = 0; v < labels.size(); ++v) {
     const Voxel& voxel = grid.voxels[v];

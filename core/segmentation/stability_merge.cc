@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/scene/level_axes.h"
 #include "core/segmentation/contacts.h"
 #include "core/segmentation/disjoint_sets.h"
 #include "core/segmentation/labels.h"
@@ -33,22 +34,10 @@ std::vector<cv::Point2f> Hull(const std::vector<cv::Point2f>& places) {
   return hull;
 }
 
-// The horizontal plane, in coordinates of two axes of which the second leads away from the camera.
-struct HorizontalPlane {
-  Eigen::Vector3f right;
-  Eigen::Vector3f away;
-
-  explicit HorizontalPlane(const Eigen::Vector3f& up) {
-    const Eigen::Vector3f ahead = Eigen::Vector3f::UnitZ() - up.z() * up;
-    away = ahead.norm() > 0.1F ? ahead.normalized() : up.unitOrthogonal();
-    right = away.cross(up);
-  }
-  cv::Point2f Project(const Eigen::Vector3f& p) const { return {right.dot(p), away.dot(p)}; }
-};
-
 struct Segment {
-  std::vector<cv::Point2f> hull;  // of the places of its voxels in the horizontal plane
-  cv::Point2f sum;                // of these places
+  std::vector<cv::Point2f>
+      hull;         // of the places of its voxels on a level plane, to the right and away
+  cv::Point2f sum;  // of these places
   int num_voxels = 0;
   float lowest_m = std::numeric_limits<float>::max();  // above its support, less the tolerance
   LowerBorder border;
@@ -171,14 +160,15 @@ class Statics {
 std::vector<Segment> CollectSegments(const VoxelGrid& grid, const std::vector<int>& labels,
                                      const std::vector<Support>& supports,
                                      const SupportOptions& options, const Eigen::Vector3f& up) {
-  const HorizontalPlane plane(up);
+  const LevelAxes axes = LevelAxesAlongView(up);
   std::vector<Segment> segments(CountLabels(labels) + 1);
   std::vector<std::vector<cv::Point2f>> places(segments.size());
   for (std::size_t v = 0; v < labels.size(); ++v) {
     if (labels[v] == 0) continue;
     const Eigen::Vector3f& point = grid.voxels[v].mean;
     Segment& segment = segments[labels[v]];
-    const cv::Point2f place = plane.Project(point);
+    const Eigen::Vector2f on_plane = axes * point;
+    const cv::Point2f place(on_plane.x(), on_plane.y());
     places[labels[v]].push_back(place);
     segment.sum += place;
     ++segment.num_voxels;
