@@ -27,21 +27,45 @@ void AddProtectionFlags(CLI::App& app, ServerOptions& options) {
                  "SIGHUP reads it again");
 }
 
+void AddConnectionFlags(CLI::App& app, ServerOptions& options) {
+  app.add_option("--max-connections", options.max_connections,
+                 "Connections open at once, 1 to 100000; fewer where the limit of open files asks "
+                 "for it")
+      ->capture_default_str();
+  app.add_option("--max-connections-per-host", options.max_connections_per_host,
+                 "Of one host, 0 to 100000; 0 = half of them")
+      ->capture_default_str();
+  app.add_option("--max-receiving-mib", options.max_receiving_mib,
+                 "What may have come of all messages that are not whole yet, 16 to 65536 MiB; "
+                 "connections that hold most of it are ended")
+      ->capture_default_str();
+  app.add_option("--max-transfer-s", options.max_transfer_s,
+                 "How long a message may take to come, and an answer to be taken, 1 to 3600 "
+                 "seconds")
+      ->capture_default_str();
+  app.add_option("--max-idle-s", options.max_idle_s,
+                 "A connection without a call is closed after this, 1 to 86400 seconds")
+      ->capture_default_str();
+  app.add_option("--self-check-s", options.self_check_s,
+                 "How often the server asks itself for its health, 0 to 3600 seconds; 0 = never. "
+                 "It ends when it is not answered three times in a row")
+      ->capture_default_str();
+}
+
 void AddFlags(CLI::App& app, ServerOptions& options) {
   app.set_version_flag("--version", "fovea-server " FOVEA_VERSION);
   app.add_option(
          "--listen", options.listen,
-         "Address to listen on, HOST:PORT; port 0 takes a free one. Other than loopback only "
-         "with TLS and client certificates or tokens, or with --insecure")
+         "Addresses to listen on, each HOST:PORT, where port 0 takes a free one, or unix:/PATH. "
+         "Other than loopback and UNIX sockets only with TLS and client certificates or tokens, or "
+         "with --insecure")
       ->capture_default_str();
   AddProtectionFlags(app, options);
+  AddConnectionFlags(app, options);
   app.add_option("--max-streams", options.max_streams, "Streams open at once, 1 to 10000")
       ->capture_default_str();
   app.add_option("--max-streams-per-robot", options.max_streams_per_robot,
                  "Streams that one robot may have open, 1 to 10000")
-      ->capture_default_str();
-  app.add_option("--max-idle-s", options.max_idle_s,
-                 "A connection without a call is closed after this, 1 to 86400 seconds")
       ->capture_default_str();
   app.add_option("--max-message-mib", options.max_message_mib,
                  "Largest request in MiB, 1 to 1024; larger ones get RESOURCE_EXHAUSTED")

@@ -7,17 +7,21 @@
 #include <exception>
 #include <iostream>
 #include <memory>
+#include <string>
 
 #include "server/command_line.h"
 #include "server/compute_process.h"
+#include "server/connections/self_check.h"
 #include "server/process.h"
 #include "server/server.h"
+#include "server/service_manager.h"
 #include "server/spare_memory.h"
 #include "server/watching/metrics_endpoint.h"
 
 namespace {
 
 using fovea::server::MetricsEndpoint;
+using fovea::server::SelfCheck;
 
 // Signals are blocked in every thread and waited for in this one, so that stopping is ordinary
 // code and not a signal handler. Call it before any thread starts.
@@ -65,6 +69,21 @@ std::unique_ptr<MetricsEndpoint> MakeMetricsEndpoint(const fovea::server::Server
   return std::make_unique<MetricsEndpoint>(options.metrics_listen, server.metrics());
 }
 
+// A server that nobody can reach any more had better be started again by whoever started it.
+[[noreturn]] void GiveUp(const std::string& why) {
+  spdlog::critical("nobody can reach this server any more: {}; it ends", why);
+  spdlog::default_logger()->flush();
+  std::_Exit(EXIT_FAILURE);
+}
+
+std::unique_ptr<SelfCheck> MakeSelfCheck(const fovea::server::ServerOptions& options,
+                                         fovea::server::Server& server) {
+  if (options.self_check_s == 0) return nullptr;
+  return std::make_unique<SelfCheck>(
+      server.door(), fovea::server::CheckPeriod(std::chrono::seconds(options.self_check_s)),
+      SelfCheck::Listener{.on_answer = fovea::server::NotifyAlive, .on_failure = GiveUp});
+}
+
 int WaitFor(const sigset_t& signals) {
   int signal = 0;
   sigwait(&signals, &signal);
@@ -77,16 +96,23 @@ int Run(int argc, char** argv) {
   if (!options) return EXIT_SUCCESS;
 
   fovea::server::SetUpLogging(options->log_level);
+  fovea::server::RaiseFileLimit();
   fovea::server::SetUpComputing(NumComputeThreads(*options));
   const fovea::server::SpareMemory spare_memory(std::chrono::minutes{1});
   fovea::server::Server server(*options);
   const auto metrics = MakeMetricsEndpoint(*options, server);
-  std::cout << "listening on " << server.Address() << std::endl;
+  for (const std::string& address : server.Addresses()) {
+    std::cout << "listening on " << address << std::endl;
+  }
   if (metrics) std::cout << "metrics at http://" << metrics->Address() << "/metrics" << std::endl;
   if (options->insecure) spdlog::warn("other machines may call unprotected (--insecure)");
 
   WarnOfTokens(*options, server);
+  auto self_check = MakeSelfCheck(*options, server);
+  fovea::server::NotifyReady();
   while (WaitFor(signals) == SIGHUP) Reload(argc, argv, server);
+  fovea::server::NotifyStopping();
+  self_check.reset();
   StopGently(server, *options, signals);
   return EXIT_SUCCESS;
 }

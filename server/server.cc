@@ -4,6 +4,7 @@
 #include <grpcpp/ext/proto_server_reflection_plugin.h>
 #include <grpcpp/grpcpp.h>
 #include <grpcpp/health_check_service_interface.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <chrono>
@@ -37,6 +38,25 @@ SchedulerLimits LimitsOf(const ServerOptions& options) {
           .nice = options.compute_nice};
 }
 
+ConnectionLimits ConnectionLimitsOf(const ServerOptions& options) {
+  // Each connection takes two; the rest is for files, logs, metrics and what is being closed.
+  const std::size_t files = FileLimit();
+  const auto possible = static_cast<int>(
+      std::clamp<std::size_t>((files - std::min<std::size_t>(files / 2, 256)) / 2, 1, 100'000));
+  const int max = std::min(options.max_connections, possible);
+  if (max < options.max_connections) {
+    spdlog::warn("--max-connections: {} of {}, since {} files may be open", max,
+                 options.max_connections, files);
+  }
+  const int per_host = options.max_connections_per_host;
+  return {.max_connections = max,
+          .max_per_host = per_host > 0 ? std::min(per_host, max) : std::max(1, max / 2),
+          .max_receiving = static_cast<std::size_t>(options.max_receiving_mib) << 20,
+          .account = {.max_owed = std::max<std::size_t>(
+                          64 << 20, static_cast<std::size_t>(options.max_message_mib) << 21),
+                      .max_transfer = std::chrono::seconds(options.max_transfer_s)}};
+}
+
 v1::GetServerInfoResponse InfoOf(const ServerOptions& options, const SchedulerLimits& limits) {
   v1::GetServerInfoResponse info;
   info.set_version(FOVEA_VERSION);
@@ -51,7 +71,7 @@ v1::GetServerInfoResponse InfoOf(const ServerOptions& options, const SchedulerLi
 }
 
 // More wait at the client until one of them is done.
-constexpr int kMaxCallsPerConnection = 128;
+constexpr int kMaxCallsPerConnection = 64;
 
 // For refusals to reach their callers; connections where nothing is left to say close at once.
 constexpr std::chrono::seconds kLastWords{1};
@@ -68,14 +88,17 @@ void EnablePlugins() {
 
 void ConfigureChannel(const ServerOptions& options, grpc::ServerBuilder* builder) {
   builder->SetMaxReceiveMessageSize(options.max_message_mib << 20);
-  // Else a second server on the same port would start and take half of the calls.
-  builder->AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
+  // A message of 4 MB could be one of 4 GB that was compressed.
+  builder->SetCompressionAlgorithmSupportStatus(GRPC_COMPRESS_GZIP, false);
+  builder->SetCompressionAlgorithmSupportStatus(GRPC_COMPRESS_DEFLATE, false);
+  // A call that is not read takes in this much and no more; one that is, its message.
+  builder->AddChannelArgument(GRPC_ARG_HTTP2_BDP_PROBE, 0);
   // Clients may ping an idle connection this often without being cut off.
   builder->AddChannelArgument(GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS, 10'000);
   // A machine that went without a word is noticed, and half a handshake does not last.
   builder->AddChannelArgument(GRPC_ARG_KEEPALIVE_TIME_MS, 30'000);
   builder->AddChannelArgument(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, 10'000);
-  builder->AddChannelArgument(GRPC_ARG_SERVER_HANDSHAKE_TIMEOUT_MS, 10'000);
+  builder->AddChannelArgument(GRPC_ARG_SERVER_HANDSHAKE_TIMEOUT_MS, 5'000);
   builder->AddChannelArgument(GRPC_ARG_MAX_CONNECTION_IDLE_MS, options.max_idle_s * 1000);
   builder->AddChannelArgument(GRPC_ARG_MAX_CONCURRENT_STREAMS, kMaxCallsPerConnection);
 }
@@ -90,7 +113,9 @@ Server::Server(const ServerOptions& options, DetectFunction detect)
       answerer_(std::move(detect), options_, *metrics_),
       gate_keeper_(options_.tokens),
       stream_places_(options_.max_streams, options_.max_streams_per_robot),
-      service_(InfoOf(options_, limits_), *metrics_, gate_keeper_) {
+      connections_(ConnectionLimitsOf(options_)),
+      service_(InfoOf(options_, limits_), *metrics_, gate_keeper_, connections_),
+      door_(options_.listen, connections_) {
   EnablePlugins();
   Listen();
   Serve();
@@ -99,32 +124,40 @@ Server::Server(const ServerOptions& options, DetectFunction detect)
 void Server::Listen() {
   grpc::ServerBuilder builder;
   ConfigureChannel(options_, &builder);
-  builder.AddListeningPort(options_.listen, MakeCredentials(options_), &port_);
+  using Type = grpc::ServerBuilder::experimental_type::ExternalConnectionType;
+  auto callers = builder.experimental().AddExternalConnectionAcceptor(Type::FROM_FD,
+                                                                      MakeCredentials(options_));
+  auto self = builder.experimental().AddExternalConnectionAcceptor(
+      Type::FROM_FD, grpc::InsecureServerCredentials());
   builder.RegisterService(&service_);
   auto queue = builder.AddCompletionQueue();
   server_ = builder.BuildAndStart();
   // In any case: a queue that nobody empties cannot be given back.
   loop_ = std::make_unique<EventLoop>(std::move(queue));
-  if (!server_ || port_ == 0) {
-    throw std::runtime_error("--listen: cannot listen on " + options_.listen +
-                             ": the port is in use or the address is not one of this machine");
-  }
+  if (!server_) throw std::runtime_error("gRPC cannot start; the log says more");
+  callers_ = std::move(callers);
+  self_ = std::move(self);
 }
 
 void Server::Serve() {
   environment_ = std::make_unique<CallEnvironment>(
       CallEnvironment{service_, loop_->queue(), scheduler_, answerer_, live_calls_, *metrics_,
-                      gate_keeper_, stream_places_});
+                      gate_keeper_, stream_places_, connections_});
   DetectCall::Accept(*environment_);
   StreamCall::Accept(*environment_);
   server_->GetHealthCheckService()->SetServingStatus(v1::DetectionService::service_full_name(),
                                                      true);
+  door_.Open(std::move(callers_), std::move(self_));
 }
 
 Server::~Server() { Stop(/*timeout_s=*/0); }
 
-std::string Server::Address() const {
-  return HostOf(options_.listen) + ":" + std::to_string(port_);
+std::vector<std::string> Server::Addresses() const {
+  std::vector<std::string> addresses;
+  for (const ListeningSocket& listening : door_.listening()) {
+    addresses.push_back(listening.address());
+  }
+  return addresses;
 }
 
 void Server::Drain() { Stop(options_.drain_timeout_s); }
@@ -136,6 +169,7 @@ void Server::Stop(int timeout_s) {
   StopAdvertising();
   live_calls_.Stop();
   live_calls_.WaitUntilIdle(std::chrono::steady_clock::now() + std::chrono::seconds(timeout_s));
+  door_.Close();
   // What is left now is late, has just been refused, or only watches the health.
   server_->Shutdown(std::chrono::system_clock::now() + kLastWords);
   server_->Wait();

@@ -4,9 +4,12 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "server/access/gate_keeper.h"
 #include "server/access/stream_places.h"
+#include "server/connections/connection_table.h"
+#include "server/connections/door.h"
 #include "server/frame_answerer.h"
 #include "server/rpc/detection_service.h"
 #include "server/rpc/event_loop.h"
@@ -39,8 +42,13 @@ class Server {
   // For Prometheus to collect.
   const std::shared_ptr<Metrics>& metrics() const { return metrics_; }
 
-  // HOST:PORT with the real port where 0 was asked for.
-  std::string Address() const;
+  // What it listens on, with the real port where 0 was asked for; the first of them.
+  std::vector<std::string> Addresses() const;
+  std::string Address() const { return Addresses().front(); }
+
+  // Where it can be checked from outside.
+  Door& door() { return door_; }
+  const ConnectionTable& connections() const { return connections_; }
 
   // Reports NOT_SERVING to whoever checks its health, and serves on: load balancers and clients
   // have time to turn elsewhere before Drain().
@@ -63,8 +71,10 @@ class Server {
   GateKeeper gate_keeper_;
   StreamPlaces stream_places_;
   LiveCalls live_calls_;
+  ConnectionTable connections_;
   DetectionService service_;
-  int port_ = 0;
+  Door door_;
+  std::unique_ptr<Door::Acceptor> callers_, self_;  // until the door opens
   std::unique_ptr<grpc::Server> server_;
   std::unique_ptr<EventLoop> loop_;
   std::unique_ptr<CallEnvironment> environment_;

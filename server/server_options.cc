@@ -10,6 +10,8 @@
 namespace fovea::server {
 namespace {
 
+constexpr std::string_view kUnix = "unix:";
+
 void RequireRange(const char* flag, std::int64_t value, std::int64_t minimum,
                   std::int64_t maximum) {
   if (value >= minimum && value <= maximum) return;
@@ -32,8 +34,21 @@ void RequireAddress(const char* flag, const std::string& listen) {
   }
 }
 
-bool IsLoopback(const std::string& host) {
-  return host.starts_with("127.") || host == "localhost" || host == "[::1]";
+void RequireListen(const std::vector<std::string>& listen) {
+  if (listen.empty()) throw std::invalid_argument("--listen: needs an address");
+  for (const std::string& address : listen) {
+    if (!IsUnixAddress(address)) {
+      RequireAddress("--listen", address);
+    } else if (!PathOfUnix(address).starts_with('/')) {
+      throw std::invalid_argument("--listen: \"" + address + "\" is not unix:/PATH");
+    }
+  }
+}
+
+bool IsLocal(const std::string& address) {
+  const std::string host = HostOf(address);
+  return IsUnixAddress(address) || host.starts_with("127.") || host == "localhost" ||
+         host == "[::1]";
 }
 
 void RequireProtection(const ServerOptions& options) {
@@ -45,9 +60,10 @@ void RequireProtection(const ServerOptions& options) {
   }
   const bool knows_callers = !options.tls_client_ca.empty() || !options.tokens.empty();
   const bool is_protected = !options.tls_cert.empty() && knows_callers;
-  if (is_protected || options.insecure || IsLoopback(HostOf(options.listen))) return;
+  const auto open = std::ranges::find_if_not(options.listen, IsLocal);
+  if (is_protected || options.insecure || open == options.listen.end()) return;
   throw std::invalid_argument(
-      "--listen: \"" + options.listen +
+      "--listen: \"" + *open +
       "\" is open to other machines; give --tls-cert, --tls-key and either --tls-client-ca or "
       "--tokens, or --insecure to serve them unprotected");
 }
@@ -63,12 +79,17 @@ void RequireLogLevel(const std::string& level) {
 }  // namespace
 
 void Validate(const ServerOptions& options) {
-  RequireAddress("--listen", options.listen);
+  RequireListen(options.listen);
   if (!options.metrics_listen.empty()) RequireAddress("--metrics-listen", options.metrics_listen);
   RequireProtection(options);
   RequireRange("--tls-reload-s", options.tls_reload_s, 1, 86'400);
   RequireRange("--max-streams", options.max_streams, 1, 10'000);
   RequireRange("--max-streams-per-robot", options.max_streams_per_robot, 1, 10'000);
+  RequireRange("--max-connections", options.max_connections, 1, 100'000);
+  RequireRange("--max-connections-per-host", options.max_connections_per_host, 0, 100'000);
+  RequireRange("--max-receiving-mib", options.max_receiving_mib, 16, 65'536);
+  RequireRange("--max-transfer-s", options.max_transfer_s, 1, 3600);
+  RequireRange("--self-check-s", options.self_check_s, 0, 3600);
   RequireRange("--max-idle-s", options.max_idle_s, 1, 86'400);
   RequireRange("--max-message-mib", options.max_message_mib, 1, 1024);
   RequireRange("--max-pixels", options.max_pixels, 1, 100'000'000);
@@ -88,5 +109,9 @@ int NumComputeThreads(const ServerOptions& options) {
 }
 
 std::string HostOf(const std::string& listen) { return listen.substr(0, listen.rfind(':')); }
+
+bool IsUnixAddress(const std::string& listen) { return listen.starts_with(kUnix); }
+
+std::string PathOfUnix(const std::string& listen) { return listen.substr(kUnix.size()); }
 
 }  // namespace fovea::server

@@ -2,13 +2,14 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace fovea::server {
 
 struct ServerOptions {
-  // HOST:PORT; port 0 takes a free one. Other than loopback only with TLS and either client
-  // certificates or tokens, or with `insecure`.
-  std::string listen = "127.0.0.1:50051";
+  // Each HOST:PORT, where port 0 takes a free one, or unix:/PATH. Other than loopback and UNIX
+  // sockets only with TLS and either client certificates or tokens, or with `insecure`.
+  std::vector<std::string> listen = {"127.0.0.1:50051"};
   // Serve callers from other machines unprotected.
   bool insecure = false;
   // PEM files: the server's certificate chain and its key; and the authority whose certificates
@@ -21,6 +22,16 @@ struct ServerOptions {
   // Streams that are open at once, of all robots and of one, 1 … 10000.
   int max_streams = 256;
   int max_streams_per_robot = 16;
+  // Connections that are open at once, 1 … 100000; fewer where the limit of open files asks for it,
+  // two of which each takes. Of one host, 0 … 100000; 0 = half of them.
+  int max_connections = 1024, max_connections_per_host = 0;
+  // What of all messages that are not whole yet may have come, 16 … 65536 MiB.
+  int max_receiving_mib = 512;
+  // How long a message may take to come, and an answer to be taken, 1 … 3600 s.
+  int max_transfer_s = 30;
+  // How often the server asks itself for its health through its own door, 0 … 3600 s; 0 = never.
+  // It ends when it does not answer itself three times in a row.
+  int self_check_s = 10;
   // A connection without a call is closed after this, 1 … 86400 s: gRPC 1.51 does not bound them,
   // and a client that was destroyed while it connected keeps its connection.
   int max_idle_s = 300;
@@ -61,5 +72,9 @@ int NumComputeThreads(const ServerOptions& options);
 
 // "127.0.0.1" of "127.0.0.1:50051".
 std::string HostOf(const std::string& listen);
+
+// "/run/fovea.sock" of "unix:/run/fovea.sock".
+bool IsUnixAddress(const std::string& listen);
+std::string PathOfUnix(const std::string& listen);
 
 }  // namespace fovea::server

@@ -8,7 +8,8 @@
 
 namespace fovea::server {
 
-Caller::Caller(grpc::ServerContext* context) : context_(context) {
+Caller::Caller(grpc::ServerContext* context, ConnectionTable& connections)
+    : context_(context), connections_(connections) {
   context_->AsyncNotifyWhenDone(&done_);
 }
 
@@ -24,6 +25,14 @@ void Caller::Identify(const GateKeeper& gate_keeper) {
   robot_ = gate_keeper.Admit(*context_);
   request_id_ = RequestId(context_->client_metadata());
   context_->AddTrailingMetadata(kRequestIdKey, request_id_);
+  peer_ = context_->peer();
+  owed_ = connections_.Admit(peer_);
+}
+
+void Caller::OnMessage(std::size_t bytes) { owed_ = connections_.OnMessage(peer_, bytes); }
+
+void Caller::OnNoMessage() {
+  if (!peer_.empty()) connections_.OnNoMessage(peer_, owed_);
 }
 
 bool Caller::DeadlinePassed() const {

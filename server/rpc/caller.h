@@ -4,10 +4,13 @@
 #include <grpcpp/server_context.h>
 
 #include <atomic>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 
 #include "server/access/gate_keeper.h"
+#include "server/connections/connection_table.h"
 #include "server/rpc/event_loop.h"
 
 namespace fovea::server {
@@ -15,7 +18,7 @@ namespace fovea::server {
 class Caller {
  public:
   // Before the call is asked for: gRPC wants to know by then that it shall tell of its end.
-  explicit Caller(grpc::ServerContext* context);
+  Caller(grpc::ServerContext* context, ConnectionTable& connections);
 
   // The call has begun. `on_gone` is called on the event loop's thread if the caller leaves or its
   // deadline passes before the answer; it is kept until the call's end and no longer.
@@ -27,6 +30,11 @@ class Caller {
   // Whose turn the call takes.
   const std::string& robot() const { return robot_; }
   const std::string& request_id() const { return request_id_; }
+
+  // A message of this call has come; it will have none (any more). Both keep account of what the
+  // connection has sent.
+  void OnMessage(std::size_t bytes);
+  void OnNoMessage();
 
   // Whether to give up. From any thread.
   bool IsGone() const { return gone_ || DeadlinePassed(); }
@@ -40,6 +48,9 @@ class Caller {
   std::atomic<bool> gone_ = false;
   CallEvent done_;
   std::string robot_, request_id_;
+  ConnectionTable& connections_;
+  std::string peer_;        // empty until the call is let in
+  std::uint64_t owed_ = 0;  // by the connection after the last message, or when the call began
 };
 
 }  // namespace fovea::server

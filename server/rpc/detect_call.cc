@@ -21,7 +21,9 @@ void DetectCall::Accept(const CallEnvironment& environment) {
 }
 
 DetectCall::DetectCall(const CallEnvironment& environment)
-    : environment_(environment), token_(environment.live_calls.Enter()) {}
+    : environment_(environment),
+      token_(environment.live_calls.Enter()),
+      caller_(&context_, environment.connections) {}
 
 void DetectCall::Proceed(const std::function<void()>& step) {
   try {
@@ -57,6 +59,8 @@ void DetectCall::OnRead(bool ok) {
     Refuse(caller_.StatusOfGone());
     return;
   }
+  has_message_ = true;
+  caller_.OnMessage(bytes_.Length());
   environment_.metrics.OnReceivedBytes(bytes_.Length());
   const grpc::Status status = Parse(&bytes_, &request_);
   bytes_.Clear();
@@ -91,6 +95,7 @@ void DetectCall::OnGone() {
 }
 
 void DetectCall::Refuse(const grpc::Status& status, const char* reason) {
+  if (!has_message_) caller_.OnNoMessage();
   environment_.answerer.Refuse(Request(), caller_, status);
   environment_.metrics.OnRefused(reason != nullptr ? reason : NameOf(status.error_code()));
   const bool full = status.error_code() == grpc::StatusCode::RESOURCE_EXHAUSTED;

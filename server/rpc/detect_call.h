@@ -35,9 +35,10 @@ class DetectCall : public std::enable_shared_from_this<DetectCall> {
   const LiveCalls::Token token_;
   LiveCalls::Token begun_;
   grpc::ServerContext context_;
-  Caller caller_{&context_};
+  Caller caller_;
   grpc::ServerAsyncReader<v1::DetectResponse, grpc::ByteBuffer> stream_{&context_};
   grpc::ByteBuffer bytes_;
+  bool has_message_ = false;
   v1::DetectRequest request_;
   v1::DetectResponse response_;
   grpc::Status status_;

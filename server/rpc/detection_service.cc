@@ -13,8 +13,11 @@ constexpr int kDetect = 0;  // its place in the contract
 }  // namespace
 
 DetectionService::DetectionService(v1::GetServerInfoResponse info, const Metrics& metrics,
-                                   const GateKeeper& gate_keeper)
-    : info_(std::move(info)), metrics_(metrics), gate_keeper_(gate_keeper) {
+                                   const GateKeeper& gate_keeper, ConnectionTable& connections)
+    : info_(std::move(info)),
+      metrics_(metrics),
+      gate_keeper_(gate_keeper),
+      connections_(connections) {
   // What gRPC has for its "streamed unary" methods: the same on the wire.
   MarkMethodStreamed(kDetect, nullptr);
   MarkMethodAsync(kDetect);
@@ -45,6 +48,7 @@ grpc::Status DetectionService::IfAdmitted(const grpc::ServerContext& context,
                                           const std::function<void()>& answer) const {
   try {
     gate_keeper_.Admit(context);
+    connections_.Admit(context.peer());
     answer();
     return grpc::Status::OK;
   } catch (...) {

@@ -6,6 +6,7 @@
 #include "fovea/v1/detection_service.grpc.pb.h"
 #include "server/access/gate_keeper.h"
 #include "server/access/stream_places.h"
+#include "server/connections/connection_table.h"
 #include "server/frame_answerer.h"
 #include "server/rpc/live_calls.h"
 #include "server/scheduling/scheduler.h"
@@ -23,7 +24,7 @@ class DetectionService final : public AsyncDetectionService {
  public:
   // `info` is what GetServerInfo answers. The others must outlive it.
   DetectionService(v1::GetServerInfoResponse info, const Metrics& metrics,
-                   const GateKeeper& gate_keeper);
+                   const GateKeeper& gate_keeper, ConnectionTable& connections);
 
   // Completes when a call of Detect begins; its message is read thereafter, so that a call can be
   // refused before it uploads its frame.
@@ -43,6 +44,7 @@ class DetectionService final : public AsyncDetectionService {
   const v1::GetServerInfoResponse info_;
   const Metrics& metrics_;
   const GateKeeper& gate_keeper_;
+  ConnectionTable& connections_;
   const std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };
 
@@ -56,6 +58,7 @@ struct CallEnvironment {
   Metrics& metrics;
   const GateKeeper& gate_keeper;
   StreamPlaces& stream_places;
+  ConnectionTable& connections;
 };
 
 }  // namespace fovea::server

@@ -35,7 +35,9 @@ void StreamCall::Accept(const CallEnvironment& environment) {
 }
 
 StreamCall::StreamCall(const CallEnvironment& environment)
-    : environment_(environment), token_(environment.live_calls.Enter()) {}
+    : environment_(environment),
+      token_(environment.live_calls.Enter()),
+      caller_(&context_, environment.connections) {}
 
 StreamCall::~StreamCall() {
   if (place_) environment_.metrics.OnStreams(-1);
@@ -82,6 +84,7 @@ void StreamCall::Read() {
       self->OnRead();
       return;
     }
+    self->caller_.OnNoMessage();
     const std::lock_guard lock(self->mutex_);
     self->no_more_ = true;
     self->Proceed();
@@ -93,6 +96,7 @@ void StreamCall::OnRead() {
   received.at = std::chrono::steady_clock::now();
   environment_.metrics.OnReceived(caller_.robot());
   environment_.metrics.OnReceivedBytes(bytes_.Length());
+  caller_.OnMessage(bytes_.Length());
   received.error = Parse(&bytes_, &received.request);
   bytes_.Clear();
   const std::lock_guard lock(mutex_);

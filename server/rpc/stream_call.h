@@ -53,7 +53,7 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   LiveCalls::Token begun_;
   StreamPlaces::Place place_;
   grpc::ServerContext context_;
-  Caller caller_{&context_};
+  Caller caller_;
   grpc::ServerAsyncReaderWriter<grpc::ByteBuffer, grpc::ByteBuffer> stream_{&context_};
   grpc::ByteBuffer bytes_;             // of the message that is being read
   v1::DetectStreamResponse response_;  // of the frame that is worked on

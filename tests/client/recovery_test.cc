@@ -30,7 +30,7 @@ ClientOptions Persistent() {
 
 server::ServerOptions At(const std::string& address) {
   server::ServerOptions options = LoopbackOptions();
-  options.listen = address;
+  options.listen = {address};
   return options;
 }
 

@@ -121,7 +121,7 @@ TEST_F(Tls, RefusesFilesThatCannotBeUsed) {
 TEST(Protection, IsNeededBeyondLoopback) {
   const auto error_of = [](auto change) -> std::string {
     server::ServerOptions options;
-    options.listen = "0.0.0.0:0";
+    options.listen = {"0.0.0.0:0"};
     change(options);
     try {
       Validate(options);
@@ -138,7 +138,7 @@ TEST(Protection, IsNeededBeyondLoopback) {
   EXPECT_EQ(error_of([&](auto& o) { tls(o), o.tokens = "file"; }), "valid");
   EXPECT_EQ(error_of([&](auto& o) { tls(o), o.tls_client_ca = "file"; }), "valid");
   for (const char* local : {"127.0.0.1:1", "127.0.0.2:1", "localhost:1", "[::1]:1"}) {
-    EXPECT_EQ(error_of([&](auto& o) { o.listen = local; }), "valid") << local;
+    EXPECT_EQ(error_of([&](auto& o) { o.listen = {local}; }), "valid") << local;
   }
 }
 

@@ -43,14 +43,14 @@ TEST(ServerOptions, NameFlagValueAndConstraint) {
             "--max-pixels: -1 is not between 1 and 100000000");
   EXPECT_THAT(error_of([](auto& o) { o.log_level = "loud"; }), HasSubstr("\"loud\" is not one"));
   for (const char* listen : {"", "50051", ":50051", "host:", "host:x", "host:-1", "host:65536"}) {
-    EXPECT_THAT(error_of([&](auto& o) { o.listen = listen; }), HasSubstr("--listen: ")) << listen;
+    EXPECT_THAT(error_of([&](auto& o) { o.listen = {listen}; }), HasSubstr("--listen: ")) << listen;
   }
 }
 
 TEST(Server, RefusesAPortThatIsTaken) {
   const Loopback first;
   server::ServerOptions options;
-  options.listen = first.server.Address();
+  options.listen = {first.server.Address()};
   EXPECT_THAT([&] { server::Server second(options); },
               ThrowsMessage<std::runtime_error>(HasSubstr("cannot listen on 127.0.0.1:")));
 }

@@ -1,0 +1,81 @@
+#include "server/connections/connection_account.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace fovea::server {
+namespace {
+
+// Frames of HTTP/2 and records of TLS around a message, and the headers of its call.
+constexpr double kOverheadShare = 0.02;
+constexpr std::uint64_t kOverheadOfCall = 512;
+// Calls without a message of ours, pings: what may come for these without a debt.
+constexpr double kSmallTalk_bytes_s = 1024;
+// A call's first bytes come before it is let in.
+constexpr std::uint64_t kFirstBytes = std::uint64_t{128} << 10;
+constexpr std::uint64_t kMaxLate = 4 * kFirstBytes;
+// Nobody was let in there: enough to ask for the health or to begin some calls.
+constexpr std::uint64_t kMaxOwedByStranger = std::uint64_t{1} << 20;
+constexpr std::chrono::minutes kMaxAgeOfStranger{10};
+
+}  // namespace
+
+void ConnectionAccount::OnReceived(std::uint64_t total, Clock::time_point now) {
+  const double seconds = std::chrono::duration<double>(now - std::max(seen_, accepted_)).count();
+  const auto small_talk = static_cast<std::uint64_t>(seconds * kSmallTalk_bytes_s);
+  if (small_talk > 0) seen_ = now;  // else what is less than a byte would be lost
+  const std::uint64_t came = total - total_;
+  const std::uint64_t late = std::min(came, late_);
+  total_ = total;
+  late_ -= late;
+  owed_ += came - late;
+  owed_ -= std::min(owed_, small_talk);
+  NoteLeast(now);
+  if (owed_ <= kFirstBytes) {
+    owing_since_.reset();
+  } else if (!owing_since_) {
+    owing_since_ = now;
+  }
+}
+
+void ConnectionAccount::OnMessage(std::size_t bytes, Clock::time_point now) {
+  const auto with_overhead =
+      static_cast<std::uint64_t>(static_cast<double>(bytes) * (1 + kOverheadShare));
+  owed_ -= std::min(owed_, with_overhead + kOverheadOfCall);
+  least_ = std::min(least_, owed_);
+  if (owing_since_) owing_since_ = now;
+}
+
+void ConnectionAccount::Forgive(std::uint64_t owed) {
+  owed_ = std::min(owed_, owed);
+  late_ = std::min(late_ + kFirstBytes, kMaxLate);
+  least_ = std::min(least_, owed_);
+}
+
+void ConnectionAccount::NoteLeast(Clock::time_point now) {
+  if (now - second_ > std::chrono::seconds{1}) {
+    second_ = now;
+    least_before_ = std::exchange(least_, owed_);
+  }
+  least_ = std::min(least_, owed_);
+}
+
+ConnectionAccount::Clock::duration ConnectionAccount::Owing(Clock::time_point now) const {
+  return owing_since_ ? now - *owing_since_ : Clock::duration::zero();
+}
+
+std::optional<std::string> ConnectionAccount::Fault(const AccountLimits& limits,
+                                                    Clock::time_point now) const {
+  const auto bytes = [this] { return std::to_string(owed_) + " bytes that make no message"; };
+  if (!admitted_ && owed_ > kMaxOwedByStranger) return "sent " + bytes() + ", with no call let in";
+  if (!admitted_ && now - accepted_ > kMaxAgeOfStranger) {
+    return "had no call let in for 10 minutes";
+  }
+  if (owed_ > limits.max_owed) return "sent " + bytes();
+  if (Owing(now) > limits.max_transfer) {
+    return "sent " + bytes() + " in " + std::to_string(limits.max_transfer.count()) + " s";
+  }
+  return std::nullopt;
+}
+
+}  // namespace fovea::server

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace fovea::server {
+
+// What one connection may hold of the server's memory by sending messages in part. gRPC 1.51 has no
+// limit for that: it takes what comes for every call of a connection until each message is whole.
+struct AccountLimits {
+  // Bytes of a connection that no message has come of yet.
+  std::size_t max_owed = std::size_t{64} << 20;
+  // How long it may owe some before a message has to come.
+  std::chrono::seconds max_transfer{30};
+};
+
+// Of one connection: what has come, less the messages that it made. Not thread-safe.
+class ConnectionAccount {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  explicit ConnectionAccount(Clock::time_point accepted)
+      : accepted_(accepted), seen_(accepted), second_(accepted) {}
+
+  // `total` bytes have come over the connection so far.
+  void OnReceived(std::uint64_t total, Clock::time_point now);
+  // Of these, a message of so many. What was received has to be said before.
+  void OnMessage(std::size_t bytes, Clock::time_point now);
+  // A call on it was let in.
+  void Admit() { admitted_ = true; }
+  // A call ended without a message: what came since it owed so much is given back, and so is what
+  // its caller sends until it hears of that.
+  void Forgive(std::uint64_t owed);
+
+  bool admitted() const { return admitted_; }
+  Clock::time_point accepted() const { return accepted_; }
+  std::uint64_t owed() const { return owed_; }
+  // The least that it owed in the last second or two: a robot's frames come whole again and again,
+  // however many it sends.
+  std::uint64_t held() const { return std::min(least_before_, least_); }
+  // For how long it has owed more than a call's first bytes, since the last message.
+  Clock::duration Owing(Clock::time_point now) const;
+
+  // Why the connection has to go; empty where it may stay.
+  std::optional<std::string> Fault(const AccountLimits& limits, Clock::time_point now) const;
+
+ private:
+  void NoteLeast(Clock::time_point now);
+
+  Clock::time_point accepted_;
+  Clock::time_point seen_;  // when what came was said last
+  std::optional<Clock::time_point> owing_since_;
+  std::uint64_t total_ = 0;
+  std::uint64_t owed_ = 0;
+  std::uint64_t late_ = 0;                      // what may still come of calls that ended
+  std::uint64_t least_before_ = 0, least_ = 0;  // of owed_, in the second before and in this one
+  Clock::time_point second_;                    // when this one began
+  bool admitted_ = false;
+};
+
+}  // namespace fovea::server

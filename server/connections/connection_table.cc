@@ -1,0 +1,169 @@
+#include "server/connections/connection_table.h"
+
+#include <linux/tcp.h>
+#include <netinet/in.h>
+#include <spdlog/spdlog.h>
+#include <sys/ioctl.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "server/connections/socket_address.h"
+
+namespace fovea::server {
+namespace {
+
+// Bytes that gRPC has read of a connection so far; 0 of UNIX sockets, which do not count them.
+std::uint64_t ReceivedOf(int fd) {
+  tcp_info info{};
+  socklen_t size = sizeof info;
+  if (getsockopt(fd, IPPROTO_TCP, TCP_INFO, &info, &size) != 0) return 0;
+  int unread = 0;
+  ioctl(fd, FIONREAD, &unread);
+  const auto waiting = static_cast<std::uint64_t>(std::max(unread, 0));
+  return info.tcpi_bytes_received - std::min<std::uint64_t>(info.tcpi_bytes_received, waiting);
+}
+
+}  // namespace
+
+int ConnectionTable::Add(const std::string& peer, FileDescriptor watched) {
+  const std::lock_guard lock(mutex_);
+  const std::string host = HostOfPeer(peer);
+  if (!HasPlace(host)) MakePlace(host);
+  if (!HasPlace(host)) {
+    ++counts_.refused;
+    return -1;
+  }
+  ++counts_.accepted;
+  ++num_places_;
+  ++per_host_[host];
+  const int fd = watched.get();
+  by_peer_[peer] = fd;
+  connections_.emplace(
+      fd, Connection{peer, host, std::move(watched), ConnectionAccount(Clock::now()), false});
+  return fd;
+}
+
+void ConnectionTable::Remove(int watched) {
+  const std::lock_guard lock(mutex_);
+  const auto found = connections_.find(watched);
+  if (found == connections_.end()) return;
+  Connection& connection = found->second;
+  if (!connection.ended) GiveBackPlace(connection);
+  const auto by_peer = by_peer_.find(connection.peer);
+  if (by_peer != by_peer_.end() && by_peer->second == watched) by_peer_.erase(by_peer);
+  connections_.erase(found);
+}
+
+bool ConnectionTable::HasPlace(const std::string& host) const {
+  // Those that were ended and that gRPC has not closed yet.
+  constexpr std::size_t kMaxClosing = 64;
+  const auto max = static_cast<std::size_t>(limits_.max_connections);
+  const auto of_host = per_host_.find(host);
+  return num_places_ < max && connections_.size() < max + kMaxClosing &&
+         (of_host == per_host_.end() || of_host->second < limits_.max_per_host);
+}
+
+void ConnectionTable::MakePlace(const std::string& host) {
+  const auto own = per_host_.find(host);
+  const bool of_own = own != per_host_.end() && own->second >= limits_.max_per_host;
+  // A caller that has just come may not have had the time to call.
+  const auto before = Clock::now() - std::chrono::seconds{1};
+  Connection* oldest = nullptr;
+  for (auto& [fd, candidate] : connections_) {
+    const ConnectionAccount& account = candidate.account;
+    if (candidate.ended || account.admitted() || account.accepted() > before) continue;
+    if (of_own && candidate.host != host) continue;
+    const auto rank = [&](const Connection& one) {
+      return std::pair(-per_host_.at(one.host), one.account.accepted());
+    };
+    if (oldest == nullptr || rank(candidate) < rank(*oldest)) oldest = &candidate;
+  }
+  if (oldest != nullptr) End(*oldest, "had no call let in, and others need its place");
+}
+
+std::uint64_t ConnectionTable::Admit(const std::string& peer) {
+  const std::lock_guard lock(mutex_);
+  Connection* connection = Find(peer);
+  if (connection == nullptr) return 0;
+  connection->account.Admit();
+  return connection->account.owed();
+}
+
+std::uint64_t ConnectionTable::OnMessage(const std::string& peer, std::size_t bytes) {
+  const std::lock_guard lock(mutex_);
+  Connection* connection = Find(peer);
+  if (connection == nullptr) return 0;
+  const auto now = Clock::now();
+  connection->account.OnReceived(ReceivedOf(connection->fd.get()), now);
+  connection->account.OnMessage(bytes, now);
+  return connection->account.owed();
+}
+
+void ConnectionTable::OnNoMessage(const std::string& peer, std::uint64_t owed) {
+  const std::lock_guard lock(mutex_);
+  Connection* connection = Find(peer);
+  if (connection == nullptr) return;
+  connection->account.OnReceived(ReceivedOf(connection->fd.get()), Clock::now());
+  connection->account.Forgive(owed);
+}
+
+void ConnectionTable::Inspect() {
+  const std::lock_guard lock(mutex_);
+  const auto now = Clock::now();
+  counts_.receiving_bytes = 0;
+  for (auto& [fd, connection] : connections_) {
+    if (connection.ended) continue;
+    connection.account.OnReceived(ReceivedOf(fd), now);
+    if (const auto fault = connection.account.Fault(limits_.account, now)) {
+      End(connection, *fault);
+    } else {
+      counts_.receiving_bytes += connection.account.owed();
+    }
+  }
+  while (counts_.receiving_bytes > limits_.max_receiving) EndLargest();
+}
+
+// What is held for long counts more than what has just come: robots that send much send it on.
+void ConnectionTable::EndLargest() {
+  const auto weight = [](const Connections::value_type& entry) {
+    const ConnectionAccount& account = entry.second.account;
+    return entry.second.ended ? 0 : 4 * account.held() + account.owed();
+  };
+  const auto largest =
+      std::max_element(connections_.begin(), connections_.end(),
+                       [&](const auto& a, const auto& b) { return weight(a) < weight(b); });
+  const std::uint64_t owed = largest->second.account.owed();
+  counts_.receiving_bytes -= std::min(counts_.receiving_bytes, std::max<std::uint64_t>(owed, 1));
+  End(largest->second,
+      "sent " + std::to_string(owed) +
+          " bytes that make no message, the most while all together sent too many");
+}
+
+ConnectionTable::Connection* ConnectionTable::Find(const std::string& peer) {
+  const auto found = by_peer_.find(peer);
+  return found == by_peer_.end() ? nullptr : &connections_.at(found->second);
+}
+
+void ConnectionTable::End(Connection& connection, const std::string& why) {
+  connection.ended = true;
+  ++counts_.ended;
+  GiveBackPlace(connection);
+  shutdown(connection.fd.get(), SHUT_RDWR);  // gRPC closes what is left of it
+  spdlog::warn("connection of {} ended: it {}", connection.peer, why);
+}
+
+void ConnectionTable::GiveBackPlace(const Connection& connection) {
+  --num_places_;
+  if (--per_host_.at(connection.host) == 0) per_host_.erase(connection.host);
+}
+
+ConnectionTable::Counts ConnectionTable::counts() const {
+  const std::lock_guard lock(mutex_);
+  Counts counts = counts_;
+  counts.open = connections_.size();
+  return counts;
+}
+
+}  // namespace fovea::server

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <string>
+#include <unordered_map>
+
+#include "server/connections/connection_account.h"
+#include "server/connections/file_descriptor.h"
+
+namespace fovea::server {
+
+struct ConnectionLimits {
+  int max_connections = 1024;
+  int max_per_host = 512;
+  // Of all connections, bytes that no message has come of yet.
+  std::size_t max_receiving = std::size_t{512} << 20;
+  AccountLimits account;
+};
+
+// The connections that are open and what each holds. Keeps a second descriptor of each, which tells
+// what the connection does while gRPC has the first, and can end it. Thread-safe.
+class ConnectionTable {
+ public:
+  using Clock = ConnectionAccount::Clock;
+
+  // What became of connections, since the start.
+  struct Counts {
+    std::size_t open = 0;
+    std::uint64_t accepted = 0;
+    std::uint64_t refused = 0;  // no place was left
+    std::uint64_t ended = 0;    // had to go
+    std::uint64_t receiving_bytes = 0;
+  };
+
+  explicit ConnectionTable(const ConnectionLimits& limits) : limits_(limits) {}
+
+  // Takes the connection in, and returns the descriptor by which Ended() is told of it; -1 where
+  // there is no place. When all places are taken, a connection on which no call was let in makes
+  // room, the oldest one of the host that has most.
+  int Add(const std::string& peer, FileDescriptor watched);
+  // Both ends have closed it.
+  void Remove(int watched);
+
+  // A call of this ServerContext::peer() was let in; a message of it has come. What the connection
+  // owes then. A peer that is not known (any more) owes nothing.
+  std::uint64_t Admit(const std::string& peer);
+  std::uint64_t OnMessage(const std::string& peer, std::size_t bytes);
+  // A call that was let in ended without a message since it owed `owed`.
+  void OnNoMessage(const std::string& peer, std::uint64_t owed);
+
+  // Looks at all, and ends those that hold more, or longer, than the limits allow.
+  void Inspect();
+
+  Counts counts() const;
+
+ private:
+  struct Connection {
+    std::string peer, host;
+    FileDescriptor fd;
+    ConnectionAccount account;
+    bool ended = false;  // by us, and not closed yet
+  };
+  using Connections = std::map<int, Connection>;  // by fd
+
+  bool HasPlace(const std::string& host) const;
+  void MakePlace(const std::string& host);
+  Connection* Find(const std::string& peer);
+  void End(Connection& connection, const std::string& why);
+  void EndLargest();
+  void GiveBackPlace(const Connection& connection);
+
+  const ConnectionLimits limits_;
+  mutable std::mutex mutex_;
+  Connections connections_;
+  std::unordered_map<std::string, int> by_peer_;
+  std::map<std::string, int> per_host_;
+  std::size_t num_places_ = 0;  // of connections_, those that were not ended
+  Counts counts_;
+};
+
+}  // namespace fovea::server

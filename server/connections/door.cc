@@ -1,0 +1,152 @@
+#include "server/connections/door.h"
+
+#include <fcntl.h>
+#include <spdlog/spdlog.h>
+#include <sys/epoll.h>
+#include <sys/eventfd.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <utility>
+
+#include "server/connections/socket_address.h"
+
+namespace fovea::server {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// So often connections are looked at: what comes within it is not bounded.
+constexpr std::chrono::milliseconds kInspection{100};
+// Accepted in one go before the others are heard.
+constexpr int kBatch = 64;
+
+FileDescriptor Spare() { return FileDescriptor(open("/dev/null", O_RDONLY | O_CLOEXEC)); }
+
+}  // namespace
+
+std::size_t FileLimit() {
+  rlimit limit{};
+  getrlimit(RLIMIT_NOFILE, &limit);
+  return limit.rlim_cur;
+}
+
+void RaiseFileLimit() {
+  rlimit limit{};
+  getrlimit(RLIMIT_NOFILE, &limit);
+  limit.rlim_cur = limit.rlim_max;
+  setrlimit(RLIMIT_NOFILE, &limit);
+}
+
+Door::Door(const std::vector<std::string>& addresses, ConnectionTable& connections)
+    : connections_(connections),
+      epoll_(epoll_create1(EPOLL_CLOEXEC)),
+      wake_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)),
+      spare_(Spare()) {
+  listening_.reserve(addresses.size());
+  for (const std::string& address : addresses) listening_.emplace_back(address);
+  Watch(wake_.get(), EPOLLIN);
+}
+
+Door::~Door() { Close(); }
+
+void Door::Open(std::unique_ptr<Acceptor> callers, std::unique_ptr<Acceptor> self) {
+  callers_ = std::move(callers);
+  self_ = std::move(self);
+  for (const ListeningSocket& listening : listening_) Watch(listening.fd(), EPOLLIN);
+  thread_ = std::jthread([this](const std::stop_token& stop) { Run(stop); });
+}
+
+void Door::Close() {
+  if (!thread_.joinable()) return;
+  thread_.request_stop();
+  eventfd_write(wake_.get(), 1);
+  thread_.join();
+  listening_.clear();
+}
+
+void Door::Announce(const std::string& peer) {
+  const std::lock_guard lock(mutex_);
+  announced_.insert(peer);
+}
+
+bool Door::WasAnnounced(const std::string& peer) {
+  const std::lock_guard lock(mutex_);
+  return announced_.erase(peer) > 0;
+}
+
+void Door::Watch(int fd, std::uint32_t events) const {
+  epoll_event event{.events = events, .data = {.fd = fd}};
+  epoll_ctl(epoll_.get(), EPOLL_CTL_ADD, fd, &event);
+}
+
+void Door::Run(const std::stop_token& stop) {
+  std::array<epoll_event, kBatch> events{};
+  Clock::time_point next = Clock::now() + kInspection;
+  while (!stop.stop_requested()) {
+    const int timeout = connections_.counts().open > 0 ? static_cast<int>(kInspection.count()) : -1;
+    const int found = epoll_wait(epoll_.get(), events.data(), kBatch, timeout);
+    for (int i = 0; i < found; ++i) {
+      const int fd = events.at(static_cast<std::size_t>(i)).data.fd;
+      const auto listening = std::ranges::find(listening_, fd, &ListeningSocket::fd);
+      if (listening != listening_.end()) {
+        Accept(*listening);
+      } else if (fd != wake_.get()) {
+        connections_.Remove(fd);
+      }
+    }
+    if (Clock::now() < next) continue;
+    connections_.Inspect();
+    next = Clock::now() + kInspection;
+  }
+}
+
+void Door::Accept(const ListeningSocket& listening) {
+  for (int i = 0; i < kBatch; ++i) {
+    FileDescriptor connection(
+        accept4(listening.fd(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
+    if (connection) {
+      HandOver(listening, std::move(connection));
+    } else if (errno == EMFILE || errno == ENFILE) {
+      TurnAwayWithoutDescriptor(listening);
+      return;
+    } else if (errno != ECONNABORTED && errno != EINTR) {
+      if (errno != EAGAIN) spdlog::error("cannot accept connections: {}", std::strerror(errno));
+      return;
+    }
+  }
+}
+
+void Door::HandOver(const ListeningSocket& listening, FileDescriptor connection) {
+  const std::string peer = SocketAddress::Remote(connection.get()).Uri();
+  const bool own = WasAnnounced(peer);
+  if (!own) {
+    FileDescriptor watched(fcntl(connection.get(), F_DUPFD_CLOEXEC, 0));
+    if (!watched) return;  // and so `connection` is closed
+    const int fd = connections_.Add(peer, std::move(watched));
+    if (fd < 0) {
+      spdlog::warn("connection of {} refused: there are too many", peer);
+      return;
+    }
+    Watch(fd, EPOLLET);  // of its end, which is always said
+  }
+  Acceptor::NewConnectionParameters parameters;
+  parameters.listener_fd = listening.fd();
+  parameters.fd = connection.Release();
+  (own ? self_ : callers_)->HandleNewConnection(&parameters);
+}
+
+// Else the caller stays in line, and the line is said to be waiting at once again.
+void Door::TurnAwayWithoutDescriptor(const ListeningSocket& listening) {
+  spdlog::error("connection refused: {} (raise the limit of open files)", std::strerror(errno));
+  spare_.Close();
+  FileDescriptor(accept4(listening.fd(), nullptr, nullptr, SOCK_CLOEXEC));
+  spare_ = Spare();
+}
+
+}  // namespace fovea::server
