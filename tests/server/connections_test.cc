@@ -1,15 +1,13 @@
 // Limits on streams and messages, and callers that hold connections and speak no gRPC.
-#include <arpa/inet.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <iterator>
 #include <string>
 #include <thread>
 
+#include "tests/server/bare_connection.h"
 #include "tests/server/detectors.h"
 #include "tests/server/frames.h"
 #include "tests/server/loopback.h"
@@ -65,27 +63,6 @@ TEST(Limits, MessagesAreBounded) {
             grpc::StatusCode::RESOURCE_EXHAUSTED);
   EXPECT_NO_THROW(loopback.client.Detect(TestRequest()));
 }
-
-// A connection that speaks no gRPC.
-class BareConnection {
- public:
-  explicit BareConnection(const std::string& address) : socket_(socket(AF_INET, SOCK_STREAM, 0)) {
-    sockaddr_in to{};
-    to.sin_family = AF_INET;
-    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    to.sin_port =
-        htons(static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1))));
-    EXPECT_EQ(connect(socket_, reinterpret_cast<const sockaddr*>(&to), sizeof to), 0);
-  }
-  ~BareConnection() { close(socket_); }
-  void Send(const std::string& bytes) const {
-    EXPECT_EQ(send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL),
-              static_cast<ssize_t>(bytes.size()));
-  }
-
- private:
-  const int socket_;
-};
 
 std::ptrdiff_t NumOpenFiles() {
   return std::distance(std::filesystem::directory_iterator("/proc/self/fd"), {});

@@ -1,0 +1,163 @@
+// Connections: where they come in, how many find a place, and what they may hold.
+#include "server/connections/door.h"
+
+#include <arpa/inet.h>
+#include <gmock/gmock.h>
+#include <grpcpp/create_channel.h>
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+
+#include <atomic>
+#include <filesystem>
+#include <future>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "grpc/health/v1/health.grpc.pb.h"
+#include "server/connections/self_check.h"
+#include "server/connections/socket_address.h"
+#include "tests/server/bare_connection.h"
+#include "tests/server/detectors.h"
+#include "tests/server/frames.h"
+#include "tests/server/loopback.h"
+#include "tests/support/temporary_folder.h"
+
+namespace fovea::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::MatchesRegex;
+
+std::vector<BareConnection> Connect(const std::string& address, int number) {
+  std::vector<BareConnection> connections;
+  for (int i = 0; i < number; ++i) connections.emplace_back(address);
+  return connections;
+}
+
+void AwaitOpen(const server::Server& server, std::size_t number) {
+  while (server.connections().counts().open != number) std::this_thread::yield();
+}
+
+TEST(SocketAddress, IsWrittenAsGrpcDoes) {
+  sockaddr_in6 address{};
+  address.sin6_family = AF_INET6;
+  address.sin6_port = htons(1234);
+  const auto uri = [&](const char* host) {
+    inet_pton(AF_INET6, host, &address.sin6_addr);
+    return server::SocketAddress(reinterpret_cast<const sockaddr*>(&address), sizeof address).Uri();
+  };
+  EXPECT_EQ(uri("::1"), "ipv6:%5B::1%5D:1234");
+  EXPECT_EQ(uri("::ffff:10.0.0.7"), "ipv4:10.0.0.7:1234");
+  EXPECT_EQ(server::HostOfPeer("ipv4:10.0.0.7:1234"), "ipv4:10.0.0.7");
+  EXPECT_EQ(server::HostOfPeer("unix:"), "unix");
+}
+
+TEST(Door, ListensAtSeveralAddresses) {
+  const TemporaryFolder folder;
+  const std::string unix_address = "unix:" + folder.At("fovea.sock");
+  server::ServerOptions options = LoopbackOptions();
+  options.listen = {"127.0.0.1:0", "[::1]:0", unix_address};
+  const Loopback loopback(FindOne, options);
+  const std::vector<std::string> addresses = loopback.server.Addresses();
+  ASSERT_EQ(addresses.size(), 3U);
+  EXPECT_THAT(addresses[0], MatchesRegex("127\\.0\\.0\\.1:[1-9][0-9]*"));
+  EXPECT_THAT(addresses[1], MatchesRegex("\\[::1\\]:[1-9][0-9]*"));
+  EXPECT_EQ(addresses[2], unix_address);
+  for (const std::string& address : addresses) {
+    EXPECT_NO_THROW(client::Client(address, PatientOptions()).Detect(TestRequest())) << address;
+  }
+}
+
+TEST(Door, LeavesNoSocketFileBehindAndTakesOverOneThatWasLeft) {
+  const TemporaryFolder folder;
+  const std::string path = folder.At("fovea.sock");
+  server::ServerOptions options = LoopbackOptions();
+  options.listen = {"unix:" + path};
+  {
+    const server::FileDescriptor killed(socket(AF_UNIX, SOCK_STREAM, 0));
+    const server::SocketAddress address = server::UnixSocketAddress(path);
+    ASSERT_EQ(bind(killed.get(), address.get(), address.size()), 0);
+  }
+  {
+    const Loopback loopback(FindOne, options);
+    struct stat file {};
+    ASSERT_EQ(stat(path.c_str(), &file), 0);
+    EXPECT_EQ(file.st_mode & 0007, 0U);  // nobody but owner and group
+    EXPECT_THAT([&] { server::Server second(options); },
+                ThrowsMessage<std::runtime_error>(HasSubstr("in use")));
+  }
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST(Door, StrangersMakeRoomForRobots) {
+  server::ServerOptions options = LoopbackOptions();
+  options.max_connections = 8;
+  options.max_connections_per_host = 8;
+  Loopback loopback(FindOne, options);
+  const auto silent = Connect(loopback.server.Address(), 8);
+  AwaitOpen(loopback.server, 8);
+  EXPECT_TRUE(silent.front().IsOpen());
+  // The client comes again until a stranger has been there for long enough to go.
+  client::ClientOptions patient = PatientOptions();
+  patient.retry.max_attempts = 1000;
+  const client::Client robot(loopback.server.Address(), patient);
+  EXPECT_NO_THROW(robot.Detect(TestRequest()));
+  EXPECT_GE(loopback.server.connections().counts().ended, 1U);
+}
+
+TEST(Door, RobotsKeepTheirPlaces) {
+  server::ServerOptions options = LoopbackOptions();
+  options.max_connections = 1;
+  const Loopback loopback(FindOne, options);
+  loopback.client.Detect(TestRequest());
+  for (int i = 0; i < 20; ++i) {
+    BareConnection(loopback.server.Address()).AwaitEnd();  // refused
+  }
+  EXPECT_NO_THROW(loopback.client.Detect(TestRequest()));
+  const auto counts = loopback.server.connections().counts();
+  EXPECT_EQ(counts.accepted, 1U);
+  EXPECT_EQ(counts.refused, 20U);
+}
+
+TEST(Door, TakesNoCompressedMessages) {
+  const Loopback loopback(FindOne);
+  namespace health = grpc::health::v1;
+  const auto channel =
+      grpc::CreateChannel(loopback.server.Address(), grpc::InsecureChannelCredentials());
+  for (const auto algorithm : {GRPC_COMPRESS_GZIP, GRPC_COMPRESS_DEFLATE}) {
+    grpc::ClientContext context;
+    context.set_compression_algorithm(algorithm);
+    health::HealthCheckRequest request;
+    request.set_service(std::string(1 << 20, 'a'));
+    health::HealthCheckResponse response;
+    EXPECT_EQ(health::Health::NewStub(channel)->Check(&context, request, &response).error_code(),
+              grpc::StatusCode::UNIMPLEMENTED);
+  }
+}
+
+TEST(SelfCheck, IsAnsweredThroughTheDoorAlsoWhereNoPlaceIsLeftAndTlsIsAskedFor) {
+  const TemporaryFolder folder;
+  for (const std::string address : {"127.0.0.1:0", "0.0.0.0:0", "[::]:0", ""}) {
+    server::ServerOptions options = LoopbackOptions();
+    options.insecure = true;
+    options.max_connections = 1;
+    options.listen.front() = address.empty() ? "unix:" + folder.At("s") : address;
+    Loopback loopback(FindOne, options);
+    loopback.client.Detect(TestRequest());
+    std::promise<std::string> outcome;
+    std::atomic<bool> said = false;
+    const auto say = [&](const std::string& what) {
+      if (!said.exchange(true)) outcome.set_value(what);
+    };
+    const server::SelfCheck check(loopback.server.door(), std::chrono::seconds{1},
+                                  {.on_answer = [&] { say("answered"); }, .on_failure = say});
+    EXPECT_EQ(outcome.get_future().get(), "answered") << address;
+    EXPECT_TRUE(check.is_live());
+  }
+}
+
+}  // namespace
+}  // namespace fovea::testing
