@@ -6,8 +6,10 @@ FROM ${BASE} AS build
 COPY deploy/install_dependencies.sh /tmp/
 RUN /tmp/install_dependencies.sh
 COPY . /src
+# What /src is a checkout of: its history is not copied.
+ARG FOVEA_COMMIT=
 RUN cmake -S /src -B /build -G Ninja -DCMAKE_BUILD_TYPE=Release -DFOVEA_BUILD_TESTS=OFF \
-       -DFOVEA_BUILD_CAPTURE=OFF \
+       -DFOVEA_BUILD_CAPTURE=OFF -DFOVEA_COMMIT=${FOVEA_COMMIT} \
     && cmake --build /build --target fovea-server fovea \
     && strip /build/server/fovea-server /build/client/cli/fovea
 # The libraries that the two need, and what these need, as ldd names them: Debian's packages of

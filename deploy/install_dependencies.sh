@@ -8,6 +8,7 @@ build-essential cmake ninja-build ccache pkg-config
 libeigen3-dev libopencv-dev libpcl-dev
 libgrpc-dev libgrpc++-dev libprotobuf-dev protobuf-compiler protobuf-compiler-grpc grpc-proto
 libssl-dev libsystemd-dev prometheus-cpp-dev libspdlog-dev libfmt-dev libcli11-dev libzstd-dev libturbojpeg0-dev libspng-dev nlohmann-json3-dev
+libboost-dev
 libopenni2-dev libyaml-cpp-dev
 libgtest-dev libgmock-dev libbenchmark-dev
 python3 python3-grpcio python3-numpy python3-protobuf python3-setuptools

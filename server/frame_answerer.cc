@@ -56,15 +56,16 @@ void FrameAnswerer::Refuse(const FrameRequest& request, const Caller& caller,
 
 void FrameAnswerer::Record(const FrameRequest& request, const Caller& caller,
                            const grpc::Status& status, const Detections& detections) const {
+  const Clock::duration took = Clock::now() - request.received;
   const std::string frame_id = request.frame != nullptr ? request.frame->id() : "";
   LogFrame({.request_id = caller.request_id(),
             .robot = caller.robot(),
             .frame_id = frame_id,
             .status = status,
             .detections = detections,
-            .took = Clock::now() - request.received},
+            .took = took},
            slow_);
-  metrics_.OnAnswered(status, detections);
+  metrics_.OnAnswered(caller.robot(), status, detections, took);
 }
 
 Detections FrameAnswerer::Compute(const FrameRequest& request, const Caller& caller,

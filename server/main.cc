@@ -7,6 +7,7 @@
 #include <exception>
 #include <iostream>
 #include <memory>
+#include <mutex>
 #include <string>
 
 #include "server/command_line.h"
@@ -63,12 +64,6 @@ void Reload(int argc, char** argv, fovea::server::Server& server) {
   }
 }
 
-std::unique_ptr<MetricsEndpoint> MakeMetricsEndpoint(const fovea::server::ServerOptions& options,
-                                                     const fovea::server::Server& server) {
-  if (options.metrics_listen.empty()) return nullptr;
-  return std::make_unique<MetricsEndpoint>(options.metrics_listen, server.metrics());
-}
-
 // A server that nobody can reach any more had better be started again by whoever started it.
 [[noreturn]] void GiveUp(const std::string& why) {
   spdlog::critical("nobody can reach this server any more: {}; it ends", why);
@@ -82,6 +77,33 @@ std::unique_ptr<SelfCheck> MakeSelfCheck(const fovea::server::ServerOptions& opt
   return std::make_unique<SelfCheck>(
       server.door(), fovea::server::CheckPeriod(std::chrono::seconds(options.self_check_s)),
       SelfCheck::Listener{.on_answer = fovea::server::NotifyAlive, .on_failure = GiveUp});
+}
+
+// The check as long as the server is meant to be reached; asked by probes meanwhile.
+class Life {
+ public:
+  void Watch(std::unique_ptr<SelfCheck> check) {
+    const std::lock_guard lock(mutex_);
+    check_.swap(check);
+  }
+  bool IsLive() const {
+    const std::lock_guard lock(mutex_);
+    return check_ == nullptr || check_->is_live();
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::unique_ptr<SelfCheck> check_;
+};
+
+std::unique_ptr<MetricsEndpoint> MakeMetricsEndpoint(const fovea::server::ServerOptions& options,
+                                                     const fovea::server::Server& server,
+                                                     const Life& life) {
+  if (options.metrics_listen.empty()) return nullptr;
+  return std::make_unique<MetricsEndpoint>(
+      options.metrics_listen, server.metrics(),
+      fovea::server::Health{.is_live = [&life] { return life.IsLive(); },
+                            .is_ready = [&server] { return server.IsServing(); }});
 }
 
 int WaitFor(const sigset_t& signals) {
@@ -100,7 +122,8 @@ int Run(int argc, char** argv) {
   fovea::server::SetUpComputing(NumComputeThreads(*options));
   const fovea::server::SpareMemory spare_memory(std::chrono::minutes{1});
   fovea::server::Server server(*options);
-  const auto metrics = MakeMetricsEndpoint(*options, server);
+  Life life;
+  const auto metrics = MakeMetricsEndpoint(*options, server, life);
   for (const std::string& address : server.Addresses()) {
     std::cout << "listening on " << address << std::endl;
   }
@@ -108,11 +131,11 @@ int Run(int argc, char** argv) {
   if (options->insecure) spdlog::warn("other machines may call unprotected (--insecure)");
 
   WarnOfTokens(*options, server);
-  auto self_check = MakeSelfCheck(*options, server);
+  life.Watch(MakeSelfCheck(*options, server));
   fovea::server::NotifyReady();
   while (WaitFor(signals) == SIGHUP) Reload(argc, argv, server);
   fovea::server::NotifyStopping();
-  self_check.reset();
+  life.Watch(nullptr);
   StopGently(server, *options, signals);
   return EXIT_SUCCESS;
 }

@@ -13,6 +13,7 @@
 
 #include "core/options.h"
 #include "server/access/credentials.h"
+#include "server/build_info.h"
 #include "server/rpc/detect_call.h"
 #include "server/rpc/stream_call.h"
 
@@ -59,7 +60,7 @@ ConnectionLimits ConnectionLimitsOf(const ServerOptions& options) {
 
 v1::GetServerInfoResponse InfoOf(const ServerOptions& options, const SchedulerLimits& limits) {
   v1::GetServerInfoResponse info;
-  info.set_version(FOVEA_VERSION);
+  info.set_version(Version());
   *info.mutable_started_at() = google::protobuf::util::TimeUtil::GetCurrentTime();
   for (const std::string& profile : ProfileNames()) info.add_profiles(profile);
   info.set_max_message_bytes(static_cast<std::uint64_t>(options.max_message_mib) << 20);
@@ -109,16 +110,37 @@ Server::Server(const ServerOptions& options, DetectFunction detect)
     : options_(Validated(options)),
       limits_(LimitsOf(options_)),
       scheduler_(limits_),
-      metrics_(std::make_shared<Metrics>([this] { return scheduler_.NumWaiting(); })),
+      metrics_(std::make_shared<Metrics>()),
       answerer_(std::move(detect), options_, *metrics_),
       gate_keeper_(options_.tokens),
       stream_places_(options_.max_streams, options_.max_streams_per_robot),
       connections_(ConnectionLimitsOf(options_)),
       service_(InfoOf(options_, limits_), *metrics_, gate_keeper_, connections_),
       door_(options_.listen, connections_) {
+  AddGauges();
   EnablePlugins();
   Listen();
   Serve();
+}
+
+void Server::AddGauges() {
+  metrics_->AddGauge("fovea_frames_waiting", "Frames that wait for a compute thread",
+                     [this] { return static_cast<double>(scheduler_.NumWaiting()); });
+  metrics_->AddGauge("fovea_busy_threads", "Compute threads that work on a frame",
+                     [this] { return static_cast<double>(scheduler_.NumBusy()); });
+  metrics_->AddGauge("fovea_connections", "Connections that are open",
+                     [this] { return static_cast<double>(connections_.counts().open); });
+  metrics_->AddGauge("fovea_receiving_bytes", "What has come of messages that are not whole yet",
+                     [this] { return static_cast<double>(connections_.counts().receiving_bytes); });
+  metrics_->AddCounter("fovea_connections_accepted_total", "Connections that came in",
+                       [this] { return static_cast<double>(connections_.counts().accepted); });
+  metrics_->AddCounter("fovea_connections_refused_total", "Connections that found no place",
+                       [this] { return static_cast<double>(connections_.counts().refused); });
+  metrics_->AddCounter("fovea_connections_ended_total",
+                       "Connections that held more, or longer, than they may, or made room",
+                       [this] { return static_cast<double>(connections_.counts().ended); });
+  metrics_->AddGauge("fovea_compute_threads", "Frames that can be computed at once",
+                     [this] { return static_cast<double>(limits_.num_threads); });
 }
 
 void Server::Listen() {
@@ -148,6 +170,7 @@ void Server::Serve() {
   server_->GetHealthCheckService()->SetServingStatus(v1::DetectionService::service_full_name(),
                                                      true);
   door_.Open(std::move(callers_), std::move(self_));
+  serving_ = true;
 }
 
 Server::~Server() { Stop(/*timeout_s=*/0); }
@@ -162,7 +185,10 @@ std::vector<std::string> Server::Addresses() const {
 
 void Server::Drain() { Stop(options_.drain_timeout_s); }
 
-void Server::StopAdvertising() { server_->GetHealthCheckService()->SetServingStatus(false); }
+void Server::StopAdvertising() {
+  serving_ = false;
+  server_->GetHealthCheckService()->SetServingStatus(false);
+}
 
 void Server::Stop(int timeout_s) {
   if (!server_) return;

@@ -2,6 +2,7 @@
 
 #include <grpcpp/server.h>
 
+#include <atomic>
 #include <memory>
 #include <string>
 #include <vector>
@@ -42,6 +43,9 @@ class Server {
   // For Prometheus to collect.
   const std::shared_ptr<Metrics>& metrics() const { return metrics_; }
 
+  // Whether calls are welcome: until StopAdvertising() or Drain().
+  bool IsServing() const { return serving_; }
+
   // What it listens on, with the real port where 0 was asked for; the first of them.
   std::vector<std::string> Addresses() const;
   std::string Address() const { return Addresses().front(); }
@@ -62,6 +66,7 @@ class Server {
   void Listen();
   void Serve();
   void Stop(int timeout_s);
+  void AddGauges();
 
   const ServerOptions options_;
   const SchedulerLimits limits_;
@@ -75,6 +80,7 @@ class Server {
   DetectionService service_;
   Door door_;
   std::unique_ptr<Door::Acceptor> callers_, self_;  // until the door opens
+  std::atomic<bool> serving_ = false;
   std::unique_ptr<grpc::Server> server_;
   std::unique_ptr<EventLoop> loop_;
   std::unique_ptr<CallEnvironment> environment_;

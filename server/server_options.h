@@ -35,11 +35,11 @@ struct ServerOptions {
   // A connection without a call is closed after this, 1 … 86400 s: gRPC 1.51 does not bound them,
   // and a client that was destroyed while it connected keeps its connection.
   int max_idle_s = 300;
-  // Largest request, 1 … 1024 MiB. The default lets 1280x720 RGB8 with 32FC1 depth (6.2 MiB) and
-  // 1920x1080 (13.9 MiB) through.
-  int max_message_mib = 16;
-  // Largest decoded image in pixels, 1 … 100 million. The default is just above 1920x1080.
-  std::int64_t max_pixels = std::int64_t{1920} * 1088;
+  // Largest request, 1 … 1024 MiB. The default lets 2048x1536 RGB8 with 32FC1 depth (21 MiB)
+  // through.
+  int max_message_mib = 24;
+  // Largest decoded image in pixels, 1 … 100 million.
+  std::int64_t max_pixels = std::int64_t{2048} * 1536;
   // Frames that are computed at once, 0 … 1024; 0 = one per processor.
   int compute_threads = 0;
   // How much these threads give way to the server's others, which refuse and receive, 0 … 19 steps

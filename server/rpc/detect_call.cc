@@ -97,7 +97,8 @@ void DetectCall::OnGone() {
 void DetectCall::Refuse(const grpc::Status& status, const char* reason) {
   if (!has_message_) caller_.OnNoMessage();
   environment_.answerer.Refuse(Request(), caller_, status);
-  environment_.metrics.OnRefused(reason != nullptr ? reason : NameOf(status.error_code()));
+  environment_.metrics.OnRefused(caller_.robot(),
+                                 reason != nullptr ? reason : NameOf(status.error_code()));
   const bool full = status.error_code() == grpc::StatusCode::RESOURCE_EXHAUSTED;
   stream_.FinishWithError(
       status, Then([self = shared_from_this(), full](bool) {

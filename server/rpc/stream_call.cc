@@ -59,7 +59,7 @@ void StreamCall::OnRequest() {
 
 void StreamCall::Refuse(const grpc::Status& status, const char* reason) {
   LogRefusedStream(caller_.request_id(), caller_.robot(), status);
-  environment_.metrics.OnRefused(reason);
+  environment_.metrics.OnRefused(caller_.robot(), reason);
   Finish(status);
 }
 

@@ -62,6 +62,11 @@ std::size_t Scheduler::NumWaiting() const {
   return num_waiting_;
 }
 
+std::size_t Scheduler::NumBusy() const {
+  const std::lock_guard lock(mutex_);
+  return num_busy_;
+}
+
 void Scheduler::FindRoom(const std::string& robot) {
   const auto of_robot = counted_by_robot_.find(robot);
   if (of_robot != counted_by_robot_.end() && of_robot->second >= limits_.max_per_robot) {
@@ -109,11 +114,13 @@ void Scheduler::RunThread() {
     if (stopping_) return;
     Job job = queue_.Pop();
     --num_waiting_;
+    ++num_busy_;
     lock.unlock();
     const auto start = std::chrono::steady_clock::now();
     job.work.compute();
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
     lock.lock();
+    --num_busy_;
     mean_work_ms_ += 0.1 * (took.count() - mean_work_ms_);
     if (job.counted) Uncount(job.robot);
     lock.unlock();

@@ -71,6 +71,8 @@ class Scheduler {
 
   // What waits now, streams included.
   std::size_t NumWaiting() const;
+  // Threads that compute now.
+  std::size_t NumBusy() const;
 
  private:
   struct Job {
@@ -96,6 +98,7 @@ class Scheduler {
   int num_counted_ = 0;
   WaitingLine turned_away_{kMaxTurnedAway};
   std::size_t num_waiting_ = 0;
+  std::size_t num_busy_ = 0;
   Ticket last_ticket_ = 0;
   double mean_work_ms_ = 100;  // a guess until there is something to go by
   bool stopping_ = false;

@@ -2,7 +2,9 @@
 
 #include <utility>
 
+#include "server/build_info.h"
 #include "server/status.h"
+#include "server/watching/single_metric.h"
 
 namespace fovea::server {
 namespace {
@@ -21,6 +23,11 @@ auto& Gauge(prometheus::Registry& registry, const char* name, const char* help) 
   return prometheus::BuildGauge().Name(name).Help(help).Register(registry).Add({});
 }
 
+auto& Histogram(prometheus::Registry& registry, const char* name, const char* help,
+                const prometheus::Histogram::BucketBoundaries& buckets) {
+  return prometheus::BuildHistogram().Name(name).Help(help).Register(registry).Add({}, buckets);
+}
+
 // Seconds; a refusal costs no computing, so these are short unless the processors are taken.
 const prometheus::Histogram::BucketBoundaries& RefusalBuckets() {
   static const prometheus::Histogram::BucketBoundaries buckets{0.0001, 0.0002, 0.0005, 0.001, 0.002,
@@ -37,10 +44,8 @@ const prometheus::Histogram::BucketBoundaries& Buckets() {
 
 }  // namespace
 
-Metrics::Metrics(std::function<std::size_t()> num_waiting)
-    : num_waiting_(std::move(num_waiting)),
-      received_(CounterFamily(registry_, "fovea_frames_received_total",
-                              "Frames that came in, by robot; those beyond 64 are \"other\"")),
+Metrics::Metrics(std::chrono::nanoseconds gone_after)
+    : received_(Counter(registry_, "fovea_frames_received_total", "Frames that came in")),
       answered_(CounterFamily(registry_, "fovea_frames_answered_total",
                               "Frames with an answer, by its status code")),
       refused_(CounterFamily(registry_, "fovea_refused_total",
@@ -52,19 +57,49 @@ Metrics::Metrics(std::function<std::size_t()> num_waiting)
       bytes_received_(Counter(registry_, "fovea_received_bytes_total", "Size of all requests")),
       bytes_sent_(Counter(registry_, "fovea_sent_bytes_total", "Size of all answers")),
       streams_(Gauge(registry_, "fovea_streams", "Streams that are open")),
-      waiting_(Gauge(registry_, "fovea_frames_waiting", "Frames that wait for a compute thread")),
-      turning_away_(prometheus::BuildHistogram()
-                        .Name("fovea_refusal_seconds")
-                        .Help("Time from the arrival of a call that found no room until its "
-                              "refusal was sent")
-                        .Register(registry_)
-                        .Add({}, RefusalBuckets())),
+      turning_away_(Histogram(registry_, "fovea_refusal_seconds",
+                              "Time from the arrival of a call that found no room until its "
+                              "refusal was sent",
+                              RefusalBuckets())),
+      answer_times_(Histogram(registry_, "fovea_answer_seconds",
+                              "Time from the receipt of a frame until its answer was ready, of "
+                              "those answered with OK",
+                              Buckets())),
       stages_(prometheus::BuildHistogram()
                   .Name("fovea_stage_seconds")
                   .Help("Time that a frame spent in each stage, waiting (queue) included")
-                  .Register(registry_)) {}
+                  .Register(registry_)),
+      robots_(registry_, kMaxRobots, gone_after) {
+  // What has not happened yet is 0, not absent: else the first error is no increase.
+  for (int code = 0; code <= grpc::StatusCode::UNAUTHENTICATED; ++code) {
+    answered_.Add({{"code", NameOf(static_cast<grpc::StatusCode>(code))}});
+  }
+  refused_.Add({{"reason", "QUEUE_FULL"}});
+  prometheus::BuildGauge()
+      .Name("fovea_build_info")
+      .Help("1; its labels say what this server is")
+      .Register(registry_)
+      .Add({{"version", Version()}, {"commit", Commit()}})
+      .Set(1);
+}
 
-void Metrics::OnReceived(const std::string& robot) { OfRobot(robot).Increment(); }
+void Metrics::AddGauge(std::string name, std::string help, std::function<double()> value) {
+  Add({std::move(name), std::move(help), prometheus::MetricType::Gauge, std::move(value)});
+}
+
+void Metrics::AddCounter(std::string name, std::string help, std::function<double()> value) {
+  Add({std::move(name), std::move(help), prometheus::MetricType::Counter, std::move(value)});
+}
+
+void Metrics::Add(Reading reading) {
+  const std::lock_guard lock(mutex_);
+  readings_.push_back(std::move(reading));
+}
+
+void Metrics::OnReceived(const std::string& robot) {
+  received_.Increment();
+  robots_.OnReceived(robot);
+}
 
 void Metrics::OnReceivedBytes(std::size_t bytes) {
   bytes_received_.Increment(static_cast<double>(bytes));
@@ -72,15 +107,25 @@ void Metrics::OnReceivedBytes(std::size_t bytes) {
 
 void Metrics::OnDropped() { dropped_.Increment(); }
 
-void Metrics::OnAnswered(const grpc::Status& status, const Detections& detections) {
-  answered_.Add({{"code", NameOf(status.error_code())}}).Increment();
+void Metrics::OnAnswered(const std::string& robot, const grpc::Status& status,
+                         const Detections& detections, std::chrono::nanoseconds took) {
+  const char* code = NameOf(status.error_code());
+  answered_.Add({{"code", code}}).Increment();
+  robots_.OnAnswered(robot, code);
   objects_.Increment(static_cast<double>(detections.objects.size()));
   for (const StageTime& time : detections.stage_times) {
     stages_.Add({{"stage", time.stage}}, Buckets()).Observe(time.duration_ms / 1000);
   }
+  if (!status.ok()) return;  // a quick refusal is no quick answer
+  const double seconds = std::chrono::duration<double>(took).count();
+  answer_times_.Observe(seconds);
+  robots_.OnAnswerTime(robot, seconds);
 }
 
-void Metrics::OnRefused(const char* reason) { refused_.Add({{"reason", reason}}).Increment(); }
+void Metrics::OnRefused(const std::string& robot, const char* reason) {
+  refused_.Add({{"reason", reason}}).Increment();
+  robots_.OnRefused(robot);
+}
 
 void Metrics::OnTurnedAway(std::chrono::nanoseconds took) {
   turning_away_.Observe(std::chrono::duration<double>(took).count());
@@ -91,14 +136,13 @@ void Metrics::OnSent(std::size_t bytes) { bytes_sent_.Increment(static_cast<doub
 void Metrics::OnStreams(int change) { streams_.Increment(change); }
 
 std::vector<prometheus::MetricFamily> Metrics::Collect() const {
-  waiting_.Set(static_cast<double>(num_waiting_()));
-  return registry_.Collect();
-}
-
-prometheus::Counter& Metrics::OfRobot(const std::string& robot) {
+  std::vector<prometheus::MetricFamily> families = registry_.Collect();
   const std::lock_guard lock(mutex_);
-  if (robots_.size() < kMaxRobots) robots_.insert(robot);
-  return received_.Add({{"robot", robots_.contains(robot) ? robot : "other"}});
+  for (const Reading& reading : readings_) {
+    families.push_back(SingleMetric(reading.name, reading.help, reading.type, reading.value()));
+  }
+  for (prometheus::MetricFamily& family : process_.Collect()) families.push_back(std::move(family));
+  return families;
 }
 
 }  // namespace fovea::server

@@ -13,30 +13,37 @@
 #include <cstddef>
 #include <functional>
 #include <mutex>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "core/types/detections.h"
+#include "server/watching/process_metrics.h"
+#include "server/watching/robot_metrics.h"
 
 namespace fovea::server {
 
-// Thread-safe. Robots beyond the first 64 are counted as "other", so that callers who invent names
-// cannot fill the memory.
+// Thread-safe. 64 robots have figures of their own, see RobotMetrics; the other figures are of all
+// robots, whatever becomes of those.
 class Metrics : public prometheus::Collectable {
  public:
-  // `num_waiting` tells how many frames wait at the moment.
-  explicit Metrics(std::function<std::size_t()> num_waiting);
+  // A robot makes room for others when nothing was heard of it for `gone_after`.
+  explicit Metrics(std::chrono::nanoseconds gone_after = std::chrono::seconds(10));
+
+  // A value that is read when it is asked for: `value` is called from any thread, and must be valid
+  // as long as this. Names of counters end in "_total".
+  void AddGauge(std::string name, std::string help, std::function<double()> value);
+  void AddCounter(std::string name, std::string help, std::function<double()> value);
 
   // A frame, or the call that would bring it if it were let in.
   void OnReceived(const std::string& robot);
   void OnReceivedBytes(std::size_t bytes);
   void OnDropped();
-  // Whatever became of it; `detections` is empty where the status is not OK.
-  void OnAnswered(const grpc::Status& status, const Detections& detections);
+  // Whatever became of it, `took` after it came; `detections` is empty where the status is not OK.
+  void OnAnswered(const std::string& robot, const grpc::Status& status,
+                  const Detections& detections, std::chrono::nanoseconds took);
   // A call or a stream that was not let in, or was given up before its turn. `reason` is one of
   // few.
-  void OnRefused(const char* reason);
+  void OnRefused(const std::string& robot, const char* reason);
   // A call that found no room, `took` after it came.
   void OnTurnedAway(std::chrono::nanoseconds took);
   void OnSent(std::size_t bytes);
@@ -45,11 +52,16 @@ class Metrics : public prometheus::Collectable {
   std::vector<prometheus::MetricFamily> Collect() const override;
 
  private:
-  prometheus::Counter& OfRobot(const std::string& robot);
+  struct Reading {
+    std::string name, help;
+    prometheus::MetricType type;
+    std::function<double()> value;
+  };
 
-  const std::function<std::size_t()> num_waiting_;
+  void Add(Reading reading);
+
   prometheus::Registry registry_;
-  prometheus::Family<prometheus::Counter>& received_;  // by robot
+  prometheus::Counter& received_;
   prometheus::Family<prometheus::Counter>& answered_;  // by status code
   prometheus::Family<prometheus::Counter>& refused_;   // by reason
   prometheus::Counter& dropped_;
@@ -57,12 +69,14 @@ class Metrics : public prometheus::Collectable {
   prometheus::Counter& bytes_received_;
   prometheus::Counter& bytes_sent_;
   prometheus::Gauge& streams_;
-  prometheus::Gauge& waiting_;
   prometheus::Histogram& turning_away_;
+  prometheus::Histogram& answer_times_;
   prometheus::Family<prometheus::Histogram>& stages_;  // "queue" and "decode" included
+  RobotMetrics robots_;
 
-  std::mutex mutex_;
-  std::set<std::string> robots_;
+  mutable std::mutex mutex_;
+  std::vector<Reading> readings_;
+  ProcessMetrics process_;
 };
 
 }  // namespace fovea::server

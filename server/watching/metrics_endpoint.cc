@@ -1,24 +1,36 @@
 #include "server/watching/metrics_endpoint.h"
 
-#include <stdexcept>
+#include <prometheus/text_serializer.h>
 
-#include "server/server_options.h"
+#include <string_view>
+#include <utility>
 
 namespace fovea::server {
+namespace {
 
-MetricsEndpoint::MetricsEndpoint(const std::string& listen, const std::shared_ptr<Metrics>& metrics)
-    : host_(HostOf(listen)) {
-  try {
-    exposer_ = std::make_unique<prometheus::Exposer>(listen, /*num_threads=*/1);
-  } catch (const std::exception&) {  // whose text is about "null context"
-    throw std::runtime_error("--metrics-listen: cannot listen on " + listen +
-                             ": the port is in use or the address is not one of this machine");
-  }
-  exposer_->RegisterCollectable(metrics);
+HttpAnswer Page(const Metrics& metrics) {
+  return {.content_type = "text/plain; version=0.0.4; charset=utf-8",
+          .body = prometheus::TextSerializer().Serialize(metrics.Collect())};
 }
 
-std::string MetricsEndpoint::Address() const {
-  return host_ + ":" + std::to_string(exposer_->GetListeningPorts().front());
+HttpAnswer Probe(bool good, const char* yes, const char* no) {
+  return {.status = good ? 200 : 503, .body = good ? yes : no};
 }
+
+HttpAnswer Answer(std::string_view path, const Metrics& metrics, const Health& health) {
+  if (path == "/metrics") return Page(metrics);
+  if (path == "/livez") return Probe(health.is_live(), "live\n", "not live\n");
+  if (path == "/readyz") return Probe(health.is_ready(), "ready\n", "not ready\n");
+  return {.status = 404, .body = "there are /metrics, /livez and /readyz\n"};
+}
+
+}  // namespace
+
+MetricsEndpoint::MetricsEndpoint(const std::string& listen, std::shared_ptr<const Metrics> metrics,
+                                 Health health)
+    : server_("--metrics-listen", listen,
+              [metrics = std::move(metrics), health = std::move(health)](std::string_view path) {
+                return Answer(path, *metrics, health);
+              }) {}
 
 }  // namespace fovea::server

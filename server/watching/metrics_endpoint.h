@@ -1,27 +1,33 @@
 #pragma once
 
-#include <prometheus/exposer.h>
-
+#include <functional>
 #include <memory>
 #include <string>
 
+#include "server/watching/http_server.h"
 #include "server/watching/metrics.h"
 
 namespace fovea::server {
 
-// GET /metrics over HTTP, for Prometheus to scrape.
+// What probes ask for; called from any thread, must answer at once.
+struct Health {
+  std::function<bool()> is_live;   // the process does its work; else it should be started again
+  std::function<bool()> is_ready;  // calls are welcome here
+};
+
+// Over HTTP, for Prometheus to scrape and for probes that speak no gRPC: GET /metrics, /livez and
+// /readyz, the latter two with 200 for yes and 503 for no.
 class MetricsEndpoint {
  public:
   // `listen` is HOST:PORT, port 0 takes a free one. Throws std::runtime_error where it cannot be
   // listened on.
-  MetricsEndpoint(const std::string& listen, const std::shared_ptr<Metrics>& metrics);
+  MetricsEndpoint(const std::string& listen, std::shared_ptr<const Metrics> metrics, Health health);
 
   // HOST:PORT with the real port.
-  std::string Address() const;
+  std::string Address() const { return server_.Address(); }
 
  private:
-  const std::string host_;
-  std::unique_ptr<prometheus::Exposer> exposer_;
+  HttpServer server_;
 };
 
 }  // namespace fovea::server

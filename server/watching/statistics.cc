@@ -45,7 +45,8 @@ void Add(const MetricFamily& family, v1::GetStatisticsResponse* response) {
   if (name == "fovea_stage_seconds") AddStages(family, response);
   if (name == "fovea_frames_answered_total") {
     for (const ClientMetric& metric : family.metric) {
-      (*response->mutable_frames_answered())[LabelOf(metric)] = Whole(metric.counter.value);
+      const std::uint64_t count = Whole(metric.counter.value);
+      if (count > 0) (*response->mutable_frames_answered())[LabelOf(metric)] = count;
     }
   }
 }

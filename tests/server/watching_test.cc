@@ -4,46 +4,83 @@
 #include <gtest/gtest.h>
 #include <spdlog/sinks/ostream_sink.h>
 #include <spdlog/spdlog.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <memory>
+#include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "server/watching/metrics_endpoint.h"
 #include "tests/server/detectors.h"
 #include "tests/server/frames.h"
 #include "tests/server/loopback.h"
+#include "tests/server/metric_value.h"
 
 namespace fovea::testing {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using ::testing::Key;
 using ::testing::Not;
 using ::testing::Pair;
+using ::testing::StartsWith;
 using ::testing::UnorderedElementsAre;
 
-// The answer to a GET of HTTP/1.0, which ends with the connection.
-std::string HttpGet(const std::string& address, const std::string& path) {
-  sockaddr_in to{};
-  to.sin_family = AF_INET;
-  to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  to.sin_port =
-      htons(static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1))));
-  const int connection = socket(AF_INET, SOCK_STREAM, 0);
-  EXPECT_EQ(connect(connection, reinterpret_cast<const sockaddr*>(&to), sizeof to), 0);
-  const std::string request = "GET " + path + " HTTP/1.0\r\n\r\n";
-  EXPECT_EQ(write(connection, request.data(), request.size()),
-            static_cast<ssize_t>(request.size()));
-  std::string answer;
-  char buffer[4096];
-  for (ssize_t size; (size = read(connection, buffer, sizeof buffer)) > 0;) {
-    answer.append(buffer, static_cast<std::size_t>(size));
+class HttpConnection {
+ public:
+  explicit HttpConnection(const std::string& address) {
+    sockaddr_in to{};
+    to.sin_family = AF_INET;
+    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    to.sin_port =
+        htons(static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1))));
+    EXPECT_EQ(connect(socket_, reinterpret_cast<const sockaddr*>(&to), sizeof to), 0);
   }
-  close(connection);
-  return answer;
+  ~HttpConnection() { close(socket_); }
+
+  HttpConnection(const HttpConnection&) = delete;
+  HttpConnection& operator=(const HttpConnection&) = delete;
+
+  // False once the other side is gone.
+  bool Send(const std::string& text) const {
+    return send(socket_, text.data(), text.size(), MSG_NOSIGNAL) ==
+           static_cast<ssize_t>(text.size());
+  }
+
+  // Until the other side ends the connection.
+  std::string ReadAll() const {
+    std::string answer;
+    char buffer[4096];
+    for (ssize_t size; (size = read(socket_, buffer, sizeof buffer)) > 0;) {
+      answer.append(buffer, static_cast<std::size_t>(size));
+    }
+    return answer;
+  }
+
+ private:
+  const int socket_ = socket(AF_INET, SOCK_STREAM, 0);
+};
+
+std::string HttpGet(const std::string& address, const std::string& path) {
+  const HttpConnection connection(address);
+  EXPECT_TRUE(connection.Send("GET " + path + " HTTP/1.0\r\n\r\n"));
+  return connection.ReadAll();
+}
+
+const server::Health kWell{.is_live = [] { return true; }, .is_ready = [] { return true; }};
+
+std::string LabelOf(const prometheus::ClientMetric& metric, const std::string& name) {
+  for (const auto& label : metric.label) {
+    if (label.name == name) return label.value;
+  }
+  return "";
 }
 
 void DetectTwiceOnceBadly(const Loopback& loopback) {
@@ -53,35 +90,190 @@ void DetectTwiceOnceBadly(const Loopback& loopback) {
 
 TEST(Metrics, AreServedOverHttp) {
   const Loopback loopback(FindOne);
-  const server::MetricsEndpoint endpoint("127.0.0.1:0", loopback.server.metrics());
+  const server::MetricsEndpoint endpoint("127.0.0.1:0", loopback.server.metrics(), kWell);
   DetectTwiceOnceBadly(loopback);
   const std::string page = HttpGet(endpoint.Address(), "/metrics");
-  EXPECT_THAT(page, HasSubstr("fovea_frames_received_total{robot=\"ipv4:127.0.0.1\"} 2"));
+  EXPECT_THAT(page, HasSubstr("fovea_frames_received_total 2"));
+  EXPECT_THAT(page, HasSubstr("fovea_robot_frames_received_total{robot=\"ipv4:127.0.0.1\"} 2"));
   EXPECT_THAT(page, HasSubstr("fovea_frames_answered_total{code=\"OK\"} 1"));
   EXPECT_THAT(page, HasSubstr("fovea_frames_answered_total{code=\"INVALID_ARGUMENT\"} 1"));
   EXPECT_THAT(page, HasSubstr("fovea_objects_total 1"));
   EXPECT_THAT(page, HasSubstr("fovea_stage_seconds_count{stage=\"decode\"} 1"));
+  EXPECT_THAT(page, HasSubstr("fovea_answer_seconds_count 1"));
   EXPECT_THAT(page, HasSubstr("fovea_frames_waiting 0"));
+  EXPECT_THAT(page, HasSubstr("fovea_busy_threads 0"));
+  EXPECT_THAT(page, HasSubstr("fovea_build_info{"));
 }
 
 TEST(Metrics, SayWhereTheyCannotBeServed) {
   const Loopback loopback(FindOne);
-  const server::MetricsEndpoint first("127.0.0.1:0", loopback.server.metrics());
-  EXPECT_THAT([&] { server::MetricsEndpoint(first.Address(), loopback.server.metrics()); },
+  const server::MetricsEndpoint first("127.0.0.1:0", loopback.server.metrics(), kWell);
+  EXPECT_THAT([&] { server::MetricsEndpoint(first.Address(), loopback.server.metrics(), kWell); },
               ::testing::ThrowsMessage<std::runtime_error>(
                   HasSubstr("--metrics-listen: cannot listen on " + first.Address())));
 }
 
-TEST(Metrics, DoNotGrowWithNamesThatCallersInvent) {
-  server::Metrics metrics([] { return 0; });
-  for (int i = 0; i < 200; ++i) metrics.OnReceived("robot" + std::to_string(i));
-  for (const auto& family : metrics.Collect()) {
-    if (family.name != "fovea_frames_received_total") continue;
-    EXPECT_EQ(family.metric.size(), 65U);
-    double sum = 0;
-    for (const auto& metric : family.metric) sum += metric.counter.value;
-    EXPECT_EQ(sum, 200);
+TEST(Probes, TellLifeFromReadiness) {
+  const Loopback loopback(FindOne);
+  bool live = true, ready = false;
+  const server::MetricsEndpoint endpoint(
+      "127.0.0.1:0", loopback.server.metrics(),
+      {.is_live = [&] { return live; }, .is_ready = [&] { return ready; }});
+  EXPECT_THAT(HttpGet(endpoint.Address(), "/livez?verbose"), StartsWith("HTTP/1.1 200"));
+  EXPECT_THAT(HttpGet(endpoint.Address(), "/readyz"), StartsWith("HTTP/1.1 503"));
+  ready = true;
+  live = false;
+  EXPECT_THAT(HttpGet(endpoint.Address(), "/livez"), StartsWith("HTTP/1.1 503"));
+  EXPECT_THAT(HttpGet(endpoint.Address(), "/readyz"), StartsWith("HTTP/1.1 200"));
+  EXPECT_THAT(HttpGet(endpoint.Address(), "/else"), StartsWith("HTTP/1.1 404"));
+}
+
+TEST(Probes, SeeThatTheServerStops) {
+  Loopback loopback(FindOne);
+  EXPECT_TRUE(loopback.server.IsServing());
+  loopback.server.StopAdvertising();
+  EXPECT_FALSE(loopback.server.IsServing());
+}
+
+server::HttpAnswer Pong(std::string_view) { return {.body = "pong"}; }
+
+TEST(HttpServer, AnswersNothingButGet) {
+  const server::HttpServer server("--here", "127.0.0.1:0", Pong);
+  const HttpConnection connection(server.Address());
+  connection.Send("POST / HTTP/1.1\r\nContent-Length: 0\r\n\r\n");
+  EXPECT_THAT(connection.ReadAll(), StartsWith("HTTP/1.1 405"));
+}
+
+TEST(HttpServer, AnswersWhatIsThrown) {
+  const server::HttpServer server("--here", "127.0.0.1:0", [](std::string_view) {
+    throw std::runtime_error("a secret");
+    return server::HttpAnswer{};
+  });
+  const std::string answer = HttpGet(server.Address(), "/");
+  EXPECT_THAT(answer, StartsWith("HTTP/1.1 500"));
+  EXPECT_THAT(answer, Not(HasSubstr("secret")));
+}
+
+TEST(HttpServer, AnswersBesideConnectionsThatSendNothingMore) {
+  const server::HttpServer server("--here", "127.0.0.1:0", Pong);
+  std::vector<std::unique_ptr<HttpConnection>> slow;
+  for (int i = 0; i < 200; ++i) {
+    slow.push_back(std::make_unique<HttpConnection>(server.Address()));
+    slow.back()->Send("GET / HT");
   }
+  EXPECT_THAT(HttpGet(server.Address(), "/"), EndsWith("pong"));
+  // The oldest made room for the newest; those get an end as well.
+  EXPECT_EQ(slow.front()->ReadAll(), "");
+  EXPECT_EQ(slow.back()->ReadAll(), "");
+}
+
+TEST(HttpServer, EndsRequestsWithoutEnd) {
+  const server::HttpServer server("--here", "127.0.0.1:0", Pong);
+  const HttpConnection connection(server.Address());
+  connection.Send("GET / HTTP/1.1\r\n");
+  while (connection.Send("X: " + std::string(1000, 'x') + "\r\n")) {
+  }
+  EXPECT_THAT(HttpGet(server.Address(), "/"), EndsWith("pong"));
+}
+
+// The robots that have figures of their own.
+std::set<std::string> Robots(const server::Metrics& metrics, const std::string& family_name) {
+  std::set<std::string> robots;
+  for (const auto& family : metrics.Collect()) {
+    if (family.name != family_name) continue;
+    for (const auto& metric : family.metric) robots.insert(LabelOf(metric, "robot"));
+  }
+  return robots;
+}
+
+TEST(Metrics, DoNotGrowWithNamesThatCallersInvent) {
+  server::Metrics metrics(std::chrono::hours(1));  // none is gone
+  for (int i = 0; i < 200; ++i) metrics.OnReceived("robot" + std::to_string(i));
+  const auto robots = Robots(metrics, "fovea_robot_frames_received_total");
+  EXPECT_EQ(robots.size(), 65U);
+  EXPECT_TRUE(robots.contains("robot63"));
+  EXPECT_TRUE(robots.contains("other"));
+  EXPECT_EQ(MetricValue(metrics, "fovea_robot_frames_received_total"), 200);
+}
+
+TEST(Metrics, GiveTheRoomOfNamesThatAreGoneToNewOnes) {
+  server::Metrics metrics(std::chrono::seconds(0));  // all others are gone at once
+  metrics.OnReceived("late");
+  for (int i = 0; i < 63; ++i) metrics.OnReceived("robot" + std::to_string(i));
+  metrics.OnRefused("late", "QUEUE_FULL");  // heard of after robot0
+  metrics.OnAnswered("robot0", grpc::Status::OK, {}, std::chrono::seconds(1));
+  metrics.OnReceived("new");  // takes the place of robot1
+  metrics.OnReceived("other");
+  const auto robots = Robots(metrics, "fovea_robot_frames_received_total");
+  EXPECT_EQ(robots.size(), 65U);
+  for (const char* name : {"late", "robot0", "new", "other"}) EXPECT_TRUE(robots.contains(name));
+  EXPECT_FALSE(robots.contains("robot1"));
+  EXPECT_EQ(MetricValue(metrics, "fovea_frames_received_total"), 66);
+  for (int i = 0; i < 64; ++i) metrics.OnReceived("another" + std::to_string(i));
+  EXPECT_THAT(Robots(metrics, "fovea_robot_frames_answered_total"), IsEmpty());
+  EXPECT_FALSE(Robots(metrics, "fovea_robot_refused_total").contains("late"));
+  EXPECT_FALSE(Robots(metrics, "fovea_robot_answer_seconds").contains("robot0"));
+}
+
+TEST(Metrics, TellRobotsApart) {
+  server::Metrics metrics;
+  metrics.OnAnswered("a", grpc::Status::OK, {}, std::chrono::milliseconds(70));
+  metrics.OnAnswered("b", {grpc::StatusCode::INTERNAL, ""}, {}, std::chrono::seconds(1));
+  metrics.OnRefused("b", "ROBOT_LIMIT");
+  metrics.OnRefused("", "UNAUTHENTICATED");  // nobody
+  EXPECT_EQ(MetricValue(metrics, "fovea_refused_total"), 2);
+  EXPECT_EQ(MetricValue(metrics, "fovea_robot_refused_total"), 1);
+  EXPECT_EQ(MetricValue(metrics, "fovea_answer_seconds"), 1);
+  EXPECT_EQ(MetricValue(metrics, "fovea_robot_answer_seconds"), 1);
+  EXPECT_EQ(MetricValue(metrics, "fovea_robot_frames_answered_total"), 2);
+  EXPECT_THAT(Robots(metrics, "fovea_robot_frames_answered_total"), ElementsAre("a", "b"));
+}
+
+TEST(Metrics, HoldLabelsThatAreText) {
+  server::Metrics metrics;
+  metrics.OnReceived("caf\xE9\n");
+  EXPECT_THAT(Robots(metrics, "fovea_robot_frames_received_total"), ElementsAre("caf??"));
+}
+
+TEST(Metrics, ReadWhatOthersCount) {
+  server::Metrics metrics;
+  double open = 3;
+  metrics.AddGauge("fovea_open_doors", "Doors", [&] { return open; });
+  metrics.AddCounter("fovea_knocks_total", "Knocks", [] { return 7; });
+  open = 4;
+  EXPECT_EQ(MetricValue(metrics, "fovea_open_doors"), 4);
+  EXPECT_EQ(MetricValue(metrics, "fovea_knocks_total"), 7);
+}
+
+TEST(Metrics, TellOfTheProcess) {
+  const server::Metrics metrics;
+  const double files = MetricValue(metrics, "process_open_fds");
+  const int another = dup(STDERR_FILENO);
+  EXPECT_EQ(MetricValue(metrics, "process_open_fds"), files + 1);
+  close(another);
+  rlimit limit{};
+  getrlimit(RLIMIT_NOFILE, &limit);
+  EXPECT_EQ(MetricValue(metrics, "process_max_fds"), static_cast<double>(limit.rlim_cur));
+  EXPECT_GT(MetricValue(metrics, "process_resident_memory_bytes"), 1 << 20);
+  EXPECT_GT(MetricValue(metrics, "process_cpu_seconds_total"), 0);
+  const auto now =
+      std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch());
+  EXPECT_LE(MetricValue(metrics, "process_start_time_seconds"), now.count() + 1);
+  EXPECT_GT(MetricValue(metrics, "process_start_time_seconds"), now.count() - 24 * 3600);
+}
+
+TEST(Metrics, CountThreadsThatWork) {
+  Gate gate;
+  server::ServerOptions options = LoopbackOptions();
+  options.compute_threads = 3;
+  const Loopback loopback(std::ref(gate), options);
+  const server::Metrics& metrics = *loopback.server.metrics();
+  EXPECT_EQ(MetricValue(metrics, "fovea_compute_threads"), 3);
+  const std::jthread call([&] { loopback.client.Detect(TestRequest()); });
+  gate.WaitUntilBegun();
+  EXPECT_EQ(MetricValue(metrics, "fovea_busy_threads"), 1);
+  gate.Let();
+  AwaitMetric(metrics, "fovea_busy_threads", 0);
 }
 
 TEST(Statistics, CountWhatWasDone) {
@@ -107,7 +299,7 @@ TEST(ServerInfo, TellsTheLimits) {
   const v1::GetServerInfoResponse info = loopback.client.GetServerInfo();
   EXPECT_THAT(info.version(), ::testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+"));
   EXPECT_THAT(info.profiles(), ElementsAre("default", "paper"));
-  EXPECT_EQ(info.max_message_bytes(), 16U << 20);
+  EXPECT_EQ(info.max_message_bytes(), 24U << 20);
   EXPECT_EQ(info.max_pixels(), 1000U);
   EXPECT_EQ(info.compute_threads(), 3U);
   EXPECT_EQ(info.max_waiting(), 3U);

@@ -61,7 +61,7 @@ class Client:
         address: HOST:PORT or any gRPC target, for example "ipv4:10.0.0.1:50051,10.0.0.2:50051".
             Calls go to several addresses in turn.
         timeout: of a call that is given none.
-        max_answer_mib: largest answer; the clouds of a 1920x1080 frame are 31 MiB.
+        max_answer_mib: largest answer; the clouds of a 2048x1536 frame are 45 MiB.
         tls: encrypts where it is given.
         token: without TLS anybody on the way can read it. robot: the robot's name; empty = the
             server goes by the token, the certificate or the host.
