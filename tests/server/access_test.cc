@@ -77,7 +77,8 @@ TEST_F(Tls, KnowsRobotsByTheirCertificates) {
   ClientOptions robot = Trusting(authority_, clients_.Issue("kitchen"));
   robot.robot = "somebody-else";
   EXPECT_EQ(CodeOf(Client(loopback.server.Address(), robot)), grpc::StatusCode::OK);
-  EXPECT_EQ(MetricValue(*loopback.server.metrics(), "fovea_frames_received_total", "kitchen"), 1);
+  EXPECT_EQ(MetricValue(*loopback.server.metrics(), "fovea_robot_frames_received_total", "kitchen"),
+            1);
   for (const PemPair& wrong : {PemPair{}, authority_.Issue("kitchen")}) {
     EXPECT_EQ(CodeOf(Client(loopback.server.Address(), Trusting(authority_, wrong))),
               grpc::StatusCode::UNAVAILABLE);
@@ -169,7 +170,8 @@ TEST_F(Tokens, LetInWhoHasOne) {
   const Client kitchen(loopback.server.Address(), robot);
   EXPECT_EQ(CodeOf(kitchen), grpc::StatusCode::OK);
   EXPECT_NO_THROW(kitchen.GetStatistics());
-  EXPECT_EQ(MetricValue(*loopback.server.metrics(), "fovea_frames_received_total", "kitchen"), 1);
+  EXPECT_EQ(MetricValue(*loopback.server.metrics(), "fovea_robot_frames_received_total", "kitchen"),
+            1);
 }
 
 TEST_F(Tokens, KeepOutWhoHasNone) {

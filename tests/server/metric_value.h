@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <thread>
 
@@ -8,14 +9,16 @@
 namespace fovea::testing {
 
 // Of the gauge or counter `name`, or what the histogram counted, summed over its labels, or over
-// those with this value.
+// those with one of this value.
 inline double MetricValue(const server::Metrics& metrics, const std::string& name,
                           const std::string& label = "") {
   double sum = 0;
   for (const auto& family : metrics.Collect()) {
     if (family.name != name) continue;
     for (const auto& metric : family.metric) {
-      if (!label.empty() && metric.label.front().value != label) continue;
+      const bool wanted = std::any_of(metric.label.begin(), metric.label.end(),
+                                      [&](const auto& each) { return each.value == label; });
+      if (!label.empty() && !wanted) continue;
       sum += metric.gauge.value + metric.counter.value +
              static_cast<double>(metric.histogram.sample_count);
     }
