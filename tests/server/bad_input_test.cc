@@ -211,7 +211,7 @@ TEST_F(BadInputTest, RefusesRandomBytesInEveryFileEncoding) {
 
 TEST_F(BadInputTest, RefusesMessagesAboveTheLimit) {
   v1::DetectRequest request = TestRequest();
-  request.mutable_frame()->mutable_color()->set_data(std::string(17 << 20, 'x'));
+  request.mutable_frame()->mutable_color()->set_data(std::string(25 << 20, 'x'));
   const grpc::Status status = StatusOf([&] { loopback_.client.Detect(request); });
   EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
 }

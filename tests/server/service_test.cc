@@ -12,6 +12,7 @@
 #include <thread>
 #include <utility>
 
+#include "client/images.h"
 #include "tests/server/detectors.h"
 #include "tests/server/frames.h"
 #include "tests/server/loopback.h"
@@ -204,6 +205,19 @@ TEST(Detect, ServesManyCallersAtOnce) {
     }));
   }
   for (auto& count : counts) EXPECT_EQ(count.get(), 20);
+}
+
+TEST(Detect, TakesLargeFramesByDefault) {
+  const Loopback loopback(FindOne);
+  v1::DetectRequest request = TestRequest();
+  const cv::Mat color(1536, 2048, CV_8UC3, cv::Scalar(1, 2, 3)), depth(1536, 2048, CV_32FC1, 1.0F);
+  *request.mutable_frame()->mutable_color() =
+      ColorMessage(v1::COLOR_ENCODING_RGB8, BytesOf(color), color.cols, color.rows);
+  *request.mutable_frame()->mutable_depth() =
+      DepthMessage(v1::DEPTH_ENCODING_32FC1, BytesOf(depth), depth.cols, depth.rows);
+  *request.mutable_frame()->mutable_intrinsics() =
+      client::MakeIntrinsics(1700, 1700, 1023.5, 767.5);
+  EXPECT_EQ(loopback.client.Detect(request).detections().width(), 2048U);
 }
 
 }  // namespace
