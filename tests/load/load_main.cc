@@ -2,14 +2,17 @@
 // docs/operations.md reports.
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <condition_variable>
 #include <cstdlib>
 #include <future>
 #include <iostream>
 #include <map>
+#include <mutex>
 #include <thread>
 
 #include "client/cli/progress.h"
 #include "client/images.h"
+#include "tests/load/plans.h"
 #include "tests/load/process_watch.h"
 #include "tests/load/report.h"
 #include "tests/load/robot.h"
@@ -19,12 +22,10 @@
 
 namespace {
 
-struct Flags {
-  std::string server = "127.0.0.1:50051", kind = "tabletop";
-  int robots = 1, warm_up = 3, seconds = 20, saboteurs = 0, pid = 0;
-  double rate_hz = 0, greedy = 1;
-  bool stream = false;
-};
+using fovea::load::Flags;
+using fovea::load::Links;
+using fovea::load::Outcome;
+using fovea::load::RobotPlan;
 
 void AddFlags(CLI::App& app, Flags& flags) {
   app.add_option("--server", flags.server, "Address of the server")->capture_default_str();
@@ -38,6 +39,18 @@ void AddFlags(CLI::App& app, Flags& flags) {
       ->check(CLI::Range(0.0, 1000.0));
   app.add_option("--greedy", flags.greedy, "The first robot sends this many times as often")
       ->check(CLI::Range(1.0, 1000.0));
+  app.add_option("--greedy-calls", flags.greedy_calls,
+                 "One robot more has so many calls at once, each again as soon as it is answered, "
+                 "or when the server says")
+      ->check(CLI::Range(0, 1000));
+  app.add_option("--slow-link", flags.slow_kb_per_s,
+                 "One robot more has a link of so many kB/s to the server")
+      ->check(CLI::Range(0, 1'000'000));
+  app.add_flag("--vanish", flags.vanish,
+               "One robot more vanishes without a word when half of the time is over");
+  app.add_flag("--retry", flags.retry,
+               "Robots repeat what was refused as the client library does; the latency is that of "
+               "all attempts");
   app.add_flag("--stream", flags.stream, "Streams instead of single calls");
   app.add_option("--saboteurs", flags.saboteurs,
                  "So many others that send damaged frames, vanish, do not read their answers …")
@@ -105,33 +118,38 @@ std::vector<std::future<Deeds>> StartSaboteurs(const Flags& flags, const fovea::
   return saboteurs;
 }
 
-std::vector<std::future<fovea::load::Outcome>> StartRobots(const Flags& flags,
-                                                           const fovea::v1::Frame& frame,
-                                                           const std::stop_token& stop) {
-  const auto noted_from = std::chrono::steady_clock::now() + std::chrono::seconds(flags.warm_up);
-  std::vector<std::future<fovea::load::Outcome>> robots;
-  robots.reserve(static_cast<std::size_t>(flags.robots));
-  for (int i = 0; i < flags.robots; ++i) {
-    fovea::load::RobotPlan plan{.server = flags.server,
-                                .name = "robot-" + std::to_string(i),
-                                .rate_hz = flags.rate_hz * (i == 0 ? flags.greedy : 1),
-                                .phase = static_cast<double>(i) / flags.robots,
-                                .stream = flags.stream,
-                                .noted_from = noted_from,
-                                .frame = frame};
-    plan.frame.set_id(plan.name);
-    robots.push_back(std::async(std::launch::async, [plan = std::move(plan), stop] {
-      return fovea::load::RunRobot(plan, stop);
-    }));
+std::vector<std::future<Outcome>> StartRobots(const std::vector<RobotPlan>& plans,
+                                              const std::stop_token& stop) {
+  std::vector<std::future<Outcome>> robots;
+  robots.reserve(plans.size());
+  for (const RobotPlan& plan : plans) {
+    robots.push_back(std::async(std::launch::async,
+                                [&plan, stop] { return fovea::load::RunRobot(plan, stop); }));
   }
   return robots;
 }
 
-std::vector<fovea::load::Outcome> RunAll(const Flags& flags) {
+// Cuts the link when half of the time is over, unless it is told to stop before.
+std::jthread CutLater(const Flags& flags, Links* links) {
+  if (!links->vanishing) return {};
+  const std::chrono::milliseconds wait(1000 * flags.warm_up + 500 * flags.seconds);
+  return std::jthread([wait, links](const std::stop_token& stop) {
+    std::mutex mutex;
+    std::condition_variable_any never;
+    std::unique_lock lock(mutex);
+    never.wait_for(lock, stop, wait, [] { return false; });
+    links->vanishing->Cut();
+  });
+}
+
+std::vector<Outcome> RunAll(const Flags& flags) {
   const fovea::v1::Frame frame = MakeFrame(flags.kind);
+  Links links;
+  const std::vector<RobotPlan> plans = fovea::load::MakePlans(flags, frame, &links);
   std::stop_source stop;
+  const std::jthread cutting = CutLater(flags, &links);
   auto saboteurs = StartSaboteurs(flags, frame, stop.get_token());
-  auto robots = StartRobots(flags, frame, stop.get_token());
+  auto robots = StartRobots(plans, stop.get_token());
   try {
     Wait(flags);
   } catch (...) {  // the futures wait for their robots, whatever happens
@@ -139,7 +157,7 @@ std::vector<fovea::load::Outcome> RunAll(const Flags& flags) {
     throw;
   }
   stop.request_stop();
-  std::vector<fovea::load::Outcome> outcomes;
+  std::vector<Outcome> outcomes;
   outcomes.reserve(robots.size());
   for (auto& robot : robots) outcomes.push_back(robot.get());
   for (auto& saboteur : saboteurs) Print(saboteur.get());

@@ -34,6 +34,12 @@ RawConnection::RawConnection(const std::string& address) {
   throw std::runtime_error("cannot connect to " + address);
 }
 
+std::unique_ptr<RawConnection> RawConnection::Adopt(int socket) {
+  std::unique_ptr<RawConnection> connection(new RawConnection());
+  connection->socket_ = socket;
+  return connection;
+}
+
 RawConnection::~RawConnection() { close(socket_); }
 
 void RawConnection::Send(const std::string& bytes) const {

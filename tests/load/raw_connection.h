@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
 namespace fovea::load {
@@ -9,6 +10,8 @@ class RawConnection {
  public:
   // `address` is HOST:PORT. Throws std::runtime_error where nobody listens.
   explicit RawConnection(const std::string& address);
+  // One that is there already.
+  static std::unique_ptr<RawConnection> Adopt(int socket);
   ~RawConnection();
 
   RawConnection(const RawConnection&) = delete;
@@ -17,8 +20,12 @@ class RawConnection {
   // What the other side does not take is lost.
   void Send(const std::string& bytes) const;
 
+  int file() const { return socket_; }
+
  private:
-  int socket_;
+  RawConnection() = default;
+
+  int socket_ = -1;
 };
 
 }  // namespace fovea::load

@@ -23,21 +23,23 @@ std::string Percentiles(std::vector<double> values) {
                      Percentile(&values, 0.95), Percentile(&values, 0.99));
 }
 
-void Append(const std::vector<double>& from, std::vector<double>* to) {
-  to->insert(to->end(), from.begin(), from.end());
+std::vector<Outcome> InRole(const std::vector<Outcome>& outcomes, const std::string& role) {
+  std::vector<Outcome> found;
+  for (const Outcome& one : outcomes) {
+    if (one.role == role) found.push_back(one);
+  }
+  return found;
 }
 
-Outcome Sum(const std::vector<Outcome>& outcomes) {
-  Outcome all;
-  for (const Outcome& one : outcomes) {
-    all.sent += one.sent;
-    all.dropped += one.dropped;
-    Append(one.latency_ms, &all.latency_ms);
-    Append(one.overhead_ms, &all.overhead_ms);
-    Append(one.refusal_ms, &all.refusal_ms);
-    for (const auto& [code, count] : one.errors) all.errors[code] += count;
-  }
-  return all;
+// What became of those in one role; nothing where there are none.
+std::string Line(const char* title, const std::vector<Outcome>& outcomes) {
+  if (outcomes.empty()) return "";
+  const Outcome all = Sum(outcomes);
+  return fmt::format("{:<10} {} of {} answered ({:.1f} %), {}\n", title, all.latency_ms.size(),
+                     all.sent,
+                     100.0 * static_cast<double>(all.latency_ms.size()) /
+                         static_cast<double>(std::max<std::uint64_t>(all.sent, 1)),
+                     Percentiles(all.latency_ms));
 }
 
 }  // namespace
@@ -46,6 +48,7 @@ std::string Report(const std::vector<Outcome>& outcomes, double seconds) {
   const Outcome all = Sum(outcomes);
   std::size_t least = std::numeric_limits<std::size_t>::max(), most = 0;
   for (const Outcome& one : outcomes) {
+    if (!one.role.empty()) continue;
     least = std::min(least, one.latency_ms.size());
     most = std::max(most, one.latency_ms.size());
   }
@@ -58,12 +61,10 @@ std::string Report(const std::vector<Outcome>& outcomes, double seconds) {
                   most);
   for (const auto& [code, count] : all.errors) text += fmt::format("{}  {}\n", code, count);
   if (!all.refusal_ms.empty()) text += "refusals   " + Percentiles(all.refusal_ms) + "\n";
-  if (outcomes.size() > 1) {
-    text += "first      " + Percentiles(outcomes.front().latency_ms) + "\n";
-    text +=
-        "others     " + Percentiles(Sum({outcomes.begin() + 1, outcomes.end()}).latency_ms) + "\n";
+  for (const char* role : {"often", "greedy", "slow", "vanishes"}) {
+    text += Line(role, InRole(outcomes, role));
   }
-  return text;
+  return text + Line("others", InRole(outcomes, ""));
 }
 
 }  // namespace fovea::load

@@ -1,6 +1,7 @@
 #include "tests/load/robot.h"
 
 #include <deque>
+#include <future>
 #include <mutex>
 #include <thread>
 
@@ -147,15 +148,48 @@ Outcome Stream(const client::Client& client, const RobotPlan& plan, const std::s
   return outcome;
 }
 
+Outcome CallAtOnce(const client::Client& client, const RobotPlan& plan,
+                   const std::stop_token& stop) {
+  std::vector<std::future<Outcome>> callers;
+  callers.reserve(static_cast<std::size_t>(plan.calls_at_once));
+  for (int i = 0; i < plan.calls_at_once; ++i) {
+    callers.push_back(std::async(std::launch::async, CallOneByOne, std::cref(client),
+                                 std::cref(plan), std::cref(stop)));
+  }
+  std::vector<Outcome> outcomes;
+  outcomes.reserve(callers.size());
+  for (auto& caller : callers) outcomes.push_back(caller.get());
+  return Sum(outcomes);
+}
+
+void Append(const std::vector<double>& from, std::vector<double>* to) {
+  to->insert(to->end(), from.begin(), from.end());
+}
+
 }  // namespace
+
+Outcome Sum(const std::vector<Outcome>& outcomes) {
+  Outcome all;
+  for (const Outcome& one : outcomes) {
+    all.sent += one.sent;
+    all.dropped += one.dropped;
+    Append(one.latency_ms, &all.latency_ms);
+    Append(one.overhead_ms, &all.overhead_ms);
+    Append(one.refusal_ms, &all.refusal_ms);
+    for (const auto& [code, count] : one.errors) all.errors[code] += count;
+  }
+  return all;
+}
 
 Outcome RunRobot(const RobotPlan& plan, const std::stop_token& stop) {
   client::ClientOptions options;
   options.robot = plan.name;
-  options.retry.max_attempts = 1;  // refusals are to be seen
+  if (!plan.retry) options.retry.max_attempts = 1;  // refusals are to be seen
   const client::Client client(plan.server, options);
   client.WaitUntilReady(kTimeout);
-  return plan.stream ? Stream(client, plan, stop) : CallOneByOne(client, plan, stop);
+  Outcome outcome = plan.stream ? Stream(client, plan, stop) : CallAtOnce(client, plan, stop);
+  outcome.role = plan.role;
+  return outcome;
 }
 
 }  // namespace fovea::load

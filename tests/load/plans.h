@@ -1,0 +1,29 @@
+// Which robots there are, as the flags want them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tests/load/robot.h"
+#include "tests/load/slow_link.h"
+
+namespace fovea::load {
+
+struct Flags {
+  std::string server = "127.0.0.1:50051", kind = "tabletop";
+  int robots = 1, warm_up = 3, seconds = 20, saboteurs = 0, pid = 0;
+  int greedy_calls = 0, slow_kb_per_s = 0;
+  double rate_hz = 0, greedy = 1;
+  bool stream = false, retry = false, vanish = false;
+};
+
+// The ways of those that have a special one.
+struct Links {
+  std::optional<SlowLink> slow, vanishing;
+};
+
+// Of ordinary robots and of those that are special. `links` must live as long as they do.
+std::vector<RobotPlan> MakePlans(const Flags& flags, const v1::Frame& frame, Links* links);
+
+}  // namespace fovea::load
