@@ -2,11 +2,11 @@
 
 #include <cstdint>
 #include <limits>
-#include <stdexcept>
 
 #include "core/segmentation/labels.h"
 #include "core/segmentation/mean_color.h"
 #include "core/segmentation/round_wall_merge.h"
+#include "core/types/too_complex.h"
 
 namespace fovea {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 void RequireFewSegments(std::size_t num_segments) {
   constexpr std::size_t kMax = std::numeric_limits<std::uint16_t>::max();
   if (num_segments <= kMax) return;
-  throw std::length_error(
+  throw TooComplex(
       "segments: more than 65535, depth is mostly noise; raise voxels.size_m or cover.min_voxels");
 }
 

@@ -32,7 +32,7 @@ struct RefinedScene {
 };
 
 // Splits the labels into connected segments, joins those that are one object and removes what can
-// be none. Throws std::length_error for more than 65535 segments.
+// be none. Throws TooComplex for more than 65535 segments.
 RefinedScene Refine(const LabelledScene& scene, const DetectorOptions& options);
 
 }  // namespace fovea

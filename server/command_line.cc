@@ -87,6 +87,10 @@ void AddFlags(CLI::App& app, ServerOptions& options) {
                  "Frames that one robot may have waiting or computed, 0 to 10000; 0 = two thirds "
                  "of all")
       ->capture_default_str();
+  app.add_option("--max-running-per-robot", options.max_running_per_robot,
+                 "Frames that one robot may have computed at once, 0 to 1024; 0 = one per thread, "
+                 "but one less while others call")
+      ->capture_default_str();
   app.add_option("--hold-s", options.hold_s,
                  "How long to serve on with health NOT_SERVING after SIGTERM or SIGINT, 0 to 3600 "
                  "seconds; a second signal ends it")

@@ -9,6 +9,7 @@
 #include "server/conversion/field_error.h"
 #include "server/conversion/frame.h"
 #include "server/conversion/options.h"
+#include "server/log_exception.h"
 #include "server/rpc/caller.h"
 #include "server/status.h"
 #include "server/watching/metrics.h"
@@ -19,8 +20,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double MillisecondsSince(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+double Milliseconds(Clock::duration duration) {
+  return std::chrono::duration<double, std::milli>(duration).count();
 }
 
 }  // namespace
@@ -54,8 +55,10 @@ void FrameAnswerer::Refuse(const FrameRequest& request, const Caller& caller,
   Record(request, caller, status, {});
 }
 
+// The answer matters more than what is said of it elsewhere.
 void FrameAnswerer::Record(const FrameRequest& request, const Caller& caller,
-                           const grpc::Status& status, const Detections& detections) const {
+                           const grpc::Status& status, const Detections& detections) const noexcept
+    try {
   const Clock::duration took = Clock::now() - request.received;
   const std::string frame_id = request.frame != nullptr ? request.frame->id() : "";
   LogFrame({.request_id = caller.request_id(),
@@ -66,32 +69,26 @@ void FrameAnswerer::Record(const FrameRequest& request, const Caller& caller,
             .took = took},
            slow_);
   metrics_.OnAnswered(caller.robot(), status, detections, took);
+} catch (...) {
+  LogCurrentException("a frame that was answered is not counted");
 }
 
 Detections FrameAnswerer::Compute(const FrameRequest& request, const Caller& caller,
                                   Trace* trace) const {
-  const double queue_ms = MillisecondsSince(request.received);
-  const DetectorOptions options = FromProto(*request.options);
-  const Clock::time_point start = Clock::now();
   std::vector<std::string> losses;
+  const DetectorOptions options = FromProto(*request.options);
   const RgbdFrame frame = FromProto(*request.frame, max_pixels_, &losses);
-  const double decode_ms = MillisecondsSince(start);
   InField("options.parameters", [&] { RequireNotEmpty(options.region, frame.depth_m.size()); });
-  try {
-    Detections detections = detect_(frame, options, WantsTrace(*request.options) ? trace : nullptr,
-                                    [&caller] { return caller.IsGone(); });
-    std::vector<std::string>& messages = detections.diagnostics.messages;
-    messages.insert(messages.begin(), losses.begin(), losses.end());
-    detections.stage_times.insert(detections.stage_times.begin(),
-                                  {{"queue", queue_ms}, {"decode", decode_ms}});
-    return detections;
-  } catch (const std::invalid_argument& error) {
-    // Options were validated before: what the core still finds is about the frame.
-    throw std::invalid_argument("frame." + std::string(error.what()));
-  } catch (const std::length_error& error) {
-    // A limit of the method, for this frame with these options.
-    throw std::invalid_argument(error.what());
-  }
+  const Clock::time_point decoded = Clock::now();
+  // What the method throws from here on is no longer about the request, TooComplex apart.
+  Detections detections = detect_(frame, options, WantsTrace(*request.options) ? trace : nullptr,
+                                  [&caller] { return caller.IsGone(); });
+  std::vector<std::string>& messages = detections.diagnostics.messages;
+  messages.insert(messages.begin(), losses.begin(), losses.end());
+  detections.stage_times.insert(detections.stage_times.begin(),
+                                {{"queue", Milliseconds(request.began - request.received)},
+                                 {"decode", Milliseconds(decoded - request.began)}});
+  return detections;
 }
 
 }  // namespace fovea::server

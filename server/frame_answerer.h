@@ -26,6 +26,7 @@ struct FrameRequest {
   const v1::Frame* frame = nullptr;
   const v1::DetectOptions* options = nullptr;
   std::chrono::steady_clock::time_point received;
+  std::chrono::steady_clock::time_point began;  // its turn, parsing included
 };
 
 // Thread-safe.
@@ -43,7 +44,7 @@ class FrameAnswerer {
 
  private:
   void Record(const FrameRequest& request, const Caller& caller, const grpc::Status& status,
-              const Detections& detections) const;
+              const Detections& detections) const noexcept;
   Detections Compute(const FrameRequest& request, const Caller& caller, Trace* trace) const;
 
   const DetectFunction detect_;

@@ -36,6 +36,7 @@ SchedulerLimits LimitsOf(const ServerOptions& options) {
   return {.num_threads = num_threads,
           .max_waiting = max_waiting,
           .max_per_robot = options.max_per_robot > 0 ? options.max_per_robot : fair_share,
+          .max_running_per_robot = options.max_running_per_robot,
           .nice = options.compute_nice};
 }
 

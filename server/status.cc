@@ -7,7 +7,9 @@
 #include <string>
 
 #include "core/detector.h"
+#include "core/types/too_complex.h"
 #include "server/access/token_table.h"
+#include "server/conversion/field_error.h"
 #include "server/scheduling/scheduler.h"
 
 namespace fovea::server {
@@ -15,7 +17,9 @@ namespace fovea::server {
 grpc::Status StatusOfCurrentException(bool deadline_passed) {
   try {
     throw;
-  } catch (const std::invalid_argument& error) {
+  } catch (const FieldError& error) {
+    return {grpc::StatusCode::INVALID_ARGUMENT, error.what()};
+  } catch (const TooComplex& error) {
     return {grpc::StatusCode::INVALID_ARGUMENT, error.what()};
   } catch (const Unauthenticated& error) {
     return {grpc::StatusCode::UNAUTHENTICATED, error.what()};

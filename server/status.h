@@ -8,7 +8,7 @@
 namespace fovea::server {
 
 // The one place where exceptions become statuses. Call it inside a catch block:
-// std::invalid_argument → INVALID_ARGUMENT, Unauthenticated → UNAUTHENTICATED, Overloaded →
+// FieldError and TooComplex → INVALID_ARGUMENT, Unauthenticated → UNAUTHENTICATED, Overloaded →
 // RESOURCE_EXHAUSTED, Cancelled → DEADLINE_EXCEEDED where
 // `deadline_passed`, else CANCELLED, std::bad_alloc → RESOURCE_EXHAUSTED, anything else →
 // INTERNAL with the text in the log only.

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
+
+#include "core/types/too_complex.h"
 
 namespace fovea {
 namespace {
@@ -175,7 +176,7 @@ PottsEnergy BuildEnergy(const VoxelGrid& grid, const cv::Mat& points,
     energy.choices.push_back(ChoicesOfSeed(foreground, seed, options));
     num_choices += energy.choices.back().size();
     if (num_choices > kMaxChoices) {
-      throw std::length_error(
+      throw TooComplex(
           "mrf: too many voxels within reach of too many seeds; raise mrf.gamma_per_m2 or "
           "voxels.size_m");
     }

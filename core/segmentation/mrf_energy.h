@@ -49,7 +49,7 @@ struct MrfOptions {
 // seeds[k - 1]. Voxels with `is_background` set (one entry a voxel) can only be background: the
 // support surface, where the paper sets the background's probability to one. A hypothesis offers
 // itself to the voxels within `reach_m` where Eq. 5 is above `min_probability`.
-// `points`: CV_32FC3, the image that the grid was built from. Throws std::length_error if there
+// `points`: CV_32FC3, the image that the grid was built from. Throws TooComplex if there
 // are more choices of voxel and hypothesis than memory should hold (2^25). `colors`: one entry a
 // voxel, as of ColorsOfVoxels; not used where color_floor is 1.
 PottsEnergy BuildEnergy(const VoxelGrid& grid, const cv::Mat& points,

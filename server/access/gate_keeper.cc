@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "server/connections/socket_address.h"
 #include "server/rpc/call_names.h"
 
 namespace fovea::server {
@@ -23,6 +24,8 @@ std::string_view TokenOf(const Metadata& metadata) {
   return text.substr(kScheme.size());
 }
 
+RobotId Certified(const std::string& name) { return {name, name}; }
+
 }  // namespace
 
 GateKeeper::GateKeeper(std::string tokens) : tokens_(std::move(tokens)) { Reload(); }
@@ -34,14 +37,15 @@ void GateKeeper::Reload() {
   table_ = std::move(table);
 }
 
-std::string GateKeeper::Admit(const grpc::ServerContextBase& context) const {
+RobotId GateKeeper::Admit(const grpc::ServerContextBase& context) const {
   if (const auto table = Table()) {
     const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
-    return table->RobotOf(TokenOf(context.client_metadata()), now);
+    return Certified(table->RobotOf(TokenOf(context.client_metadata()), now));
   }
   const auto certified = context.auth_context()->GetPeerIdentity();
-  if (!certified.empty()) return {certified.front().data(), certified.front().size()};
-  return RobotName(context.client_metadata(), context.peer());
+  if (!certified.empty()) return Certified({certified.front().data(), certified.front().size()});
+  const std::string peer = context.peer();
+  return {HostOfPeer(peer), RobotName(context.client_metadata(), peer)};
 }
 
 bool GateKeeper::RefusesEverybody() const {

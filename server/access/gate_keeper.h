@@ -7,6 +7,7 @@
 #include <string>
 
 #include "server/access/token_table.h"
+#include "server/scheduling/robot_id.h"
 
 namespace fovea::server {
 
@@ -22,7 +23,7 @@ class GateKeeper {
   // The robot that calls: by its token, else its client certificate, else as it calls itself
   // (RobotName). Throws Unauthenticated where a token is needed and does not do,
   // std::invalid_argument for a name that does not.
-  std::string Admit(const grpc::ServerContextBase& context) const;
+  RobotId Admit(const grpc::ServerContextBase& context) const;
 
   // Whether tokens are needed and there is none.
   bool RefusesEverybody() const;

@@ -63,6 +63,7 @@ RgbdFrame FromProto(const v1::Frame& frame, std::uint64_t max_pixels,
                               result.color_rgb.size(), messages);
   }
   RequireSameSize(result.color_rgb, result.depth_m);
+  InField("frame", [&] { Validate(result); });
   return result;
 }
 

@@ -29,7 +29,7 @@ void RequirePlausible(const CameraIntrinsics& intrinsics, const cv::Size& size,
   try {
     fovea::RequirePlausible(intrinsics, size);
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(path + "." + error.what());
+    throw FieldError(path + "." + error.what());
   }
 }
 

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <utility>
 
+#include "server/log_exception.h"
 #include "server/rpc/call_names.h"
 #include "server/status.h"
 
@@ -17,12 +18,12 @@ void Caller::Begin(std::function<void()> on_gone) {
   done_.then = [this, on_gone = std::move(on_gone)](bool) {
     if (!context_->IsCancelled()) return;
     gone_ = true;
-    on_gone();
+    Guard(on_gone);
   };
 }
 
 void Caller::Identify(const GateKeeper& gate_keeper) {
-  robot_ = gate_keeper.Admit(*context_);
+  id_ = gate_keeper.Admit(*context_);
   request_id_ = RequestId(context_->client_metadata());
   context_->AddTrailingMetadata(kRequestIdKey, request_id_);
   peer_ = context_->peer();
@@ -33,6 +34,11 @@ void Caller::OnMessage(std::size_t bytes) { owed_ = connections_.OnMessage(peer_
 
 void Caller::OnNoMessage() {
   if (!peer_.empty()) connections_.OnNoMessage(peer_, owed_);
+}
+
+void Caller::End() noexcept {
+  LogCurrentException("a call ends");
+  context_->TryCancel();
 }
 
 bool Caller::DeadlinePassed() const {

@@ -12,6 +12,7 @@
 #include "server/access/gate_keeper.h"
 #include "server/connections/connection_table.h"
 #include "server/rpc/event_loop.h"
+#include "server/scheduling/robot_id.h"
 
 namespace fovea::server {
 
@@ -24,17 +25,29 @@ class Caller {
   // deadline passes before the answer; it is kept until the call's end and no longer.
   void Begin(std::function<void()> on_gone);
 
-  // Finds out the following two. Throws Unauthenticated where the caller may not call, and
+  // Finds out the following three. Throws Unauthenticated where the caller may not call, and
   // std::invalid_argument where the names that it chose will not do.
   void Identify(const GateKeeper& gate_keeper);
+  const std::string& robot() const { return id_.name; }
   // Whose turn the call takes.
-  const std::string& robot() const { return robot_; }
+  const RobotId& id() const { return id_; }
   const std::string& request_id() const { return request_id_; }
 
   // A message of this call has come; it will have none (any more). Both keep account of what the
   // connection has sent.
   void OnMessage(std::size_t bytes);
   void OnNoMessage();
+
+  // A step of the call. Whatever it throws ends this call, of which the caller learns by CANCELLED,
+  // and nothing else.
+  template <typename Step>
+  void Guard(Step&& step) noexcept {
+    try {
+      step();
+    } catch (...) {
+      End();
+    }
+  }
 
   // Whether to give up. From any thread.
   bool IsGone() const { return gone_ || DeadlinePassed(); }
@@ -44,10 +57,13 @@ class Caller {
   grpc::Status StatusOfGone() const;
 
  private:
+  void End() noexcept;
+
   grpc::ServerContext* const context_;
   std::atomic<bool> gone_ = false;
   CallEvent done_;
-  std::string robot_, request_id_;
+  RobotId id_;
+  std::string request_id_;
   ConnectionTable& connections_;
   std::string peer_;        // empty until the call is let in
   std::uint64_t owed_ = 0;  // by the connection after the last message, or when the call began

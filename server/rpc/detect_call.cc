@@ -2,6 +2,7 @@
 
 #include "server/rpc/parse.h"
 #include "server/status.h"
+#include "server/until_it_works.h"
 
 namespace fovea::server {
 namespace {
@@ -15,8 +16,8 @@ void DetectCall::Accept(const CallEnvironment& environment) {
   environment.service.RequestDetect(&call->context_, &call->stream_, environment.queue,
                                     Then([call, &environment](bool ok) {
                                       if (!ok) return;  // the server stops
-                                      Accept(environment);
-                                      call->OnCall();
+                                      UntilItWorks([&] { Accept(environment); });
+                                      call->caller_.Guard([&] { call->OnCall(); });
                                     }));
 }
 
@@ -48,13 +49,16 @@ void DetectCall::OnCall() {
     caller_.Identify(environment_.gate_keeper);
     environment_.metrics.OnReceived(caller_.robot());
     // Else a frame comes whole before it is refused, which takes time of both sides.
-    environment_.scheduler.RequireRoom(caller_.robot());
-    stream_.Read(&bytes_, Then([self = shared_from_this()](bool ok) { self->OnRead(ok); }));
+    upload_ = environment_.scheduler.Enter(caller_.id());
+    stream_.Read(&bytes_, Then([self = shared_from_this()](bool ok) {
+      self->caller_.Guard([&] { self->OnRead(ok); });
+    }));
   });
 }
 
 void DetectCall::OnRead(bool ok) {
   received_ = Clock::now();
+  upload_.reset();
   if (!ok) {
     Refuse(caller_.StatusOfGone());
     return;
@@ -62,25 +66,30 @@ void DetectCall::OnRead(bool ok) {
   has_message_ = true;
   caller_.OnMessage(bytes_.Length());
   environment_.metrics.OnReceivedBytes(bytes_.Length());
-  const grpc::Status status = Parse(&bytes_, &request_);
-  bytes_.Clear();
-  if (!status.ok()) {
-    Refuse(status);
-    return;
-  }
   Proceed([this] { TakeTurn(); });
 }
 
 void DetectCall::TakeTurn() {
   const auto self = shared_from_this();
-  ticket_ = environment_.scheduler.Submit(caller_.robot(),
-                                          {.compute =
-                                               [self] {
-                                                 self->status_ = self->environment_.answerer.Answer(
-                                                     self->Request(), self->caller_,
-                                                     self->response_.mutable_detections());
-                                               },
-                                           .deliver = [self] { self->Deliver(); }});
+  ticket_ = environment_.scheduler.Submit(
+      caller_.id(), {.compute = [self] { self->Compute(); },
+                     .deliver = [self] { self->caller_.Guard([&] { self->Deliver(); }); },
+                     .displaced =
+                         [self](const Overloaded& why) {
+                           self->caller_.Guard([&] { self->Proceed([&] { throw why; }); });
+                         }});
+}
+
+void DetectCall::Compute() {
+  began_ = Clock::now();
+  grpc::Status status = Parse(&bytes_, &request_);
+  bytes_.Clear();
+  if (status.ok()) {
+    status = environment_.answerer.Answer(Request(), caller_, response_.mutable_detections());
+  } else {
+    environment_.answerer.Refuse(Request(), caller_, status);
+  }
+  status_ = status;
 }
 
 void DetectCall::Deliver() {
@@ -90,7 +99,7 @@ void DetectCall::Deliver() {
 
 // Work that has begun stops by itself.
 void DetectCall::OnGone() {
-  if (!environment_.scheduler.Withdraw(caller_.robot(), ticket_)) return;
+  if (!environment_.scheduler.Withdraw(caller_.id(), ticket_)) return;
   Refuse(caller_.StatusOfGone());
 }
 
@@ -109,7 +118,8 @@ void DetectCall::Refuse(const grpc::Status& status, const char* reason) {
 FrameRequest DetectCall::Request() const {
   return {.frame = request_.has_frame() ? &request_.frame() : nullptr,
           .options = &request_.options(),
-          .received = received_};
+          .received = received_,
+          .began = began_};
 }
 
 }  // namespace fovea::server

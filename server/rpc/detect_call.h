@@ -25,6 +25,7 @@ class DetectCall : public std::enable_shared_from_this<DetectCall> {
   void OnCall();
   void OnRead(bool ok);
   void TakeTurn();
+  void Compute();
   void Deliver();
   void OnGone();
   // `reason` is what it is counted as; null: the status code.
@@ -37,12 +38,14 @@ class DetectCall : public std::enable_shared_from_this<DetectCall> {
   grpc::ServerContext context_;
   Caller caller_;
   grpc::ServerAsyncReader<v1::DetectResponse, grpc::ByteBuffer> stream_{&context_};
-  grpc::ByteBuffer bytes_;
+  Scheduler::Upload upload_;  // until the message is there
+  grpc::ByteBuffer bytes_;    // the message, until it is parsed
   bool has_message_ = false;
   v1::DetectRequest request_;
   v1::DetectResponse response_;
-  grpc::Status status_;
-  std::chrono::steady_clock::time_point received_;
+  // Until something is found of the frame.
+  grpc::Status status_{grpc::StatusCode::INTERNAL, ""};
+  std::chrono::steady_clock::time_point received_, began_;
   Scheduler::Ticket ticket_ = 0;
 };
 

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "server/log_exception.h"
+
 namespace fovea::server {
 
 EventLoop::EventLoop(std::unique_ptr<grpc::ServerCompletionQueue> queue)
@@ -18,7 +20,11 @@ void EventLoop::Run() {
     // Moved out, since it may hold the last reference to the call that the event is part of.
     const auto then = std::move(event->then);
     if (event->owned_by_loop) delete event;
-    if (then) then(ok);
+    try {
+      if (then) then(ok);
+    } catch (...) {  // what belongs to a call has ended that; see Caller::Guard
+      LogCurrentException("an event was not handled");
+    }
   }
 }
 

@@ -2,8 +2,10 @@
 
 #include <utility>
 
+#include "server/rpc/option_bytes.h"
 #include "server/rpc/parse.h"
 #include "server/status.h"
+#include "server/until_it_works.h"
 #include "server/watching/request_log.h"
 
 namespace fovea::server {
@@ -29,8 +31,8 @@ void StreamCall::Accept(const CallEnvironment& environment) {
   environment.service.RequestDetectStream(&call->context_, &call->stream_, environment.queue,
                                           environment.queue, Then([call, &environment](bool ok) {
                                             if (!ok) return;  // the server stops
-                                            Accept(environment);
-                                            call->OnRequest();
+                                            UntilItWorks([&] { Accept(environment); });
+                                            call->caller_.Guard([&] { call->OnRequest(); });
                                           }));
 }
 
@@ -80,34 +82,30 @@ void StreamCall::Open() {
 
 void StreamCall::Read() {
   stream_.Read(&bytes_, Then([self = shared_from_this()](bool ok) {
-    if (ok) {
-      self->OnRead();
-      return;
-    }
-    self->caller_.OnNoMessage();
-    const std::lock_guard lock(self->mutex_);
-    self->no_more_ = true;
-    self->Proceed();
+    self->caller_.Guard([&] { ok ? self->OnRead() : self->OnNoMore(); });
   }));
 }
 
+void StreamCall::OnNoMore() {
+  caller_.OnNoMessage();
+  const std::lock_guard lock(mutex_);
+  no_more_ = true;
+  Proceed();
+}
+
 void StreamCall::OnRead() {
-  Received received;
-  received.at = std::chrono::steady_clock::now();
   environment_.metrics.OnReceived(caller_.robot());
   environment_.metrics.OnReceivedBytes(bytes_.Length());
   caller_.OnMessage(bytes_.Length());
-  received.error = Parse(&bytes_, &received.request);
-  bytes_.Clear();
   const std::lock_guard lock(mutex_);
-  if (received.request.has_options()) options_ = received.request.options();
-  *received.request.mutable_options() = options_;
-  received.sequence = num_received_++;
   if (newest_) {
+    if (auto options = OptionBytesOf(newest_->bytes)) newer_options_ = std::move(options);
     ++num_dropped_;
     environment_.metrics.OnDropped();
   }
-  newest_ = std::move(received);
+  newest_ = {.bytes = {}, .sequence = num_received_++, .at = std::chrono::steady_clock::now()};
+  newest_->bytes.Swap(&bytes_);
+  bytes_.Clear();
   Proceed();
   if (!finished_) Read();
 }
@@ -115,7 +113,7 @@ void StreamCall::OnRead() {
 void StreamCall::OnGone() {
   const std::lock_guard lock(mutex_);
   // Work that has begun stops by itself.
-  if (busy_ && environment_.scheduler.Withdraw(caller_.robot(), ticket_)) busy_ = false;
+  if (busy_ && environment_.scheduler.Withdraw(caller_.id(), ticket_)) busy_ = false;
   Proceed();
 }
 
@@ -149,32 +147,50 @@ void StreamCall::TakeTurn() {
   busy_ = true;
   const auto self = shared_from_this();
   ticket_ = environment_.scheduler.SubmitTurn(
-      caller_.robot(),
-      {.compute = [self] { self->Compute(); }, .deliver = [self] { self->Deliver(); }});
+      caller_.id(), {.compute = [self] { self->ComputeOrSayWhyNot(); },
+                     .deliver = [self] { self->caller_.Guard([&] { self->Deliver(); }); },
+                     .displaced = {}});
 }
 
 void StreamCall::Deliver() {
   const grpc::ByteBuffer bytes = BytesOf(response_);
   environment_.metrics.OnSent(bytes.Length());
-  stream_.Write(bytes, Then([self = shared_from_this()](bool ok) { self->OnWritten(ok); }));
+  stream_.Write(bytes, Then([self = shared_from_this()](bool ok) {
+                  self->caller_.Guard([&] { self->OnWritten(ok); });
+                }));
+}
+
+void StreamCall::ComputeOrSayWhyNot() {
+  try {
+    Compute();
+  } catch (...) {
+    SetError(StatusOfCurrentException(/*deadline_passed=*/false), &response_);
+  }
 }
 
 void StreamCall::Compute() {
-  Received received;
+  const auto began = std::chrono::steady_clock::now();
   response_.Clear();
+  Received received;
+  std::optional<std::string> options;
   {
     const std::lock_guard lock(mutex_);
     received = std::move(*newest_);
     newest_.reset();
+    options = std::exchange(newer_options_, std::nullopt);
     response_.set_dropped(std::exchange(num_dropped_, 0));
   }
-  const v1::DetectStreamRequest& request = received.request;
-  response_.set_frame_id(request.frame().id());
   response_.set_sequence(received.sequence);
+  v1::DetectStreamRequest request;
+  grpc::Status status = Parse(&received.bytes, &request);
+  received.bytes.Clear();
+  response_.set_frame_id(request.frame().id());
+  if (options) options_.ParseFromString(*options);
+  if (request.has_options()) options_ = request.options();
   const FrameRequest frame{.frame = request.has_frame() ? &request.frame() : nullptr,
-                           .options = &request.options(),
-                           .received = received.at};
-  grpc::Status status = received.error;
+                           .options = &options_,
+                           .received = received.at,
+                           .began = began};
   if (status.ok()) {
     status = environment_.answerer.Answer(frame, caller_, response_.mutable_detections());
   } else {

@@ -25,10 +25,9 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   ~StreamCall();
 
  private:
-  // A frame as it came, or why its message cannot be understood.
+  // A message as it came: it is parsed when its turn has come, and not at all where it is dropped.
   struct Received {
-    v1::DetectStreamRequest request;
-    grpc::Status error;
+    grpc::ByteBuffer bytes;
     std::uint64_t sequence = 0;
     std::chrono::steady_clock::time_point at;
   };
@@ -39,10 +38,12 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   void Refuse(const grpc::Status& status, const char* reason);
   void Read();
   void OnRead();
+  void OnNoMore();
   void OnGone();
   void OnWritten(bool ok);
   void End();  // by the server
   void Deliver();
+  void ComputeOrSayWhyNot();
   void Compute();   // the newest frame into response_
   void Proceed();   // whatever comes next; mutex_ is held
   void TakeTurn();  // mutex_ is held
@@ -57,10 +58,11 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   grpc::ServerAsyncReaderWriter<grpc::ByteBuffer, grpc::ByteBuffer> stream_{&context_};
   grpc::ByteBuffer bytes_;             // of the message that is being read
   v1::DetectStreamResponse response_;  // of the frame that is worked on
+  v1::DetectOptions options_;          // the last ones given, up to that frame
 
   std::mutex mutex_;
-  v1::DetectOptions options_;       // the last ones given
-  std::optional<Received> newest_;  // waits
+  std::optional<std::string> newer_options_;  // of the frames that were dropped since then
+  std::optional<Received> newest_;            // waits
   std::uint64_t num_received_ = 0;
   std::uint64_t num_dropped_ = 0;  // since the last frame that was taken
   Scheduler::Ticket ticket_ = 0;

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
 #include <deque>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -23,12 +23,16 @@ class FairQueue {
     items.push_back(std::move(item));
   }
 
-  // The queue must not be empty.
-  T Pop() {
-    const std::string key = std::move(turns_.front());
-    turns_.pop_front();
+  // Of the first key in turn that `may` says yes to; those before it stay where they are. Nothing
+  // where there is none.
+  template <typename Predicate>
+  std::optional<T> Pop(Predicate may) {
+    const auto turn = std::find_if(turns_.begin(), turns_.end(), may);
+    if (turn == turns_.end()) return std::nullopt;
+    const std::string key = std::move(*turn);
+    turns_.erase(turn);
     std::deque<T>& items = waiting_.at(key);
-    T item = std::move(items.front());
+    std::optional<T> item = std::move(items.front());
     items.pop_front();
     if (items.empty()) {
       waiting_.erase(key);
@@ -38,23 +42,45 @@ class FairQueue {
     return item;
   }
 
-  // Takes out the first item of `key` that `is_wanted` says yes to; false where there is none.
+  // The queue must not be empty.
+  T Pop() {
+    return *Pop([](const std::string&) { return true; });
+  }
+
+  // Takes out the first item of `key` that `is_wanted` says yes to; nothing where there is none.
   template <typename Predicate>
-  bool Remove(const std::string& key, Predicate is_wanted) {
+  std::optional<T> Remove(const std::string& key, Predicate is_wanted) {
+    return Take(key, [&](std::deque<T>& items) {
+      return std::find_if(items.begin(), items.end(), is_wanted);
+    });
+  }
+
+  // The last one.
+  template <typename Predicate>
+  std::optional<T> RemoveLast(const std::string& key, Predicate is_wanted) {
+    return Take(key, [&](std::deque<T>& items) {
+      const auto found = std::find_if(items.rbegin(), items.rend(), is_wanted);
+      return found == items.rend() ? items.end() : std::prev(found.base());
+    });
+  }
+
+ private:
+  template <typename Find>
+  std::optional<T> Take(const std::string& key, Find find) {
     const auto waiting = waiting_.find(key);
-    if (waiting == waiting_.end()) return false;
+    if (waiting == waiting_.end()) return std::nullopt;
     std::deque<T>& items = waiting->second;
-    const auto item = std::find_if(items.begin(), items.end(), is_wanted);
-    if (item == items.end()) return false;
-    items.erase(item);
+    const auto found = find(items);
+    if (found == items.end()) return std::nullopt;
+    std::optional<T> item = std::move(*found);
+    items.erase(found);
     if (items.empty()) {
       waiting_.erase(waiting);
       turns_.erase(std::find(turns_.begin(), turns_.end(), key));
     }
-    return true;
+    return item;
   }
 
- private:
   std::map<std::string, std::deque<T>> waiting_;
   std::deque<std::string> turns_;  // the keys of `waiting_`, next first
 };

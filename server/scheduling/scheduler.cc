@@ -4,14 +4,29 @@
 #include <cmath>
 #include <utility>
 
+#include "server/log_exception.h"
 #include "server/scheduling/thread_priority.h"
+#include "server/until_it_works.h"
 
 namespace fovea::server {
 namespace {
 
+using Clock = WaitingLine::Clock;
+
 // How much later than it was told a robot may come back without losing its place in line: it has
 // to send its frame once more.
 constexpr std::chrono::milliseconds kGrace{500};
+// How long the place is kept for a robot that has come back, while its frame is on the way.
+constexpr std::chrono::seconds kLongestUpload{10};
+
+// What is thrown here has nobody else to go to.
+void Call(const std::function<void()>& work) noexcept {
+  try {
+    work();
+  } catch (...) {
+    LogCurrentException("work was not done");
+  }
+}
 
 }  // namespace
 
@@ -25,35 +40,47 @@ Scheduler::~Scheduler() {
   changed_.notify_all();
 }
 
-void Scheduler::RequireRoom(const std::string& robot) {
+Scheduler::Upload Scheduler::Enter(const RobotId& robot) {
   const std::lock_guard lock(mutex_);
+  OnSeen(robot);
   FindRoom(robot);
+  turned_away_.Prolong(robot, Clock::now() + kLongestUpload);
+  places_.Change(robot, &Holding::uploading, +1);
+  return {this, [robot](Scheduler* scheduler) {
+            const std::lock_guard inner(scheduler->mutex_);
+            scheduler->places_.Change(robot, &Holding::uploading, -1);
+          }};
 }
 
-Scheduler::Ticket Scheduler::Submit(const std::string& robot, Work work) {
-  const std::lock_guard lock(mutex_);
+Scheduler::Ticket Scheduler::Submit(const RobotId& robot, Work work) {
+  std::optional<Job> displaced;
+  std::unique_lock lock(mutex_);
+  OnSeen(robot);
   FindRoom(robot);
   turned_away_.Leave(robot);
-  ++num_counted_;
-  ++counted_by_robot_[robot];
-  return Enqueue(robot, std::move(work), /*counted=*/true);
+  displaced = Displace(robot);
+  const Ticket ticket = Enqueue(robot, std::move(work), /*counted=*/true);
+  const std::size_t others = static_cast<std::size_t>(limits_.max_waiting);
+  const Overloaded why("DISPLACED", "a robot that holds fewer places took that of this frame",
+                       RetryAfter(others));
+  lock.unlock();
+  if (displaced) Call([&] { displaced->work.displaced(why); });
+  return ticket;
 }
 
-Scheduler::Ticket Scheduler::SubmitTurn(const std::string& robot, Work work) {
+Scheduler::Ticket Scheduler::SubmitTurn(const RobotId& robot, Work work) {
   const std::lock_guard lock(mutex_);
+  OnSeen(robot);
   return Enqueue(robot, std::move(work), /*counted=*/false);
 }
 
-bool Scheduler::Withdraw(const std::string& robot, Ticket ticket) {
+bool Scheduler::Withdraw(const RobotId& robot, Ticket ticket) {
+  std::optional<Job> job;  // is given back without the lock
   const std::lock_guard lock(mutex_);
-  bool counted = false;
-  const auto is_it = [&](const Job& job) {
-    counted = job.counted;
-    return job.ticket == ticket;
-  };
-  if (!queue_.Remove(robot, is_it)) return false;
+  job = queue_.Remove(robot, [&](const Job& other) { return other.ticket == ticket; });
+  if (!job) return false;
   --num_waiting_;
-  if (counted) Uncount(robot);
+  if (job->counted) places_.Change(robot, &Holding::waiting, -1);
   return true;
 }
 
@@ -67,24 +94,46 @@ std::size_t Scheduler::NumBusy() const {
   return num_busy_;
 }
 
-void Scheduler::FindRoom(const std::string& robot) {
-  const auto of_robot = counted_by_robot_.find(robot);
-  if (of_robot != counted_by_robot_.end() && of_robot->second >= limits_.max_per_robot) {
+void Scheduler::OnSeen(const RobotId& robot) {
+  const Clock::time_point now = Clock::now();
+  groups_seen_.OnSeen(robot.group, now);
+  robots_seen_.OnSeen(robot.group + '\n' + robot.name, now);
+}
+
+void Scheduler::FindRoom(const RobotId& robot) {
+  const Holding own = places_.Of(robot);
+  const int num_own = own.uploading + own.places();
+  if (num_own >= limits_.max_per_robot) {
     throw Overloaded("ROBOT_LIMIT",
-                     "this robot has " + std::to_string(of_robot->second) +
-                         " frames waiting or computed, the most that one may have",
-                     RetryAfter(0));
+                     "this robot has " + std::to_string(num_own) +
+                         " frames on the way, waiting or computed, the most that one may have",
+                     RetryAfter(static_cast<std::size_t>(num_own)));
   }
-  const auto now = WaitingLine::Clock::now();
+  const Clock::time_point now = Clock::now();
   const std::size_t ahead = turned_away_.Ahead(robot, now);
-  const int taken =
-      num_counted_ + (num_counted_ < limits_.num_threads ? 0 : static_cast<int>(ahead));
-  if (taken < limits_.num_threads + limits_.max_waiting) return;
-  const std::chrono::milliseconds retry_after = RetryAfter(ahead);
-  turned_away_.Keep(robot, now + retry_after + kGrace);
-  std::string text = "the queue is full with " + std::to_string(num_counted_) + " frames";
+  const int num_taken = places_.num_taken();
+  const int num_free =
+      limits_.num_threads + limits_.max_waiting - num_taken + places_.NumDisplaceable(robot);
+  const bool idle = num_taken < limits_.num_threads;
+  if ((idle ? 0 : static_cast<int>(ahead)) < num_free) return;
+  const std::chrono::milliseconds retry_after =
+      RetryAfter(ahead + static_cast<std::size_t>(num_own));
+  // Who has frames here already waits by these.
+  if (num_own == 0) turned_away_.Keep(robot, now + retry_after + kGrace);
+  std::string text = "the queue is full with " + std::to_string(num_taken) + " frames";
   if (ahead > 0) text += " and " + std::to_string(ahead) + " robots in line";
   throw Overloaded("QUEUE_FULL", text, retry_after);
+}
+
+// Where all places are taken; then FindRoom() has seen that there is somebody.
+std::optional<Scheduler::Job> Scheduler::Displace(const RobotId& robot) {
+  if (places_.num_taken() < limits_.num_threads + limits_.max_waiting) return std::nullopt;
+  const std::optional<RobotId> other = places_.FirstDisplaced(robot);
+  if (!other) return std::nullopt;
+  std::optional<Job> job = queue_.RemoveLast(*other, [](const Job& one) { return one.counted; });
+  --num_waiting_;
+  places_.Change(*other, &Holding::waiting, -1);
+  return job;
 }
 
 std::chrono::milliseconds Scheduler::RetryAfter(std::size_t ahead) const {
@@ -93,41 +142,66 @@ std::chrono::milliseconds Scheduler::RetryAfter(std::size_t ahead) const {
       static_cast<std::int64_t>(std::clamp(std::ceil(rounds * mean_work_ms_), 10.0, 10'000.0)));
 }
 
-Scheduler::Ticket Scheduler::Enqueue(const std::string& robot, Work work, bool counted) {
+Scheduler::Ticket Scheduler::Enqueue(const RobotId& robot, Work work, bool counted) {
   queue_.Push(robot, {++last_ticket_, robot, std::move(work), counted});
+  if (counted) places_.Change(robot, &Holding::waiting, +1);
   ++num_waiting_;
   changed_.notify_one();
   return last_ticket_;
 }
 
-void Scheduler::Uncount(const std::string& robot) {
-  --num_counted_;
-  const auto of_robot = counted_by_robot_.find(robot);
-  if (--of_robot->second == 0) counted_by_robot_.erase(of_robot);
+// One thread less for one robot, or one group, than there are, where there are others, so that they
+// need not wait for its frames however long these take.
+bool Scheduler::MayRun(const RobotId& robot) const {
+  const Clock::time_point now = Clock::now();
+  const int all = limits_.num_threads, but_one = std::max(1, all - 1);
+  const auto most = [&](bool has_others) { return has_others ? but_one : all; };
+  const int own = limits_.max_running_per_robot > 0
+                      ? limits_.max_running_per_robot
+                      : most(robots_seen_.HasOthers(robot.group + '\n' + robot.name, now));
+  return places_.Of(robot).threads < own &&
+         places_.Of(robot.group).threads < most(groups_seen_.HasOthers(robot.group, now));
+}
+
+std::optional<Scheduler::Job> Scheduler::TakeNext() {
+  std::optional<Job> job = queue_.Pop([this](const RobotId& robot) { return MayRun(robot); });
+  if (!job) return std::nullopt;
+  --num_waiting_;
+  ++num_busy_;
+  places_.Change(job->robot, &Holding::threads, +1);
+  if (job->counted) {
+    places_.Change(job->robot, &Holding::waiting, -1);
+    places_.Change(job->robot, &Holding::computed, +1);
+  }
+  return job;
 }
 
 void Scheduler::RunThread() {
   LowerPriority(limits_.nice);
-  std::unique_lock lock(mutex_);
   while (true) {
-    changed_.wait(lock, [this] { return stopping_ || !queue_.empty(); });
-    if (stopping_) return;
-    Job job = queue_.Pop();
-    --num_waiting_;
-    ++num_busy_;
-    lock.unlock();
-    const auto start = std::chrono::steady_clock::now();
-    job.work.compute();
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-    lock.lock();
-    --num_busy_;
-    mean_work_ms_ += 0.1 * (took.count() - mean_work_ms_);
-    if (job.counted) Uncount(job.robot);
-    lock.unlock();
-    job.work.deliver();
-    job = {};  // what it holds is given back without the lock
-    lock.lock();
+    std::optional<Job> job;
+    UntilItWorks([&] {
+      std::unique_lock lock(mutex_);
+      changed_.wait(lock, [&] { return stopping_ || (job = TakeNext()).has_value(); });
+    });
+    if (!job) return;
+    Compute(*job);
   }
+}
+
+void Scheduler::Compute(Job& job) {
+  const auto start = Clock::now();
+  Call(job.work.compute);
+  const std::chrono::duration<double, std::milli> took = Clock::now() - start;
+  {
+    const std::lock_guard lock(mutex_);
+    mean_work_ms_ += 0.1 * (took.count() - mean_work_ms_);
+    --num_busy_;
+    places_.Change(job.robot, &Holding::threads, -1);
+    if (job.counted) places_.Change(job.robot, &Holding::computed, -1);
+    changed_.notify_one();  // its robot may have another thread now
+  }
+  Call(job.work.deliver);
 }
 
 }  // namespace fovea::server

@@ -10,6 +10,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "core/types/too_complex.h"
 #include "tests/server/frames.h"
 #include "tests/server/loopback.h"
 
@@ -236,7 +237,7 @@ TEST_F(BadInputTest, RefusesWhatIsNoMessage) {
 }
 
 TEST(LimitOfTheMethod, IsNamed) {
-  Loopback loopback([](auto&&...) -> Detections { throw std::length_error("mrf: too many"); });
+  Loopback loopback([](auto&&...) -> Detections { throw TooComplex("mrf: too many"); });
   const grpc::Status status = StatusOf([&] { loopback.client.Detect(TestRequest()); });
   EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
   EXPECT_EQ(status.error_message(), "mrf: too many");

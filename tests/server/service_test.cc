@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "client/images.h"
+#include "core/types/too_complex.h"
 #include "tests/server/detectors.h"
 #include "tests/server/frames.h"
 #include "tests/server/loopback.h"
@@ -178,9 +179,9 @@ TEST(Detect, TurnsExceptionsIntoStatuses) {
     Loopback loopback([=](auto&&...) -> Detections { throw exception; });
     return StatusOf([&] { loopback.client.Detect(TestRequest()); });
   };
-  const grpc::Status invalid = status_of(std::invalid_argument("depth: bad"));
+  const grpc::Status invalid = status_of(TooComplex("too many seeds"));
   EXPECT_EQ(invalid.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
-  EXPECT_EQ(invalid.error_message(), "frame.depth: bad");
+  EXPECT_EQ(invalid.error_message(), "too many seeds");
   EXPECT_EQ(status_of(std::bad_alloc()).error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
   EXPECT_EQ(status_of(Cancelled()).error_code(), grpc::StatusCode::CANCELLED);
   const grpc::Status internal = status_of(std::runtime_error("secret"));
