@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "server/connections/socket_address.h"
 #include "server/conversion/field_error.h"
 
 namespace fovea::server {
@@ -23,9 +24,6 @@ std::optional<std::string> NameGiven(const Metadata& metadata, const char* key) 
                std::string("metadata ") + key, "must be 1 to 64 printable characters");
   return name;
 }
-
-// "ipv4:10.0.0.7" of "ipv4:10.0.0.7:41234".
-std::string HostOfPeer(const std::string& peer) { return peer.substr(0, peer.rfind(':')); }
 
 }  // namespace
 
