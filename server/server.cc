@@ -4,6 +4,7 @@
 #include <grpcpp/ext/proto_server_reflection_plugin.h>
 #include <grpcpp/grpcpp.h>
 #include <grpcpp/health_check_service_interface.h>
+#include <grpcpp/resource_quota.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include "server/access/credentials.h"
 #include "server/build_info.h"
 #include "server/rpc/detect_call.h"
+#include "server/rpc/reflection_limit.h"
 #include "server/rpc/stream_call.h"
 
 namespace fovea::server {
@@ -53,7 +55,7 @@ ConnectionLimits ConnectionLimitsOf(const ServerOptions& options) {
   const int per_host = options.max_connections_per_host;
   return {.max_connections = max,
           .max_per_host = per_host > 0 ? std::min(per_host, max) : std::max(1, max / 2),
-          .max_receiving = static_cast<std::size_t>(options.max_receiving_mib) << 20,
+          .max_receiving = (static_cast<std::size_t>(options.max_receiving_mib) << 20) / 4 * 3,
           .account = {.max_owed = std::max<std::size_t>(
                           64 << 20, static_cast<std::size_t>(options.max_message_mib) << 21),
                       .max_transfer = std::chrono::seconds(options.max_transfer_s)}};
@@ -95,6 +97,11 @@ void ConfigureChannel(const ServerOptions& options, grpc::ServerBuilder* builder
   builder->SetCompressionAlgorithmSupportStatus(GRPC_COMPRESS_DEFLATE, false);
   // A call that is not read takes in this much and no more; one that is, its message.
   builder->AddChannelArgument(GRPC_ARG_HTTP2_BDP_PROBE, 0);
+  // Beyond it gRPC reads slowly and gives up calls, whosever they are: connections are ended
+  // before.
+  grpc::ResourceQuota quota("fovea");
+  quota.Resize(static_cast<std::size_t>(options.max_receiving_mib) << 20);
+  builder->SetResourceQuota(quota);
   // Clients may ping an idle connection this often without being cut off.
   builder->AddChannelArgument(GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS, 10'000);
   // A machine that went without a word is noticed, and half a handshake does not last.
@@ -153,6 +160,9 @@ void Server::Listen() {
   auto self = builder.experimental().AddExternalConnectionAcceptor(
       Type::FROM_FD, grpc::InsecureServerCredentials());
   builder.RegisterService(&service_);
+  std::vector<std::unique_ptr<grpc::experimental::ServerInterceptorFactoryInterface>> limits;
+  limits.push_back(MakeReflectionLimit());
+  builder.experimental().SetInterceptorCreators(std::move(limits));
   auto queue = builder.AddCompletionQueue();
   server_ = builder.BuildAndStart();
   // In any case: a queue that nobody empties cannot be given back.

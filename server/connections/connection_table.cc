@@ -109,7 +109,7 @@ void ConnectionTable::OnNoMessage(const std::string& peer, std::uint64_t owed) {
   connection->account.Forgive(owed);
 }
 
-void ConnectionTable::Inspect() {
+bool ConnectionTable::Inspect() {
   const std::lock_guard lock(mutex_);
   const auto now = Clock::now();
   counts_.receiving_bytes = 0;
@@ -122,7 +122,9 @@ void ConnectionTable::Inspect() {
       counts_.receiving_bytes += connection.account.owed();
     }
   }
+  const bool much = counts_.receiving_bytes > limits_.max_receiving / 8;
   while (counts_.receiving_bytes > limits_.max_receiving) EndLargest();
+  return much;
 }
 
 // What is held for long counts more than what has just come: robots that send much send it on.

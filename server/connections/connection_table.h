@@ -51,8 +51,9 @@ class ConnectionTable {
   // A call that was let in ended without a message since it owed `owed`.
   void OnNoMessage(const std::string& peer, std::uint64_t owed);
 
-  // Looks at all, and ends those that hold more, or longer, than the limits allow.
-  void Inspect();
+  // Looks at all, and ends those that hold more, or longer, than the limits allow. True where all
+  // together hold so much that they had better be looked at again soon.
+  bool Inspect();
 
   Counts counts() const;
 

@@ -21,8 +21,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// So often connections are looked at: what comes within it is not bounded.
-constexpr std::chrono::milliseconds kInspection{100};
+// So often connections are looked at, and when much is on its way: what comes in between is not
+// bounded.
+constexpr std::chrono::milliseconds kInspection{100}, kCloseInspection{10};
 // Accepted in one go before the others are heard.
 constexpr int kBatch = 64;
 
@@ -87,9 +88,11 @@ void Door::Watch(int fd, std::uint32_t events) const {
 
 void Door::Run(const std::stop_token& stop) {
   std::array<epoll_event, kBatch> events{};
-  Clock::time_point next = Clock::now() + kInspection;
+  std::chrono::milliseconds pause = kInspection;
+  Clock::time_point next = Clock::now() + pause;
   while (!stop.stop_requested()) {
-    const int timeout = connections_.counts().open > 0 ? static_cast<int>(kInspection.count()) : -1;
+    const bool nobody = connections_.counts().open == 0;
+    const int timeout = nobody ? -1 : static_cast<int>(pause.count());
     const int found = epoll_wait(epoll_.get(), events.data(), kBatch, timeout);
     for (int i = 0; i < found; ++i) {
       const int fd = events.at(static_cast<std::size_t>(i)).data.fd;
@@ -97,12 +100,14 @@ void Door::Run(const std::stop_token& stop) {
       if (listening != listening_.end()) {
         Accept(*listening);
       } else if (fd != wake_.get()) {
+        // Closing it does not end this: gRPC has a descriptor of the same connection.
+        epoll_ctl(epoll_.get(), EPOLL_CTL_DEL, fd, nullptr);
         connections_.Remove(fd);
       }
     }
     if (Clock::now() < next) continue;
-    connections_.Inspect();
-    next = Clock::now() + kInspection;
+    pause = connections_.Inspect() ? kCloseInspection : kInspection;
+    next = Clock::now() + pause;
   }
 }
 
