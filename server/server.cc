@@ -173,9 +173,9 @@ void Server::Listen() {
 }
 
 void Server::Serve() {
-  environment_ = std::make_unique<CallEnvironment>(
-      CallEnvironment{service_, loop_->queue(), scheduler_, answerer_, live_calls_, *metrics_,
-                      gate_keeper_, stream_places_, connections_});
+  environment_ = std::make_unique<CallEnvironment>(CallEnvironment{
+      service_, loop_->queue(), scheduler_, answerer_, live_calls_, *metrics_, gate_keeper_,
+      stream_places_, connections_, std::chrono::seconds(options_.max_transfer_s)});
   DetectCall::Accept(*environment_);
   StreamCall::Accept(*environment_);
   server_->GetHealthCheckService()->SetServingStatus(v1::DetectionService::service_full_name(),

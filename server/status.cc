@@ -48,6 +48,10 @@ grpc::Status StatusOfStopping() {
   return {grpc::StatusCode::UNAVAILABLE, "the server is stopping"};
 }
 
+grpc::Status StatusOfSlowness() {
+  return {grpc::StatusCode::CANCELLED, "the message did not come in time (--max-transfer-s)"};
+}
+
 void AddRetryAfter(std::chrono::milliseconds wait, grpc::ServerContext* context) {
   const std::string text = std::to_string(wait.count());
   context->AddTrailingMetadata("retry-after-ms", text);

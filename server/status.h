@@ -19,6 +19,9 @@ grpc::Status StatusOfGoneCaller(bool deadline_passed);
 
 grpc::Status StatusOfStopping();
 
+// Of a call whose message did not come in time.
+grpc::Status StatusOfSlowness();
+
 // Tells the caller when to try again: the trailing metadata `retry-after-ms`, and
 // `grpc-retry-pushback-ms`, which gRPC's own retries heed.
 void AddRetryAfter(std::chrono::milliseconds wait, grpc::ServerContext* context);

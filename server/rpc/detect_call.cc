@@ -24,7 +24,8 @@ void DetectCall::Accept(const CallEnvironment& environment) {
 DetectCall::DetectCall(const CallEnvironment& environment)
     : environment_(environment),
       token_(environment.live_calls.Enter()),
-      caller_(&context_, environment.connections) {}
+      caller_(&context_, environment.connections),
+      transfer_(&context_, environment.queue, environment.max_transfer) {}
 
 void DetectCall::Proceed(const std::function<void()>& step) {
   try {
@@ -50,6 +51,7 @@ void DetectCall::OnCall() {
     environment_.metrics.OnReceived(caller_.robot());
     // Else a frame comes whole before it is refused, which takes time of both sides.
     upload_ = environment_.scheduler.Enter(caller_.id());
+    transfer_.Begin(shared_from_this());
     stream_.Read(&bytes_, Then([self = shared_from_this()](bool ok) {
       self->caller_.Guard([&] { self->OnRead(ok); });
     }));
@@ -59,8 +61,9 @@ void DetectCall::OnCall() {
 void DetectCall::OnRead(bool ok) {
   received_ = Clock::now();
   upload_.reset();
+  transfer_.End();
   if (!ok) {
-    Refuse(caller_.StatusOfGone());
+    Refuse(transfer_.passed() ? StatusOfSlowness() : caller_.StatusOfGone());
     return;
   }
   has_message_ = true;
@@ -94,7 +97,9 @@ void DetectCall::Compute() {
 
 void DetectCall::Deliver() {
   environment_.metrics.OnSent(response_.ByteSizeLong());
-  stream_.Finish(response_, status_, Then([self = shared_from_this()](bool) {}));
+  transfer_.Begin(shared_from_this());
+  stream_.Finish(response_, status_,
+                 Then([self = shared_from_this()](bool) { self->transfer_.End(); }));
 }
 
 // Work that has begun stops by itself.

@@ -8,6 +8,7 @@
 
 #include "server/rpc/caller.h"
 #include "server/rpc/detection_service.h"
+#include "server/rpc/transfer_limit.h"
 
 namespace fovea::server {
 
@@ -37,6 +38,7 @@ class DetectCall : public std::enable_shared_from_this<DetectCall> {
   LiveCalls::Token begun_;
   grpc::ServerContext context_;
   Caller caller_;
+  TransferLimit transfer_;
   grpc::ServerAsyncReader<v1::DetectResponse, grpc::ByteBuffer> stream_{&context_};
   Scheduler::Upload upload_;  // until the message is there
   grpc::ByteBuffer bytes_;    // the message, until it is parsed

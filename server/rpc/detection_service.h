@@ -59,6 +59,7 @@ struct CallEnvironment {
   const GateKeeper& gate_keeper;
   StreamPlaces& stream_places;
   ConnectionTable& connections;
+  std::chrono::seconds max_transfer;
 };
 
 }  // namespace fovea::server

@@ -39,7 +39,8 @@ void StreamCall::Accept(const CallEnvironment& environment) {
 StreamCall::StreamCall(const CallEnvironment& environment)
     : environment_(environment),
       token_(environment.live_calls.Enter()),
-      caller_(&context_, environment.connections) {}
+      caller_(&context_, environment.connections),
+      transfer_(&context_, environment.queue, environment.max_transfer) {}
 
 StreamCall::~StreamCall() {
   if (place_) environment_.metrics.OnStreams(-1);
@@ -155,7 +156,9 @@ void StreamCall::TakeTurn() {
 void StreamCall::Deliver() {
   const grpc::ByteBuffer bytes = BytesOf(response_);
   environment_.metrics.OnSent(bytes.Length());
+  transfer_.Begin(shared_from_this());
   stream_.Write(bytes, Then([self = shared_from_this()](bool ok) {
+                  self->transfer_.End();
                   self->caller_.Guard([&] { self->OnWritten(ok); });
                 }));
 }

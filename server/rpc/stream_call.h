@@ -11,6 +11,7 @@
 
 #include "server/rpc/caller.h"
 #include "server/rpc/detection_service.h"
+#include "server/rpc/transfer_limit.h"
 
 namespace fovea::server {
 
@@ -55,6 +56,7 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   StreamPlaces::Place place_;
   grpc::ServerContext context_;
   Caller caller_;
+  TransferLimit transfer_;  // of answers: frames come as they come
   grpc::ServerAsyncReaderWriter<grpc::ByteBuffer, grpc::ByteBuffer> stream_{&context_};
   grpc::ByteBuffer bytes_;             // of the message that is being read
   v1::DetectStreamResponse response_;  // of the frame that is worked on

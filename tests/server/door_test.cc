@@ -4,6 +4,7 @@
 #include <arpa/inet.h>
 #include <gmock/gmock.h>
 #include <grpcpp/create_channel.h>
+#include <grpcpp/generic/generic_stub.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
@@ -23,6 +24,7 @@
 #include "tests/server/detectors.h"
 #include "tests/server/frames.h"
 #include "tests/server/loopback.h"
+#include "tests/server/metric_value.h"
 #include "tests/support/temporary_folder.h"
 
 namespace fovea::testing {
@@ -136,6 +138,41 @@ TEST(Door, TakesNoCompressedMessages) {
     EXPECT_EQ(health::Health::NewStub(channel)->Check(&context, request, &response).error_code(),
               grpc::StatusCode::UNIMPLEMENTED);
   }
+}
+
+TEST(Transfer, OfAMessageThatDoesNotComeEndsTheCall) {
+  server::ServerOptions options = LoopbackOptions();
+  options.max_transfer_s = 1;
+  const Loopback loopback(FindOne, options);
+  grpc::GenericStub generic(
+      grpc::CreateChannel(loopback.server.Address(), grpc::InsecureChannelCredentials()));
+  grpc::ClientContext context;
+  grpc::CompletionQueue queue;
+  const auto call =
+      generic.PrepareCall(&context, "/fovea.v1.DetectionService/Detect", &queue);  // sends nothing
+  grpc::Status status;
+  call->StartCall(&queue);
+  call->Finish(&status, &status);
+  for (bool ended = false; !ended;) {
+    void* tag = nullptr;
+    bool ok = false;
+    ASSERT_TRUE(queue.Next(&tag, &ok));
+    ended = tag == &status;
+  }
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::CANCELLED);
+}
+
+TEST(Transfer, OfAnAnswerThatNobodyTakesEndsTheStream) {
+  server::ServerOptions options = LoopbackOptions();
+  options.max_transfer_s = 1;
+  const Loopback loopback(FindOne, options);
+  const auto stream = loopback.client.OpenStream(kPatience);
+  v1::DetectStreamRequest request;
+  *request.mutable_frame() = TestFrame();
+  // It answers frame by frame until its answers fill what may be on the way, and is ended then.
+  while (stream->Send(request)) {
+  }
+  EXPECT_EQ(MetricValue(*loopback.server.metrics(), "fovea_streams"), 0);
 }
 
 TEST(SelfCheck, IsAnsweredThroughTheDoorAlsoWhereNoPlaceIsLeftAndTlsIsAskedFor) {

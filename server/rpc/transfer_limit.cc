@@ -1,0 +1,17 @@
+#include "server/rpc/transfer_limit.h"
+
+#include "server/rpc/event_loop.h"
+
+namespace fovea::server {
+
+void TransferLimit::Begin(const std::shared_ptr<void>& call) {
+  // A new one for each, since one that was cancelled may not be set again before it has said so.
+  alarm_ = std::make_unique<grpc::Alarm>();
+  alarm_->Set(queue_, std::chrono::system_clock::now() + limit_, Then([this, call](bool passed) {
+                if (!passed) return;
+                passed_ = true;
+                context_->TryCancel();
+              }));
+}
+
+}  // namespace fovea::server
