@@ -1,0 +1,28 @@
+"""All attacks, and how one is run in a process of its own: which needs no more than this."""
+
+from __future__ import annotations
+
+import os
+import resource
+import time
+from dataclasses import replace
+
+import callers  # noqa: F401  each enters its attacks into the catalogue
+import compression  # noqa: F401
+import connecting  # noqa: F401
+import floods  # noqa: F401
+import readers  # noqa: F401
+import uploads  # noqa: F401
+import watching  # noqa: F401
+from target import CATALOGUE, Tally, Target
+
+
+def be_an_attacker() -> None:
+    # An attacker has a machine of its own: here it has the processors that the server leaves free.
+    os.nice(19)
+    most = resource.getrlimit(resource.RLIMIT_NOFILE)[1]
+    resource.setrlimit(resource.RLIMIT_NOFILE, (most, most))
+
+
+def run_attack(name: str, target: Target, seconds: float) -> Tally:
+    return CATALOGUE[name].run(replace(target, until=time.monotonic() + seconds))
