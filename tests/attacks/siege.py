@@ -31,12 +31,15 @@ class Outcome:
     faults: list[str]
 
     def __str__(self) -> str:
-        latencies = self.robot.kept + self.robot.newcomer
         return (
-            f"peak {self.usage.peak_mib} MiB, log {self.log_bytes / 1e6:.1f} MB, good robot: "
-            f"{len(latencies)} answers, p50 {1000 * robot.percentile(latencies, 0.5):.0f} ms, "
-            f"p99 {1000 * robot.percentile(latencies, 0.99):.0f} ms"
+            f"peak {self.usage.peak_mib} MiB, log {self.log_bytes / 1e6:.1f} MB, good robot "
+            f"{_latencies(self.robot.kept)}, newly connected {_latencies(self.robot.newcomer)}"
         )
+
+
+def _latencies(seconds: list[float]) -> str:
+    p50, p99 = (round(1000 * robot.percentile(seconds, share)) for share in (0.5, 0.99))
+    return f"{len(seconds)} answers, p50 {p50} ms, p99 {p99} ms"
 
 
 class Siege:
