@@ -20,7 +20,7 @@ struct ServerOptions {
   // File of tokens, see TokenTable; empty = callers need none.
   std::string tokens;
   // Streams that are open at once, of all robots and of one, 1 … 10000.
-  int max_streams = 256;
+  int max_streams = 1000;
   int max_streams_per_robot = 16;
   // Connections that are open at once, 1 … 100000; fewer where the limit of open files asks for it,
   // two of which each takes. Of one host, 0 … 100000; 0 = half of them.

@@ -40,8 +40,12 @@ int ConnectionTable::Add(const std::string& peer, FileDescriptor watched) {
   ++per_host_[host];
   const int fd = watched.get();
   by_peer_[peer] = fd;
-  connections_.emplace(
-      fd, Connection{peer, host, std::move(watched), ConnectionAccount(Clock::now()), false});
+  const auto added = connections_
+                         .emplace(fd, Connection{peer, host, std::move(watched),
+                                                 ConnectionAccount(Clock::now()), false})
+                         .first;
+  if (IsUnixPeer(peer))
+    added->second.account.Admit();  // all have one name, and are of this machine
   return fd;
 }
 

@@ -26,6 +26,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kInspection{100}, kCloseInspection{10};
 // Accepted in one go before the others are heard.
 constexpr int kBatch = 64;
+constexpr std::chrono::milliseconds kRest{10};
 
 FileDescriptor Spare() { return FileDescriptor(open("/dev/null", O_RDONLY | O_CLOEXEC)); }
 
@@ -121,7 +122,9 @@ void Door::Accept(const ListeningSocket& listening) {
       TurnAwayWithoutDescriptor(listening);
       return;
     } else if (errno != ECONNABORTED && errno != EINTR) {
-      if (errno != EAGAIN) spdlog::error("cannot accept connections: {}", std::strerror(errno));
+      if (errno == EAGAIN) return;
+      spdlog::error("cannot accept connections: {}", std::strerror(errno));
+      std::this_thread::sleep_for(kRest);  // it stays in line, and would be heard again at once
       return;
     }
   }
@@ -149,6 +152,7 @@ void Door::HandOver(const ListeningSocket& listening, FileDescriptor connection)
 // Else the caller stays in line, and the line is said to be waiting at once again.
 void Door::TurnAwayWithoutDescriptor(const ListeningSocket& listening) {
   spdlog::error("connection refused: {} (raise the limit of open files)", std::strerror(errno));
+  if (!spare_) std::this_thread::sleep_for(kRest);
   spare_.Close();
   FileDescriptor(accept4(listening.fd(), nullptr, nullptr, SOCK_CLOEXEC));
   spare_ = Spare();

@@ -112,6 +112,10 @@ SocketAddress UnixSocketAddress(const std::string& path) {
   return {reinterpret_cast<const sockaddr*>(&address), static_cast<socklen_t>(size)};
 }
 
-std::string HostOfPeer(const std::string& uri) { return uri.substr(0, uri.rfind(':')); }
+bool IsUnixPeer(const std::string& uri) { return uri.starts_with("unix"); }
+
+std::string HostOfPeer(const std::string& uri) {
+  return IsUnixPeer(uri) ? "unix" : uri.substr(0, uri.rfind(':'));
+}
 
 }  // namespace fovea::server

@@ -41,6 +41,8 @@ class SocketAddress {
 // Throws std::invalid_argument for a path that is too long (107 bytes).
 SocketAddress UnixSocketAddress(const std::string& path);
 
+bool IsUnixPeer(const std::string& uri);
+
 // "ipv4:10.0.0.7" of "ipv4:10.0.0.7:41234", "unix" of any UNIX peer.
 std::string HostOfPeer(const std::string& uri);
 
