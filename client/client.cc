@@ -67,6 +67,14 @@ v1::GetStatisticsResponse Client::GetStatistics() const {
   return response;
 }
 
+v1::ListOptionsResponse Client::ListOptions() const {
+  v1::ListOptionsResponse response;
+  CallWithRetries(*channel_, options_, options_.timeout, [&](grpc::ClientContext* context) {
+    return stub_->ListOptions(context, {}, &response);
+  });
+  return response;
+}
+
 v1::DetectResponse Client::Detect(const v1::DetectRequest& request) const {
   return Detect(request, options_.timeout);
 }

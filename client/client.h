@@ -34,6 +34,7 @@ class Client {
 
   v1::GetServerInfoResponse GetServerInfo() const;
   v1::GetStatisticsResponse GetStatistics() const;
+  v1::ListOptionsResponse ListOptions() const;
 
   v1::DetectResponse Detect(const v1::DetectRequest& request) const;
   v1::DetectResponse Detect(const v1::DetectRequest& request,

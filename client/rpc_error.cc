@@ -1,6 +1,11 @@
 #include "client/rpc_error.h"
 
+#include <google/protobuf/any.pb.h>
+#include <google/protobuf/unknown_field_set.h>
+
 #include <array>
+#include <utility>
+#include <vector>
 
 namespace fovea::client {
 namespace {
@@ -18,12 +23,45 @@ std::string TextOf(const grpc::Status& status) {
   return name + std::string(": ") + status.error_message();
 }
 
+using google::protobuf::UnknownField;
+using google::protobuf::UnknownFieldSet;
+
+// The strings, or messages as bytes, of this number in a serialized message.
+std::vector<std::string> Parts(const std::string& bytes, int number) {
+  UnknownFieldSet fields;
+  std::vector<std::string> parts;
+  if (!fields.ParseFromString(bytes)) return parts;
+  for (int i = 0; i < fields.field_count(); ++i) {
+    const UnknownField& field = fields.field(i);
+    const bool is_wanted =
+        field.number() == number && field.type() == UnknownField::TYPE_LENGTH_DELIMITED;
+    if (is_wanted) parts.push_back(field.length_delimited());
+  }
+  return parts;
+}
+
+// Of the first google.rpc.BadRequest in the details of a google.rpc.Status. Read by the numbers of
+// the fields: with generated classes of our own, programs that bring theirs would not start.
+std::string FieldOf(const std::string& status_details) {
+  constexpr int kDetails = 3, kViolations = 1, kField = 1;
+  for (const std::string& detail : Parts(status_details, kDetails)) {
+    google::protobuf::Any any;
+    if (!any.ParseFromString(detail) || !any.type_url().ends_with("/google.rpc.BadRequest"))
+      continue;
+    for (const std::string& violation : Parts(any.value(), kViolations)) {
+      for (std::string& field : Parts(violation, kField)) return std::move(field);
+    }
+  }
+  return "";
+}
+
 }  // namespace
 
 RpcError::RpcError(const grpc::Status& status, std::optional<std::chrono::milliseconds> retry_after)
     : std::runtime_error(TextOf(status)),
       code_(status.error_code()),
       message_(status.error_message()),
+      field_(FieldOf(status.error_details())),
       retry_after_(retry_after) {}
 
 }  // namespace fovea::client

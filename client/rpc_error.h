@@ -19,12 +19,15 @@ class RpcError : public std::runtime_error {
   grpc::StatusCode code() const { return code_; }
   // Without the code's name.
   const std::string& message() const { return message_; }
+  // The field of the request that INVALID_ARGUMENT is about, for example "frame.depth.data"; empty
+  // where the server named none.
+  const std::string& field() const { return field_; }
   // When a server with too much to do says to come back.
   std::optional<std::chrono::milliseconds> retry_after() const { return retry_after_; }
 
  private:
   grpc::StatusCode code_;
-  std::string message_;
+  std::string message_, field_;
   std::optional<std::chrono::milliseconds> retry_after_;
 };
 

@@ -64,6 +64,7 @@ ConnectionLimits ConnectionLimitsOf(const ServerOptions& options) {
 v1::GetServerInfoResponse InfoOf(const ServerOptions& options, const SchedulerLimits& limits) {
   v1::GetServerInfoResponse info;
   info.set_version(Version());
+  info.set_build(Commit());
   *info.mutable_started_at() = google::protobuf::util::TimeUtil::GetCurrentTime();
   for (const std::string& profile : ProfileNames()) info.add_profiles(profile);
   info.set_max_message_bytes(static_cast<std::uint64_t>(options.max_message_mib) << 20);

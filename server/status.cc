@@ -10,6 +10,7 @@
 #include "core/types/too_complex.h"
 #include "server/access/token_table.h"
 #include "server/conversion/field_error.h"
+#include "server/error_details.h"
 #include "server/scheduling/scheduler.h"
 
 namespace fovea::server {
@@ -18,13 +19,13 @@ grpc::Status StatusOfCurrentException(bool deadline_passed) {
   try {
     throw;
   } catch (const FieldError& error) {
-    return {grpc::StatusCode::INVALID_ARGUMENT, error.what()};
+    return InvalidArgument(error.what());
   } catch (const TooComplex& error) {
-    return {grpc::StatusCode::INVALID_ARGUMENT, error.what()};
+    return InvalidArgument(error.what());
   } catch (const Unauthenticated& error) {
     return {grpc::StatusCode::UNAUTHENTICATED, error.what()};
   } catch (const Overloaded& error) {
-    return {grpc::StatusCode::RESOURCE_EXHAUSTED, error.what()};
+    return ResourceExhausted(error.what(), error.retry_after);
   } catch (const Cancelled&) {
     return StatusOfGoneCaller(deadline_passed);
   } catch (const std::bad_alloc&) {

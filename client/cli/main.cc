@@ -9,6 +9,7 @@
 
 #include "client/cli/detect_command.h"
 #include "client/cli/explain.h"
+#include "client/cli/options_command.h"
 #include "client/cli/program.h"
 #include "client/client.h"
 
@@ -49,12 +50,15 @@ int main(int argc, char** argv) {
   ConnectionFlags connection;
   CLI::App* health = app.add_subcommand("health", "Ask whether the server serves");
   CLI::App* info = app.add_subcommand("info", "Print the server's limits and statistics as JSON");
-  for (CLI::App* command : {health, info}) fovea::cli::AddConnectionFlags(*command, connection);
+  CLI::App* options = app.add_subcommand("options", "Print the options of the server's method");
+  for (CLI::App* command : {health, info, options})
+    fovea::cli::AddConnectionFlags(*command, connection);
 
   return fovea::cli::RunProgram(app, argc, argv, [&] {
     try {
       if (*health) return CheckHealth(connection);
       if (*info) return PrintInfo(connection);
+      if (*options) return fovea::cli::PrintOptions(connection);
       return fovea::cli::RunDetect(detect_flags);
     } catch (const fovea::client::RpcError& error) {
       throw std::runtime_error(

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 
+#include "server/build_info.h"
 #include "server/conversion/geometry.h"
 #include "server/conversion/mask.h"
 #include "server/conversion/object.h"
@@ -140,6 +141,8 @@ v1::Detections ToProto(const Detections& detections, const Trace& trace, const v
     *proto.add_stage_times() = ToProto(time);
   }
   *proto.mutable_diagnostics() = DiagnosticsToProto(detections.diagnostics);
+  proto.set_server_version(Version());
+  proto.set_server_build(Commit());
   AddObjects(detections, frame, options, &proto);
   AddTrace(trace, options, &proto);
   return proto;

@@ -1,5 +1,7 @@
 #include "server/conversion/frame.h"
 
+#include <google/protobuf/util/time_util.h>
+
 #include <cmath>
 
 #include "server/conversion/depth_camera.h"
@@ -11,12 +13,26 @@
 namespace fovea::server {
 namespace {
 
+using google::protobuf::util::TimeUtil;
+
 constexpr std::size_t kMaxIdBytes = 256;
+
+// JSON knows no other times, nor does Timestamp.
+void RequireTime(const google::protobuf::Timestamp& time) {
+  RequireField(
+      time.seconds() >= TimeUtil::kTimestampMinSeconds &&
+          time.seconds() <= TimeUtil::kTimestampMaxSeconds,
+      "frame.captured_at",
+      "is " + std::to_string(time.seconds()) + " s after 1970; it must lie in the years 1 to 9999");
+  RequireField(time.nanos() >= 0 && time.nanos() <= 999'999'999, "frame.captured_at",
+               "has " + std::to_string(time.nanos()) + " nanos, which must be 0 to 999999999");
+}
 
 void RequireParts(const v1::Frame& frame) {
   RequireField(frame.id().size() <= kMaxIdBytes, "frame.id",
                "has " + std::to_string(frame.id().size()) + " bytes, at most " +
                    std::to_string(kMaxIdBytes) + " are allowed");
+  RequireTime(frame.captured_at());
   RequireField(frame.has_color(), "frame.color",
                "is missing; send RGB8 or BGR8 rows, or a JPEG or PNG file");
   RequireField(frame.has_depth(), "frame.depth",

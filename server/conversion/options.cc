@@ -15,7 +15,10 @@ namespace {
 // Names come from the caller and return in the status text, which travels in a header.
 std::string Shortened(const std::string& name) {
   constexpr std::size_t kMax = 64;
-  return name.size() <= kMax ? name : name.substr(0, kMax) + "…";
+  if (name.size() <= kMax) return name;
+  std::size_t end = kMax;  // not inside of a character
+  while ((static_cast<unsigned char>(name[end]) & 0xC0) == 0x80) --end;
+  return name.substr(0, end) + "…";
 }
 
 std::string Joined(const std::vector<std::string>& names) {

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "server/conversion/option_list.h"
 #include "server/status.h"
 #include "server/watching/statistics.h"
 
@@ -42,6 +43,12 @@ grpc::Status DetectionService::GetStatistics(grpc::ServerContext* context,
   return IfAdmitted(*context, [&] {
     *response = StatisticsOf(metrics_.Collect(), std::chrono::steady_clock::now() - started_);
   });
+}
+
+grpc::Status DetectionService::ListOptions(grpc::ServerContext* context,
+                                           const v1::ListOptionsRequest* /*request*/,
+                                           v1::ListOptionsResponse* response) {
+  return IfAdmitted(*context, [&] { *response = OptionList(); });
 }
 
 grpc::Status DetectionService::IfAdmitted(const grpc::ServerContext& context,

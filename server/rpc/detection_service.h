@@ -36,6 +36,8 @@ class DetectionService final : public AsyncDetectionService {
                              v1::GetServerInfoResponse* response) override;
   grpc::Status GetStatistics(grpc::ServerContext* context, const v1::GetStatisticsRequest* request,
                              v1::GetStatisticsResponse* response) override;
+  grpc::Status ListOptions(grpc::ServerContext* context, const v1::ListOptionsRequest* request,
+                           v1::ListOptionsResponse* response) override;
 
  private:
   grpc::Status IfAdmitted(const grpc::ServerContext& context,

@@ -1,7 +1,10 @@
 #include "server/rpc/stream_call.h"
 
+#include <google/protobuf/util/time_util.h>
+
 #include <utility>
 
+#include "server/error_details.h"
 #include "server/rpc/option_bytes.h"
 #include "server/rpc/parse.h"
 #include "server/status.h"
@@ -22,6 +25,11 @@ grpc::ByteBuffer BytesOf(const Message& message) {
 void SetError(const grpc::Status& status, v1::DetectStreamResponse* response) {
   response->mutable_error()->set_code(status.error_code());
   response->mutable_error()->set_message(status.error_message());
+  response->mutable_error()->set_field(FieldOf(status));
+  if (const auto retry_after = RetryAfterOf(status)) {
+    *response->mutable_error()->mutable_retry_after() =
+        google::protobuf::util::TimeUtil::MillisecondsToDuration(retry_after->count());
+  }
 }
 
 }  // namespace

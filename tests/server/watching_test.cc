@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "server/build_info.h"
 #include "server/watching/metrics_endpoint.h"
 #include "tests/server/detectors.h"
 #include "tests/server/frames.h"
@@ -298,6 +299,7 @@ TEST(ServerInfo, TellsTheLimits) {
   const Loopback loopback(FindOne, options);
   const v1::GetServerInfoResponse info = loopback.client.GetServerInfo();
   EXPECT_THAT(info.version(), ::testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+"));
+  EXPECT_EQ(info.build(), server::Commit());
   EXPECT_THAT(info.profiles(), ElementsAre("default", "paper"));
   EXPECT_EQ(info.max_message_bytes(), 24U << 20);
   EXPECT_EQ(info.max_pixels(), 1000U);

@@ -27,7 +27,7 @@ from fovea.errors import (
 from fovea.frame import CameraIntrinsics, Frame
 from fovea.objects import BoundingBox2D, Grasp, Object, OrientedBox, PointCloud
 from fovea.options import DetectOptions, RetryOptions, TlsOptions
-from fovea.server_info import ServerInfo, StageStatistics, Statistics
+from fovea.server_info import Option, ServerInfo, StageStatistics, Statistics
 from fovea.stream import StreamAnswer
 from fovea.version import __version__
 
@@ -47,6 +47,7 @@ __all__ = [
     "InvalidArgument",
     "MissingPackage",
     "Object",
+    "Option",
     "OrientedBox",
     "Overloaded",
     "PointCloud",

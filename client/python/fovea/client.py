@@ -21,8 +21,10 @@ from fovea.health import Health
 from fovea.options import DetectOptions, RetryOptions, TlsOptions
 from fovea.retry import call_with_retries
 from fovea.server_info import (
+    Option,
     ServerInfo,
     Statistics,
+    options_from_proto,
     require_same_version,
     server_info_from_proto,
     statistics_from_proto,
@@ -119,6 +121,11 @@ class Client:
         """What this server is and what it lets through."""
         request = detection_service_pb2.GetServerInfoRequest()
         return server_info_from_proto(self._call(self._stub.GetServerInfo, request))
+
+    def list_options(self) -> list[Option]:
+        """Every option of the server's method, in the order of the pipeline."""
+        request = detection_service_pb2.ListOptionsRequest()
+        return options_from_proto(self._call(self._stub.ListOptions, request))
 
     def get_statistics(self) -> Statistics:
         """What it has done since it started, over all robots."""

@@ -73,6 +73,9 @@ class Detections:
     # By name, "color" and "depth": HxW uint8, 255 = most salient of this frame.
     saliency_maps: dict[str, npt.NDArray[np.uint8]]
     seeds: list[Seed]
+    # What made this answer: version and commit of the server.
+    server_version: str
+    server_build: str
 
     def label_image(self) -> npt.NDArray[np.uint16]:
         """HxW: 0 = background, k = the object with label k. Needs masks."""
@@ -109,6 +112,8 @@ def detections_from_proto(proto: detection_pb2.Detections) -> Detections:
             for each in proto.saliency_maps
         },
         seeds=[_seed(seed) for seed in proto.seeds],
+        server_version=proto.server_version,
+        server_build=proto.server_build,
     )
 
 

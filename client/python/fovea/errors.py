@@ -7,6 +7,8 @@ from typing import Any
 
 import grpc
 
+from fovea.status_details import field_of_details
+
 # The path in front of the server's message: "frame.depth.data", "options.parameters[no.such]",
 # "frame.color.width, height" or "metadata fovea-robot".
 _FIELD = re.compile(r"((?:metadata )?[\w.-]+(?:\[.*?\])?(?:, [\w.]+)*): (.*)", re.DOTALL)
@@ -106,20 +108,31 @@ _CLASSES = {
 _NAMES = {code.value[0]: code.name for code in grpc.StatusCode}
 
 
-def error_of(code: int, message: str) -> FoveaError:
-    """The exception for a status code by its number, as FrameError has it."""
+def error_of(
+    code: int, message: str, field: str = "", retry_after: float | None = None
+) -> FoveaError:
+    """The exception for a status code by its number, as FrameError has it.
+
+    field: what the server says that it is about; older ones say it in the message only.
+    retry_after: seconds.
+    """
     name = _NAMES.get(code, "UNKNOWN")
+    if name == "RESOURCE_EXHAUSTED" and retry_after is not None:
+        return Overloaded(message, retry_after)
     if name != "INVALID_ARGUMENT":
         return _CLASSES.get(name, FoveaError)(name, message)
     found = _FIELD.fullmatch(message)
-    return InvalidArgument(*found.groups()) if found else InvalidArgument("", message)
+    if found and found[1].startswith(field):  # "frame.color.width, height" says more
+        return InvalidArgument(found[1], found[2])
+    return InvalidArgument(field, message.removeprefix(f"{field}: "))
 
 
 def error_of_call(call: grpc.RpcError) -> FoveaError:
     """The exception for a call of gRPC that failed."""
-    message = call.details() or ""
+    field, retry_after = "", None
     for key, value in call.trailing_metadata() or ():
-        is_overload = call.code() is grpc.StatusCode.RESOURCE_EXHAUSTED
-        if is_overload and key == "retry-after-ms" and value.isdecimal():
-            return Overloaded(message, int(value) / 1000)
-    return error_of(call.code().value[0], message)
+        if key == "retry-after-ms" and value.isdecimal():
+            retry_after = int(value) / 1000
+        if key == "grpc-status-details-bin":
+            field = field_of_details(value)
+    return error_of(call.code().value[0], call.details() or "", field, retry_after)

@@ -20,6 +20,20 @@ class ServerInfo:
     compute_threads: int
     max_waiting: int
     max_per_robot: int
+    build: str  # the commit that it was built from, or "unknown"
+
+
+@dataclass(frozen=True)
+class Option:
+    """One option of the method, for DetectOptions.parameters."""
+
+    name: str
+    unit: str  # "m", "m2", "1/m", "1/m2", "deg", "px" or ""
+    minimum: float
+    maximum: float
+    integral: bool  # whole numbers only; switches are 0 or 1
+    defaults: dict[str, float]  # by profile
+    description: str
 
 
 @dataclass(frozen=True)
@@ -54,7 +68,23 @@ def server_info_from_proto(proto: detection_service_pb2.GetServerInfoResponse) -
         compute_threads=proto.compute_threads,
         max_waiting=proto.max_waiting,
         max_per_robot=proto.max_per_robot,
+        build=proto.build,
     )
+
+
+def options_from_proto(proto: detection_service_pb2.ListOptionsResponse) -> list[Option]:
+    return [
+        Option(
+            name=each.name,
+            unit=each.unit,
+            minimum=each.minimum,
+            maximum=each.maximum,
+            integral=each.integral,
+            defaults=dict(each.defaults),
+            description=each.description,
+        )
+        for each in proto.options
+    ]
 
 
 def statistics_from_proto(proto: detection_service_pb2.GetStatisticsResponse) -> Statistics:

@@ -16,6 +16,7 @@ from fovea.errors import DeadlineExceeded, FoveaError, error_of, error_of_call
 from fovea.frame_feed import FrameFeed
 from fovea.options import RetryOptions
 from fovea.retry import backoff_after, is_worth_retrying
+from fovea.v1 import detection_service_pb2
 
 
 @dataclass(frozen=True, eq=False)
@@ -130,7 +131,7 @@ class ResumingStream:
         self._next_expected = sequence + 1
         error: FoveaError | None = self._feed.answered(sequence)
         if response.HasField("error"):
-            error = error or error_of(response.error.code, response.error.message)
+            error = error or _error_of_frame(response.error)
         lost, self._num_lost = self._num_lost, 0
         return StreamAnswer(
             frame_id=response.frame_id,
@@ -140,3 +141,9 @@ class ResumingStream:
             detections=None if error else detections_from_proto(response.detections),
             error=error,
         )
+
+
+def _error_of_frame(proto: detection_service_pb2.FrameError) -> FoveaError:
+    has_time = proto.HasField("retry_after")
+    retry_after = proto.retry_after.ToMilliseconds() / 1000 if has_time else None
+    return error_of(proto.code, proto.message, proto.field, retry_after)

@@ -33,6 +33,14 @@ def test_says_what_the_server_is_and_has_done(client: fovea.Client, scene: Scene
     assert after.objects == before.objects + len(found.objects)
     assert after.stages["decode"].count == after.frames_answered["OK"]
     assert after.uptime_ms > before.uptime_ms
+    assert (found.server_version, found.server_build) == (info.version, info.build)
+
+
+def test_lists_the_options(client: fovea.Client) -> None:
+    gamma = next(each for each in client.list_options() if each.name == "mrf.gamma_per_m2")
+    assert (gamma.unit, gamma.minimum, gamma.maximum, gamma.integral) == ("1/m2", 0.1, 10000, False)
+    assert gamma.defaults["paper"] == 180
+    assert gamma.description.startswith("Eq. 5")
 
 
 def test_asks_for_health(server: ServerProcess) -> None:

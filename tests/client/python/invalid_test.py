@@ -12,6 +12,7 @@ from conftest import Scene
 
 import fovea
 from fovea.errors import error_of
+from fovea.status_details import field_of_details
 
 TURNED = np.eye(4)[[1, 0, 2, 3]]  # a reflection
 
@@ -81,7 +82,7 @@ REMOTE: list[tuple[dict[str, Any], str]] = [
     ({"depth_unit_m": 7.0}, "frame.depth.unit_m"),
     ({"color": b"\x89PNG\r\n\x1a\n", "depth": np.ones((9, 9), np.uint16)}, "frame.color.data"),
     (
-        {"color": np.zeros((1500, 1500, 3), np.uint8), "depth": np.ones((1500, 1500), np.uint16)},
+        {"color": np.zeros((1800, 1800, 3), np.uint8), "depth": np.ones((1800, 1800), np.uint16)},
         "frame.color.width, height",
     ),
 ]
@@ -193,3 +194,33 @@ def test_errors_travel_between_processes() -> None:
 def test_unknown_codes_are_errors_too() -> None:
     assert error_of(13, "oh").code == "INTERNAL"
     assert error_of(99, "oh").code == "UNKNOWN"
+
+
+def _part(number: int, content: bytes) -> bytes:
+    """A field of a message, as protobuf writes it."""
+    return bytes([number << 3 | 2, len(content)]) + content
+
+
+def test_details_name_the_field() -> None:
+    violation = _part(1, b"frame.depth") + _part(2, b"is missing")
+    bad_request = _part(1, b"type.googleapis.com/google.rpc.BadRequest") + _part(
+        2, _part(1, violation)
+    )
+    other = _part(1, b"type.googleapis.com/google.rpc.RetryInfo") + _part(2, b"")
+    status = b"\x08\x03" + _part(2, b"text") + _part(3, other) + _part(3, bad_request)
+    assert field_of_details(status) == "frame.depth"
+    assert field_of_details(_part(3, other)) == ""
+    for broken in (b"", b"\xff", b"\x1a", b"\x1b", status[:-40]):
+        assert field_of_details(broken) == ""
+
+
+def test_fields_of_servers_that_send_details_and_of_older_ones() -> None:
+    for field in ("frame.depth", ""):
+        error = error_of(3, "frame.depth: is missing", field)
+        assert isinstance(error, fovea.InvalidArgument)
+        assert (error.field, error.message) == ("frame.depth", "frame.depth: is missing")
+    odd = error_of(3, "options.parameters[a]b]: no", "options.parameters[a]b]")
+    assert isinstance(odd, fovea.InvalidArgument)
+    assert odd.field == "options.parameters[a]b]"
+    assert error_of(8, "full", retry_after=0.5).args == error_of(8, "full").args
+    assert isinstance(error_of(8, "full", retry_after=0.5), fovea.Overloaded)

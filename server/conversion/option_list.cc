@@ -1,0 +1,53 @@
+#include "server/conversion/option_list.h"
+
+#include <array>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "core/options.h"
+
+namespace fovea::server {
+namespace {
+
+// Names end with their unit. Longer ends come first.
+const char* UnitOf(std::string_view name) {
+  constexpr std::array<std::pair<std::string_view, const char*>, 6> kUnits{{{"_per_m2", "1/m2"},
+                                                                            {"_per_m", "1/m"},
+                                                                            {"_m2", "m2"},
+                                                                            {"_m", "m"},
+                                                                            {"_deg", "deg"},
+                                                                            {"_px", "px"}}};
+  for (const auto& [end, unit] : kUnits) {
+    if (name.ends_with(end)) return unit;
+  }
+  return "";
+}
+
+v1::Option ToProto(const OptionInfo& info) {
+  v1::Option option;
+  option.set_name(info.name);
+  option.set_unit(UnitOf(info.name));
+  option.set_minimum(info.minimum);
+  option.set_maximum(info.maximum);
+  option.set_integral(info.integral);
+  option.set_description(info.description);
+  return option;
+}
+
+}  // namespace
+
+v1::ListOptionsResponse OptionList() {
+  v1::ListOptionsResponse list;
+  for (const OptionInfo& info : ListOptions()) *list.add_options() = ToProto(info);
+  for (const std::string& profile : ProfileNames()) {
+    const std::map<std::string, double> values = OptionValues(OptionsOfProfile(profile));
+    for (v1::Option& option : *list.mutable_options()) {
+      (*option.mutable_defaults())[profile] = values.at(option.name());
+    }
+  }
+  return list;
+}
+
+}  // namespace fovea::server

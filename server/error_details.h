@@ -1,0 +1,24 @@
+// What a program can read of an error, beside its text: google.rpc's standard details, which travel
+// as `grpc-status-details-bin`.
+#pragma once
+
+#include <grpcpp/support/status.h>
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+namespace fovea::server {
+
+// INVALID_ARGUMENT. Has a BadRequest where the text starts with the path of a field of the request:
+// "frame.depth.data: …".
+grpc::Status InvalidArgument(const std::string& text);
+
+// RESOURCE_EXHAUSTED with a RetryInfo.
+grpc::Status ResourceExhausted(const std::string& text, std::chrono::milliseconds retry_after);
+
+// What those two put in; empty where there is none.
+std::string FieldOf(const grpc::Status& status);
+std::optional<std::chrono::milliseconds> RetryAfterOf(const grpc::Status& status);
+
+}  // namespace fovea::server
