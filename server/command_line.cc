@@ -102,6 +102,15 @@ void AddFlags(CLI::App& app, ServerOptions& options) {
          "--metrics-listen", options.metrics_listen,
          "Address of Prometheus' metrics, HTTP at HOST:PORT/metrics; port 0 takes a free one")
       ->capture_default_str();
+  app.add_option("--trace-endpoint", options.trace_endpoint,
+                 "Collector that takes spans as OTLP over HTTP, for example "
+                 "http://127.0.0.1:4318/v1/traces; none are made without")
+      ->capture_default_str();
+  app.add_option(
+         "--trace-share", options.trace_share,
+         "Share of the frames that are traced, 0 to 1, of callers that send no traceparent; "
+         "of others, those that the caller records")
+      ->capture_default_str();
   app.add_option(
          "--slow-ms", options.slow_ms,
          "Frames that take longer get a log line with the time of each stage, 0 to 3600000; "

@@ -12,6 +12,7 @@
 #include "server/log_exception.h"
 #include "server/rpc/caller.h"
 #include "server/status.h"
+#include "server/tracing/tracer.h"
 #include "server/watching/metrics.h"
 #include "server/watching/request_log.h"
 
@@ -26,11 +27,13 @@ double Milliseconds(Clock::duration duration) {
 
 }  // namespace
 
-FrameAnswerer::FrameAnswerer(DetectFunction detect, const ServerOptions& options, Metrics& metrics)
+FrameAnswerer::FrameAnswerer(DetectFunction detect, const ServerOptions& options, Metrics& metrics,
+                             Tracer* tracer)
     : detect_(std::move(detect)),
       max_pixels_(static_cast<std::uint64_t>(options.max_pixels)),
       slow_(options.slow_ms),
-      metrics_(metrics) {}
+      metrics_(metrics),
+      tracer_(tracer) {}
 
 grpc::Status FrameAnswerer::Answer(const FrameRequest& request, const Caller& caller,
                                    v1::Detections* answer) const {
@@ -69,6 +72,14 @@ void FrameAnswerer::Record(const FrameRequest& request, const Caller& caller,
             .took = took},
            slow_);
   metrics_.OnAnswered(caller.robot(), status, detections, took);
+  if (tracer_ == nullptr) return;
+  tracer_->OnFrame({.robot = caller.robot(),
+                    .request_id = caller.request_id(),
+                    .frame_id = frame_id,
+                    .parent = caller.trace(),
+                    .status = status,
+                    .detections = detections,
+                    .took = took});
 } catch (...) {
   LogCurrentException("a frame that was answered is not counted");
 }

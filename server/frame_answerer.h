@@ -20,6 +20,7 @@ using DetectFunction = std::function<Detections(const RgbdFrame&, const Detector
 
 class Caller;
 class Metrics;
+class Tracer;
 
 // One frame that is to be answered; null where the request has none.
 struct FrameRequest {
@@ -32,8 +33,9 @@ struct FrameRequest {
 // Thread-safe.
 class FrameAnswerer {
  public:
-  // `metrics` must outlive it.
-  FrameAnswerer(DetectFunction detect, const ServerOptions& options, Metrics& metrics);
+  // `metrics` and `tracer`, which may be null, must outlive it.
+  FrameAnswerer(DetectFunction detect, const ServerOptions& options, Metrics& metrics,
+                Tracer* tracer = nullptr);
 
   // Fills `answer` where the status is OK. Stops between two stages once the caller is gone.
   grpc::Status Answer(const FrameRequest& request, const Caller& caller,
@@ -51,6 +53,7 @@ class FrameAnswerer {
   const std::uint64_t max_pixels_;
   const std::chrono::milliseconds slow_;
   Metrics& metrics_;
+  Tracer* const tracer_;
 };
 
 }  // namespace fovea::server

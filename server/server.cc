@@ -75,6 +75,11 @@ v1::GetServerInfoResponse InfoOf(const ServerOptions& options, const SchedulerLi
   return info;
 }
 
+std::unique_ptr<Tracer> MakeTracer(const ServerOptions& options) {
+  if (options.trace_endpoint.empty()) return nullptr;
+  return std::make_unique<Tracer>(options.trace_endpoint, options.trace_share);
+}
+
 // More wait at the client until one of them is done.
 constexpr int kMaxCallsPerConnection = 64;
 
@@ -120,13 +125,15 @@ Server::Server(const ServerOptions& options, DetectFunction detect)
       limits_(LimitsOf(options_)),
       scheduler_(limits_),
       metrics_(std::make_shared<Metrics>()),
-      answerer_(std::move(detect), options_, *metrics_),
+      tracer_(MakeTracer(options_)),
+      answerer_(std::move(detect), options_, *metrics_, tracer_.get()),
       gate_keeper_(options_.tokens),
       stream_places_(options_.max_streams, options_.max_streams_per_robot),
       connections_(ConnectionLimitsOf(options_)),
       service_(InfoOf(options_, limits_), *metrics_, gate_keeper_, connections_),
       door_(options_.listen, connections_) {
   AddGauges();
+  if (tracer_) AddTraceCounters();
   EnablePlugins();
   Listen();
   Serve();
@@ -150,6 +157,14 @@ void Server::AddGauges() {
                        [this] { return static_cast<double>(connections_.counts().ended); });
   metrics_->AddGauge("fovea_compute_threads", "Frames that can be computed at once",
                      [this] { return static_cast<double>(limits_.num_threads); });
+}
+
+void Server::AddTraceCounters() {
+  metrics_->AddCounter("fovea_traces_sent_total", "Frames whose spans the collector took",
+                       [this] { return static_cast<double>(tracer_->exporter().num_sent()); });
+  metrics_->AddCounter("fovea_traces_dropped_total",
+                       "Frames whose spans were dropped: the collector is away or too slow",
+                       [this] { return static_cast<double>(tracer_->exporter().num_dropped()); });
 }
 
 void Server::Listen() {

@@ -17,6 +17,7 @@
 #include "server/rpc/live_calls.h"
 #include "server/scheduling/scheduler.h"
 #include "server/server_options.h"
+#include "server/tracing/tracer.h"
 #include "server/watching/metrics.h"
 
 namespace fovea::server {
@@ -67,11 +68,13 @@ class Server {
   void Serve();
   void Stop(int timeout_s);
   void AddGauges();
+  void AddTraceCounters();
 
   const ServerOptions options_;
   const SchedulerLimits limits_;
   Scheduler scheduler_;
   const std::shared_ptr<Metrics> metrics_;
+  const std::unique_ptr<Tracer> tracer_;  // null where no traces are wanted
   const FrameAnswerer answerer_;
   GateKeeper gate_keeper_;
   StreamPlaces stream_places_;

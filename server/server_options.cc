@@ -7,6 +7,8 @@
 #include <string_view>
 #include <thread>
 
+#include "server/tracing/http_post.h"
+
 namespace fovea::server {
 namespace {
 
@@ -68,6 +70,13 @@ void RequireProtection(const ServerOptions& options) {
       "--tokens, or --insecure to serve them unprotected");
 }
 
+void RequireTracing(const ServerOptions& options) {
+  if (!options.trace_endpoint.empty()) ParseHttpUrl("--trace-endpoint", options.trace_endpoint);
+  if (options.trace_share >= 0 && options.trace_share <= 1) return;
+  throw std::invalid_argument("--trace-share: " + std::to_string(options.trace_share) +
+                              " is not between 0 and 1");
+}
+
 void RequireLogLevel(const std::string& level) {
   constexpr std::array<std::string_view, 6> kLevels{"trace", "debug", "info",
                                                     "warn",  "error", "off"};
@@ -100,6 +109,7 @@ void Validate(const ServerOptions& options) {
   RequireRange("--max-running-per-robot", options.max_running_per_robot, 0, 1024);
   RequireRange("--hold-s", options.hold_s, 0, 3600);
   RequireRange("--drain-timeout-s", options.drain_timeout_s, 0, 3600);
+  RequireTracing(options);
   RequireRange("--slow-ms", options.slow_ms, 0, 3'600'000);
   RequireLogLevel(options.log_level);
 }

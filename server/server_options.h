@@ -60,6 +60,11 @@ struct ServerOptions {
   int drain_timeout_s = 10;
   // HOST:PORT of Prometheus' metrics over HTTP; empty = none, port 0 takes a free one.
   std::string metrics_listen;
+  // Collector of OpenTelemetry that takes spans as OTLP over HTTP, http://HOST[:PORT][/PATH]; empty
+  // = none are made.
+  std::string trace_endpoint;
+  // Share of the frames that are traced of callers that send no traceparent, 0 … 1.
+  double trace_share = 1;
   // Frames that take longer get a line in the log with the time of each stage, 0 … 3600000 ms;
   // 0 = none does.
   int slow_ms = 2000;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 
 #include "server/connections/socket_address.h"
@@ -29,6 +30,12 @@ std::optional<std::string> NameGiven(const Metadata& metadata, const char* key) 
 
 std::string RobotName(const Metadata& metadata, const std::string& peer) {
   return NameGiven(metadata, kRobotKey).value_or(HostOfPeer(peer));
+}
+
+std::optional<TraceContext> TraceOf(const Metadata& metadata) {
+  const auto [first, end] = metadata.equal_range("traceparent");
+  if (first == end || std::next(first) != end) return std::nullopt;
+  return ParseTraceparent({first->second.data(), first->second.size()});
 }
 
 std::string RequestId(const Metadata& metadata) {

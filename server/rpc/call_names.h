@@ -1,11 +1,14 @@
 // The names that callers give by metadata: of 1 to 64 printable ASCII characters, else
-// std::invalid_argument is thrown.
+// std::invalid_argument is thrown. And the trace that they are part of.
 #pragma once
 
 #include <grpcpp/support/string_ref.h>
 
 #include <map>
+#include <optional>
 #include <string>
+
+#include "server/tracing/trace_context.h"
 
 namespace fovea::server {
 
@@ -17,6 +20,9 @@ constexpr const char* kRequestIdKey = "fovea-request-id";
 // The name that turns are taken by: `fovea-robot`, else the peer's host, since all connections of
 // one machine are one robot.
 std::string RobotName(const Metadata& metadata, const std::string& peer);
+
+// `traceparent`; none where it is malformed or there twice.
+std::optional<TraceContext> TraceOf(const Metadata& metadata);
 
 // `fovea-request-id`, else a number that no other request has.
 std::string RequestId(const Metadata& metadata);

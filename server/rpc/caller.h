@@ -7,12 +7,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "server/access/gate_keeper.h"
 #include "server/connections/connection_table.h"
 #include "server/rpc/event_loop.h"
 #include "server/scheduling/robot_id.h"
+#include "server/tracing/trace_context.h"
 
 namespace fovea::server {
 
@@ -25,13 +27,15 @@ class Caller {
   // deadline passes before the answer; it is kept until the call's end and no longer.
   void Begin(std::function<void()> on_gone);
 
-  // Finds out the following three. Throws Unauthenticated where the caller may not call, and
+  // Finds out the following four. Throws Unauthenticated where the caller may not call, and
   // std::invalid_argument where the names that it chose will not do.
   void Identify(const GateKeeper& gate_keeper);
   const std::string& robot() const { return id_.name; }
   // Whose turn the call takes.
   const RobotId& id() const { return id_; }
   const std::string& request_id() const { return request_id_; }
+  // Of the caller, where it sends one.
+  const std::optional<TraceContext>& trace() const { return trace_; }
 
   // A message of this call has come; it will have none (any more). Both keep account of what the
   // connection has sent.
@@ -64,6 +68,7 @@ class Caller {
   CallEvent done_;
   RobotId id_;
   std::string request_id_;
+  std::optional<TraceContext> trace_;
   ConnectionTable& connections_;
   std::string peer_;        // empty until the call is let in
   std::uint64_t owed_ = 0;  // by the connection after the last message, or when the call began

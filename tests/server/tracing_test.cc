@@ -1,0 +1,301 @@
+// Spans of frames, as a collector of OpenTelemetry gets them over HTTP.
+#include <gmock/gmock.h>
+#include <grpcpp/create_channel.h>
+#include <gtest/gtest.h>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <condition_variable>
+#include <deque>
+#include <map>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+
+#include "server/tracing/tracer.h"
+#include "tests/server/detectors.h"
+#include "tests/server/frames.h"
+#include "tests/server/loopback.h"
+#include "tests/server/metric_value.h"
+
+namespace fovea::testing {
+namespace {
+
+namespace asio = boost::asio;
+namespace http = boost::beast::http;
+using asio::ip::tcp;
+using nlohmann::json;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+constexpr char kTraceId[] = "0af7651916cd43dd8448eb211c80319c", kParentId[] = "b7ad6b7169203331";
+
+std::string Traceparent(const char* flags) {
+  return std::string("00-") + kTraceId + "-" + kParentId + "-" + flags;
+}
+
+std::string Url(const tcp::acceptor& acceptor) {
+  return "http://127.0.0.1:" + std::to_string(acceptor.local_endpoint().port()) + "/v1/traces";
+}
+
+tcp::endpoint FreePort() { return {asio::ip::address_v4::loopback(), 0}; }
+
+// Takes what is posted.
+class Collector {
+ public:
+  Collector() : thread_([this] { Run(); }) {}
+  ~Collector() {
+    stopping_ = true;
+    boost::system::error_code ignored;  // the connection only wakes it
+    tcp::socket(context_).connect(acceptor_.local_endpoint(), ignored);
+  }
+
+  std::string url() const { return Url(acceptor_); }
+
+  // The spans of the next request.
+  std::vector<json> Next() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return !requests_.empty(); });
+    const json request = json::parse(requests_.front());
+    requests_.pop_front();
+    resource_ = request.at("resourceSpans").at(0).at("resource");
+    return request["resourceSpans"][0].at("scopeSpans").at(0).at("spans");
+  }
+  const json& resource() const { return resource_; }  // of the last Next()
+
+ private:
+  void Run() {
+    while (true) {
+      tcp::socket socket = acceptor_.accept();
+      if (stopping_) return;
+      boost::system::error_code error;
+      boost::beast::flat_buffer buffer;
+      http::request<http::string_body> request;
+      http::read(socket, buffer, request, error);
+      http::response<http::empty_body> response(http::status::ok, request.version());
+      response.prepare_payload();
+      http::write(socket, response, error);
+      if (request.target() != "/v1/traces") continue;
+      const std::lock_guard lock(mutex_);
+      requests_.push_back(request.body());
+      changed_.notify_one();
+    }
+  }
+
+  asio::io_context context_;
+  tcp::acceptor acceptor_{context_, FreePort()};
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<std::string> requests_;
+  json resource_;
+  std::atomic<bool> stopping_ = false;
+  std::jthread thread_;
+};
+
+server::ServerOptions TracingTo(const std::string& url, double share = 1) {
+  server::ServerOptions options = LoopbackOptions();
+  options.trace_endpoint = url;
+  options.trace_share = share;
+  return options;
+}
+
+// One call of a caller that is part of a trace; no `traceparent`: it is not.
+grpc::Status Detect(const Loopback& loopback, const std::string& traceparent,
+                    const v1::DetectRequest& request = TestRequest()) {
+  const auto stub = v1::DetectionService::NewStub(
+      grpc::CreateChannel(loopback.server.Address(), grpc::InsecureChannelCredentials()));
+  grpc::ClientContext context;
+  if (!traceparent.empty()) context.AddMetadata("traceparent", traceparent);
+  context.AddMetadata("fovea-robot", "kitchen");
+  v1::DetectResponse response;
+  return stub->Detect(&context, request, &response);
+}
+
+std::vector<std::string> NamesOf(const std::vector<json>& spans) {
+  std::vector<std::string> names;
+  for (const json& span : spans) names.push_back(span.at("name"));
+  return names;
+}
+
+std::int64_t Nanoseconds(const json& span, const char* key) {
+  return std::stoll(span.at(key).get<std::string>());
+}
+
+std::map<std::string, std::string> AttributesOf(const json& of) {
+  std::map<std::string, std::string> attributes;
+  for (const json& each : of.at("attributes")) {
+    attributes[each.at("key")] = each.at("value").begin().value();
+  }
+  return attributes;
+}
+
+TEST(Traceparent, IsReadAsTheStandardSays) {
+  const auto context = server::ParseTraceparent(Traceparent("01"));
+  ASSERT_TRUE(context);
+  EXPECT_EQ(server::HexOf(context->trace_id), kTraceId);
+  EXPECT_EQ(server::HexOf(context->parent), kParentId);
+  EXPECT_TRUE(context->sampled);
+  EXPECT_FALSE(server::ParseTraceparent(Traceparent("02"))->sampled);
+  EXPECT_TRUE(server::ParseTraceparent("cc" + Traceparent("01").substr(2) + "-later")->sampled);
+}
+
+TEST(Traceparent, IsIgnoredWhereItIsMalformed) {
+  const std::string good = Traceparent("01");
+  std::string upper = good, zero_trace = good, zero_parent = good, no_dash = good;
+  upper[4] = 'A';
+  zero_trace.replace(3, 32, 32, '0');
+  zero_parent.replace(36, 16, 16, '0');
+  no_dash[35] = '0';
+  for (const std::string& bad :
+       {std::string(), good.substr(1), good + "-more", good + "x", "ff" + good.substr(2),
+        "cc" + good.substr(2) + "x", upper, zero_trace, zero_parent, no_dash}) {
+    EXPECT_FALSE(server::ParseTraceparent(bad)) << bad;
+  }
+}
+
+TEST(Tracing, SendsTheFrameAndItsStages) {
+  Collector collector;
+  const Loopback loopback(FindOne, TracingTo(collector.url()));
+  EXPECT_TRUE(Detect(loopback, Traceparent("01")).ok());
+  const std::vector<json> spans = collector.Next();
+  ASSERT_THAT(NamesOf(spans), ElementsAre("fovea.frame", "queue", "decode", "first"));
+  const json& frame = spans[0];
+  EXPECT_EQ(frame.at("parentSpanId"), kParentId);
+  EXPECT_EQ(frame.at("kind"), 2);
+  EXPECT_FALSE(frame.contains("status"));
+  const auto attributes = AttributesOf(frame);
+  EXPECT_EQ(attributes.at("fovea.robot"), "kitchen");
+  EXPECT_EQ(attributes.at("fovea.frame_id"), "frame-7");
+  EXPECT_EQ(attributes.at("fovea.objects"), "1");
+  for (const json& span : spans) EXPECT_EQ(span.at("traceId"), kTraceId);
+  for (std::size_t i = 1; i < spans.size(); ++i) {
+    EXPECT_EQ(spans[i].at("parentSpanId"), frame.at("spanId"));
+  }
+  EXPECT_EQ(spans[1].at("startTimeUnixNano"), frame.at("startTimeUnixNano"));
+  EXPECT_EQ(spans[3].at("startTimeUnixNano"), spans[2].at("endTimeUnixNano"));
+  EXPECT_EQ(Nanoseconds(spans[3], "endTimeUnixNano") - Nanoseconds(spans[3], "startTimeUnixNano"),
+            1'500'000);
+  EXPECT_EQ(AttributesOf(collector.resource()).at("service.name"), "fovea-server");
+  AwaitMetric(*loopback.server.metrics(), "fovea_traces_sent_total", 1);
+}
+
+TEST(Tracing, SaysWhatWentWrong) {
+  Collector collector;
+  const Loopback loopback(FindOne, TracingTo(collector.url()));
+  EXPECT_FALSE(Detect(loopback, Traceparent("01"), {}).ok());
+  const std::vector<json> spans = collector.Next();
+  EXPECT_EQ(spans[0].at("status").at("code"), 2);
+  EXPECT_EQ(spans[0].at("status").at("message"), "INVALID_ARGUMENT: frame: is missing");
+  EXPECT_EQ(AttributesOf(spans[0]).at("rpc.grpc.status_code"), "3");
+}
+
+TEST(Tracing, LeavesOutWhatTheCallerDoesNotRecord) {
+  Collector collector;
+  const Loopback loopback(FindOne, TracingTo(collector.url()));
+  EXPECT_TRUE(Detect(loopback, Traceparent("00")).ok());
+  EXPECT_TRUE(Detect(loopback, Traceparent("01")).ok());
+  EXPECT_EQ(collector.Next().size(), 4U);
+}
+
+TEST(Tracing, BeginsTracesOfItsOwn) {
+  Collector collector;
+  const Loopback loopback(FindOne, TracingTo(collector.url()));
+  EXPECT_TRUE(Detect(loopback, "malformed").ok());
+  const std::vector<json> spans = collector.Next();
+  EXPECT_EQ(spans[0].at("traceId").get<std::string>().size(), 32U);
+  EXPECT_NE(spans[0].at("traceId"), kTraceId);
+  EXPECT_FALSE(spans[0].contains("parentSpanId"));
+}
+
+TEST(Tracing, BeginsNoneWhereTheShareIsZero) {
+  Collector collector;
+  const Loopback loopback(FindOne, TracingTo(collector.url(), 0));
+  EXPECT_TRUE(Detect(loopback, "").ok());
+  EXPECT_TRUE(Detect(loopback, Traceparent("01")).ok());
+  const std::vector<json> spans = collector.Next();
+  EXPECT_EQ(spans.size(), 4U);
+  EXPECT_EQ(spans[0].at("traceId"), kTraceId);
+}
+
+TEST(Tracing, FramesOfAStreamBelongToItsCall) {
+  Collector collector;
+  const Loopback loopback(FindOne, TracingTo(collector.url()));
+  const auto stub = v1::DetectionService::NewStub(
+      grpc::CreateChannel(loopback.server.Address(), grpc::InsecureChannelCredentials()));
+  grpc::ClientContext context;
+  context.AddMetadata("traceparent", Traceparent("01"));
+  const auto stream = stub->DetectStream(&context);
+  std::vector<json> spans;
+  for (int i = 0; i < 2; ++i) {
+    v1::DetectStreamRequest request;
+    *request.mutable_frame() = TestFrame();
+    v1::DetectStreamResponse response;
+    ASSERT_TRUE(stream->Write(request) && stream->Read(&response));
+  }
+  while (spans.size() < 8) {
+    for (const json& span : collector.Next()) spans.push_back(span);
+  }
+  EXPECT_EQ(spans[0].at("parentSpanId"), kParentId);
+  EXPECT_EQ(spans[4].at("parentSpanId"), kParentId);
+  EXPECT_NE(spans[0].at("spanId"), spans[4].at("spanId"));
+}
+
+TEST(Tracing, GoesOnWithoutACollector) {
+  asio::io_context context;
+  std::string nowhere;
+  {
+    const tcp::acceptor closed(context, FreePort());
+    nowhere = Url(closed);
+  }
+  const Loopback loopback(FindOne, TracingTo(nowhere));
+  EXPECT_TRUE(Detect(loopback, "").ok());
+  AwaitMetric(*loopback.server.metrics(), "fovea_traces_dropped_total", 1);
+  EXPECT_TRUE(Detect(loopback, "").ok());
+}
+
+// That this ends is the test: the collector takes connections and never answers.
+TEST(Tracing, WaitsForNoCollector) {
+  asio::io_context context;
+  const tcp::acceptor stalled(context, FreePort());
+  server::Tracer tracer(Url(stalled), 1);
+  const std::string name = "x";
+  const std::optional<server::TraceContext> no_parent;
+  constexpr std::uint64_t kFrames = 5000, kMaxHeld = 1024;  // twice what may wait
+  for (std::uint64_t i = 0; i < kFrames; ++i) {
+    tracer.OnFrame({name, name, name, no_parent, grpc::Status::OK, {}, std::chrono::seconds(1)});
+  }
+  EXPECT_GE(tracer.exporter().num_dropped(), kFrames - kMaxHeld);
+  EXPECT_EQ(tracer.exporter().num_sent(), 0U);
+}
+
+TEST(Tracing, ReplacesWhatIsNoText) {
+  const std::string name = "caf\xE9";
+  const std::optional<server::TraceContext> no_parent;
+  const auto spans = server::SpansOf(
+      {name, name, name, no_parent, grpc::Status::OK, {}, std::chrono::seconds(1)}, {});
+  EXPECT_THAT(server::OtlpJson({spans}), HasSubstr("caf\xEF\xBF\xBD"));
+}
+
+TEST(HttpUrl, HasHostPortAndPath) {
+  const auto parts = [](const char* text) {
+    const server::HttpUrl url = server::ParseHttpUrl("--flag", text);
+    return url.host + " " + url.port + " " + url.path;
+  };
+  EXPECT_EQ(parts("http://collector:4318/v1/traces"), "collector 4318 /v1/traces");
+  EXPECT_EQ(parts("http://10.0.0.1"), "10.0.0.1 80 /");
+  EXPECT_EQ(parts("http://[::1]:4318"), "::1 4318 /");
+  for (const char* bad : {"collector:4318", "https://collector", "http://", "http://:80/",
+                          "http://a:/", "http://a:99999", "http://a:b", "http://a b/", "http://[]",
+                          "http://[::1", "http://[::1]x"}) {
+    EXPECT_THAT([&] { server::ParseHttpUrl("--flag", bad); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr("--flag: \"" + std::string(bad))))
+        << bad;
+  }
+}
+
+}  // namespace
+}  // namespace fovea::testing
