@@ -100,7 +100,8 @@ void AddFlags(CLI::App& app, ServerOptions& options) {
       ->capture_default_str();
   app.add_option(
          "--metrics-listen", options.metrics_listen,
-         "Address of Prometheus' metrics, HTTP at HOST:PORT/metrics; port 0 takes a free one")
+         "Address of Prometheus' metrics and of probes, HTTP at HOST:PORT/metrics, /livez and "
+         "/readyz; port 0 takes a free one")
       ->capture_default_str();
   app.add_option("--trace-endpoint", options.trace_endpoint,
                  "Collector that takes spans as OTLP over HTTP, for example "

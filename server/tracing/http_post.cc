@@ -5,6 +5,7 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
+#include <exception>
 #include <future>
 #include <memory>
 #include <stdexcept>
@@ -30,9 +31,13 @@ std::future<Endpoints> LookUp(const HttpUrl& url) {
   std::promise<Endpoints> promise;
   std::future<Endpoints> found = promise.get_future();
   std::thread([url, promise = std::move(promise)]() mutable {
-    asio::io_context context;
-    error_code error;
-    promise.set_value(tcp::resolver(context).resolve(url.host, url.port, error));
+    try {
+      asio::io_context context;
+      error_code error;
+      promise.set_value(tcp::resolver(context).resolve(url.host, url.port, error));
+    } catch (...) {
+      promise.set_exception(std::current_exception());
+    }
   }).detach();
   return found;
 }
