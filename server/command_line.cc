@@ -19,6 +19,8 @@ void AddProtectionFlags(CLI::App& app, ServerOptions& options) {
   app.add_option("--tls-key", options.tls_key, "Its private key, PEM file");
   app.add_option("--tls-client-ca", options.tls_client_ca,
                  "Authority whose certificates clients must show, PEM file");
+  app.add_option("--tls-crl", options.tls_crl,
+                 "Its list of certificates that it has revoked, PEM file; one for each authority");
   app.add_option("--tls-reload-s", options.tls_reload_s,
                  "How often these files are read again, 1 to 86400 seconds")
       ->capture_default_str();
@@ -159,7 +161,7 @@ std::optional<ServerOptions> ParseCommandLine(int argc, char** argv) {
   }
   Validate(options);
   if (check_config) {
-    MakeCredentials(options);
+    const Credentials credentials(options);
     const GateKeeper gate_keeper(options.tokens);
     std::cout << "the configuration is valid\n";
     if (gate_keeper.RefusesEverybody()) std::cout << NoTokens(options) << '\n';

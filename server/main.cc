@@ -55,7 +55,7 @@ void WarnOfTokens(const fovea::server::ServerOptions& options,
 void Reload(int argc, char** argv, fovea::server::Server& server) {
   try {
     const auto options = fovea::server::ParseCommandLine(argc, argv);
-    server.ReloadTokens();
+    server.ReloadAccess();
     fovea::server::SetLogLevel(options->log_level);
     WarnOfTokens(*options, server);
     spdlog::warn("read configuration and tokens again, log level is {}", options->log_level);

@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "core/options.h"
-#include "server/access/credentials.h"
 #include "server/build_info.h"
 #include "server/rpc/detect_call.h"
 #include "server/rpc/reflection_limit.h"
@@ -127,7 +126,8 @@ Server::Server(const ServerOptions& options, DetectFunction detect)
       metrics_(std::make_shared<Metrics>()),
       tracer_(MakeTracer(options_)),
       answerer_(std::move(detect), options_, *metrics_, tracer_.get()),
-      gate_keeper_(options_.tokens),
+      credentials_(options_),
+      gate_keeper_(options_.tokens, credentials_.authority()),
       stream_places_(options_.max_streams, options_.max_streams_per_robot),
       connections_(ConnectionLimitsOf(options_)),
       service_(InfoOf(options_, limits_), *metrics_, gate_keeper_, connections_),
@@ -172,7 +172,7 @@ void Server::Listen() {
   ConfigureChannel(options_, &builder);
   using Type = grpc::ServerBuilder::experimental_type::ExternalConnectionType;
   auto callers = builder.experimental().AddExternalConnectionAcceptor(Type::FROM_FD,
-                                                                      MakeCredentials(options_));
+                                                                      credentials_.ForGrpc());
   auto self = builder.experimental().AddExternalConnectionAcceptor(
       Type::FROM_FD, grpc::InsecureServerCredentials());
   builder.RegisterService(&service_);
@@ -198,6 +198,16 @@ void Server::Serve() {
                                                      true);
   door_.Open(std::move(callers_), std::move(self_));
   serving_ = true;
+  access_watch_ =
+      std::make_unique<AccessWatch>(std::chrono::seconds(options_.tls_reload_s), credentials_,
+                                    gate_keeper_, [this] { live_calls_.Check(); });
+}
+
+void Server::ReloadAccess() {
+  credentials_.RequireUsable();
+  gate_keeper_.Reload();
+  if (credentials_.Reload()) gate_keeper_.SetAuthority(credentials_.authority());
+  live_calls_.Check();
 }
 
 Server::~Server() { Stop(/*timeout_s=*/0); }
@@ -220,6 +230,7 @@ void Server::StopAdvertising() {
 void Server::Stop(int timeout_s) {
   if (!server_) return;
   StopAdvertising();
+  access_watch_.reset();
   live_calls_.Stop();
   live_calls_.WaitUntilIdle(std::chrono::steady_clock::now() + std::chrono::seconds(timeout_s));
   door_.Close();

@@ -3,10 +3,14 @@
 #include <grpcpp/server.h>
 
 #include <atomic>
+#include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "server/access/access_watch.h"
+#include "server/access/credentials.h"
 #include "server/access/gate_keeper.h"
 #include "server/access/stream_places.h"
 #include "server/connections/connection_table.h"
@@ -35,8 +39,14 @@ class Server {
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
-  // Takes over the tokens that the file holds now. Throws std::exception, and changes nothing then.
-  void ReloadTokens() { gate_keeper_.Reload(); }
+  // Takes over the tokens and certificates that the files hold now, and ends the streams of those
+  // who may not call any more. Throws std::exception, and changes nothing then.
+  void ReloadAccess();
+
+  // When its certificate expires; none without TLS.
+  std::optional<std::chrono::sys_seconds> CertificateExpiry() const {
+    return credentials_.Expiry();
+  }
 
   // Whether callers need a token and the file holds none.
   bool RefusesEverybody() const { return gate_keeper_.RefusesEverybody(); }
@@ -76,6 +86,7 @@ class Server {
   const std::shared_ptr<Metrics> metrics_;
   const std::unique_ptr<Tracer> tracer_;  // null where no traces are wanted
   const FrameAnswerer answerer_;
+  Credentials credentials_;
   GateKeeper gate_keeper_;
   StreamPlaces stream_places_;
   LiveCalls live_calls_;
@@ -87,6 +98,7 @@ class Server {
   std::unique_ptr<grpc::Server> server_;
   std::unique_ptr<EventLoop> loop_;
   std::unique_ptr<CallEnvironment> environment_;
+  std::unique_ptr<AccessWatch> access_watch_;
 };
 
 }  // namespace fovea::server

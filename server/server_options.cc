@@ -60,6 +60,9 @@ void RequireProtection(const ServerOptions& options) {
   if (!options.tls_client_ca.empty() && options.tls_cert.empty()) {
     throw std::invalid_argument("--tls-client-ca: needs --tls-cert and --tls-key");
   }
+  if (!options.tls_crl.empty() && options.tls_client_ca.empty()) {
+    throw std::invalid_argument("--tls-crl: needs --tls-client-ca");
+  }
   const bool knows_callers = !options.tls_client_ca.empty() || !options.tokens.empty();
   const bool is_protected = !options.tls_cert.empty() && knows_callers;
   const auto open = std::ranges::find_if_not(options.listen, IsLocal);

@@ -15,6 +15,8 @@ struct ServerOptions {
   // PEM files: the server's certificate chain and its key; and the authority whose certificates
   // clients must have. Empty = no TLS; no client certificates.
   std::string tls_cert, tls_key, tls_client_ca;
+  // PEM file of their lists of revoked certificates; empty = none are revoked.
+  std::string tls_crl;
   // How often these files are read again, 1 … 86400 s.
   int tls_reload_s = 30;
   // File of tokens, see TokenTable; empty = callers need none.

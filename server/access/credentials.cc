@@ -2,60 +2,103 @@
 
 #include <grpcpp/security/tls_certificate_provider.h>
 #include <grpcpp/security/tls_credentials_options.h>
-#include <openssl/ssl.h>
+#include <spdlog/spdlog.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <string>
-
-#include "server/conversion/field_error.h"
+#include <utility>
 
 namespace fovea::server {
 namespace {
 
-using SslContext = std::unique_ptr<SSL_CTX, decltype(&SSL_CTX_free)>;
+// Key and chain in one, so that they change at once: readers of PEM skip what they do not look for.
+std::string IdentityOf(const TlsFiles& files) { return files.key + "\n" + files.certificate; }
 
-// OpenSSL says "no certificate" of a file that is not there, too.
-void RequireReadable(const char* flag, const std::string& path) {
-  errno = 0;
-  const std::ifstream file(path);
-  RequireField(file.good(), flag, "cannot read " + path + ": " + std::strerror(errno));
+void LogCertificate(const ServerOptions& options, const TlsFiles& files) {
+  spdlog::info("certificate of {}: subject \"{}\", serial number {}, good until {}",
+               options.tls_cert, SubjectOf(*files.leaf), SerialOf(*files.leaf),
+               TextOf(ExpiryOf(*files.leaf)));
 }
 
-// gRPC would only say so at each handshake.
-void RequireUsable(const ServerOptions& options) {
-  RequireReadable("--tls-cert", options.tls_cert);
-  RequireReadable("--tls-key", options.tls_key);
-  const SslContext context(SSL_CTX_new(TLS_server_method()), SSL_CTX_free);
-  RequireField(SSL_CTX_use_certificate_chain_file(context.get(), options.tls_cert.c_str()) == 1,
-               "--tls-cert", options.tls_cert + " holds no certificate in PEM");
-  RequireField(
-      SSL_CTX_use_PrivateKey_file(context.get(), options.tls_key.c_str(), SSL_FILETYPE_PEM) == 1 &&
-          SSL_CTX_check_private_key(context.get()) == 1,
-      "--tls-key", options.tls_key + " does not hold the key, in PEM, of " + options.tls_cert);
-  if (options.tls_client_ca.empty()) return;
-  RequireReadable("--tls-client-ca", options.tls_client_ca);
-  RequireField(
-      SSL_CTX_load_verify_locations(context.get(), options.tls_client_ca.c_str(), nullptr) == 1,
-      "--tls-client-ca", options.tls_client_ca + " holds no certificate in PEM");
+std::chrono::sys_seconds Now() {
+  return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
 }
 
 }  // namespace
 
-std::shared_ptr<grpc::ServerCredentials> MakeCredentials(const ServerOptions& options) {
-  if (options.tls_cert.empty()) return grpc::InsecureServerCredentials();
-  RequireUsable(options);
-  const auto files = std::make_shared<grpc::experimental::FileWatcherCertificateProvider>(
-      options.tls_key, options.tls_cert, options.tls_client_ca,
-      static_cast<unsigned int>(options.tls_reload_s));
-  grpc::experimental::TlsServerCredentialsOptions tls(files);
+Credentials::Credentials(const ServerOptions& options) : options_(options) {
+  if (!has_tls()) return;
+  files_ = ReadTlsFiles(options_);
+  identity_ = std::make_unique<PublishedFile>(IdentityOf(files_));
+  if (files_.authority) authorities_ = std::make_unique<PublishedFile>(files_.client_ca);
+}
+
+Credentials::~Credentials() = default;
+
+std::shared_ptr<grpc::ServerCredentials> Credentials::ForGrpc() {
+  if (!has_tls()) return grpc::InsecureServerCredentials();
+  LogCertificate(options_, files());
+  constexpr unsigned int kPeriodS = 1;
+  const auto watcher = std::make_shared<grpc::experimental::FileWatcherCertificateProvider>(
+      identity_->path(), identity_->path(), authorities_ ? authorities_->path() : "", kPeriodS);
+  grpc::experimental::TlsServerCredentialsOptions tls(watcher);
   tls.watch_identity_key_cert_pairs();
-  if (!options.tls_client_ca.empty()) {
+  if (authorities_) {
     tls.watch_root_certs();
     tls.set_cert_request_type(GRPC_SSL_REQUEST_AND_REQUIRE_CLIENT_CERTIFICATE_AND_VERIFY);
   }
   return grpc::experimental::TlsServerCredentials(tls);
+}
+
+bool Credentials::Reload() {
+  if (!has_tls()) return false;
+  TlsFiles read = ReadTlsFiles(options_);
+  const std::lock_guard lock(mutex_);
+  if (read.IsSameAs(files_)) return false;
+  if (IdentityOf(read) != IdentityOf(files_)) {
+    identity_->Replace(IdentityOf(read));
+    LogCertificate(options_, read);
+  }
+  if (read.client_ca != files_.client_ca) {
+    authorities_->Replace(read.client_ca);
+    spdlog::info("authority of clients taken over from {}", options_.tls_client_ca);
+  }
+  if (read.revoked != files_.revoked) {
+    spdlog::info("revoked certificates taken over from {}", options_.tls_crl);
+  }
+  files_ = std::move(read);
+  return true;
+}
+
+void Credentials::RequireUsable() const {
+  if (has_tls()) ReadTlsFiles(options_);
+}
+
+std::shared_ptr<const ClientAuthority> Credentials::authority() const {
+  return files().authority;
+}
+
+std::optional<std::chrono::sys_seconds> Credentials::Expiry() const {
+  if (!has_tls()) return std::nullopt;
+  return ExpiryOf(*files().leaf);
+}
+
+void Credentials::WarnOfWhatIsDue() const {
+  constexpr std::chrono::days kSoon{14};
+  if (!has_tls()) return;
+  const TlsFiles files = this->files();
+  const std::chrono::sys_seconds expiry = ExpiryOf(*files.leaf);
+  if (expiry < Now() + kSoon) {
+    spdlog::warn("--tls-cert: the certificate of {} {} {}", options_.tls_cert,
+                 expiry < Now() ? "has expired at" : "expires soon, at", TextOf(expiry));
+  }
+  if (!files.authority) return;
+  for (const std::string& list : files.authority->OverdueLists(Now())) {
+    spdlog::warn("--tls-crl: {}: {}; what it revokes stays revoked", options_.tls_crl, list);
+  }
+}
+
+TlsFiles Credentials::files() const {
+  const std::lock_guard lock(mutex_);
+  return files_;
 }
 
 }  // namespace fovea::server

@@ -2,15 +2,58 @@
 
 #include <grpcpp/security/server_credentials.h>
 
+#include <chrono>
 #include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
 
+#include "server/access/published_file.h"
+#include "server/access/tls_files.h"
 #include "server/server_options.h"
 
 namespace fovea::server {
 
 // TLS where certificate and key are given, mutual TLS where the clients' authority is too, else
-// none. The files are read again every options.tls_reload_s; ones that do not fit are not taken.
-// Throws std::invalid_argument that names flag and file where they cannot be used.
-std::shared_ptr<grpc::ServerCredentials> MakeCredentials(const ServerOptions& options);
+// none. gRPC 1.51 reads files again by itself, but takes them over whether they fit together or
+// not, and says nothing: so it gets files of ours, which hold what was found to fit. Thread-safe.
+class Credentials {
+ public:
+  // Throws std::invalid_argument that names flag and file where they cannot be used.
+  explicit Credentials(const ServerOptions& options);
+  ~Credentials();
+
+  Credentials(const Credentials&) = delete;
+  Credentials& operator=(const Credentials&) = delete;
+
+  // For whoever listens. `this` must outlive them.
+  std::shared_ptr<grpc::ServerCredentials> ForGrpc();
+
+  bool has_tls() const { return !options_.tls_cert.empty(); }
+
+  // Takes over what the files hold now, which new connections see within a second. Whether it is
+  // something new; the log tells what. Throws like the constructor, and changes nothing then.
+  bool Reload();
+  // What Reload() would throw.
+  void RequireUsable() const;
+
+  // Null where clients need no certificates.
+  std::shared_ptr<const ClientAuthority> authority() const;
+
+  // When the server's certificate expires; none without TLS.
+  std::optional<std::chrono::sys_seconds> Expiry() const;
+
+  // Says in the log what is due: a certificate that expires within two weeks, lists of revoked ones
+  // that should have been replaced.
+  void WarnOfWhatIsDue() const;
+
+ private:
+  TlsFiles files() const;
+
+  const ServerOptions options_;
+  mutable std::mutex mutex_;
+  TlsFiles files_;
+  std::unique_ptr<PublishedFile> identity_, authorities_;  // what gRPC watches
+};
 
 }  // namespace fovea::server

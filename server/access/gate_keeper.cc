@@ -1,6 +1,9 @@
 #include "server/access/gate_keeper.h"
 
-#include <chrono>
+#include <grpc/grpc_security_constants.h>
+#include <strings.h>
+
+#include <algorithm>
 #include <string_view>
 #include <utility>
 
@@ -10,7 +13,11 @@
 namespace fovea::server {
 namespace {
 
-// "…" of the metadata `authorization: Bearer …`.
+std::chrono::sys_seconds Now() {
+  return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+}
+
+// "…" of the metadata `authorization: Bearer …`; the scheme in any case (RFC 9110, 11.1).
 std::string_view TokenOf(const Metadata& metadata) {
   constexpr std::string_view kScheme = "Bearer ";
   const auto found = metadata.find("authorization");
@@ -18,7 +25,8 @@ std::string_view TokenOf(const Metadata& metadata) {
     throw Unauthenticated("a token is needed: metadata authorization: Bearer TOKEN");
   }
   const std::string_view text(found->second.data(), found->second.size());
-  if (!text.starts_with(kScheme)) {
+  if (text.size() < kScheme.size() ||
+      strncasecmp(text.data(), kScheme.data(), kScheme.size()) != 0) {
     throw Unauthenticated("metadata authorization: must be Bearer TOKEN");
   }
   return text.substr(kScheme.size());
@@ -26,36 +34,88 @@ std::string_view TokenOf(const Metadata& metadata) {
 
 RobotId Certified(const std::string& name) { return {name, name}; }
 
+std::string PropertyOf(const grpc::AuthContext& peer, const char* name) {
+  const auto values = peer.FindPropertyValues(name);
+  return values.empty() ? "" : std::string(values.front().data(), values.front().size());
+}
+
+std::chrono::sys_seconds CertifiedUntil(const ClientAuthority& authority,
+                                        const grpc::AuthContext& peer) {
+  const std::string certificate = PropertyOf(peer, GRPC_X509_PEM_CERT_PROPERTY_NAME);
+  if (certificate.empty()) throw Unauthenticated("a client certificate is needed");
+  try {
+    return authority.GoodUntil(certificate,
+                               PropertyOf(peer, GRPC_X509_PEM_CERT_CHAIN_PROPERTY_NAME));
+  } catch (const std::exception& error) {
+    throw Unauthenticated(error.what());
+  }
+}
+
 }  // namespace
 
-GateKeeper::GateKeeper(std::string tokens) : tokens_(std::move(tokens)) { Reload(); }
+GateKeeper::GateKeeper(std::string tokens, std::shared_ptr<const ClientAuthority> authority)
+    : tokens_(std::move(tokens)) {
+  rules_.authority = std::move(authority);
+  if (tokens_.empty()) return;
+  rules_.tokens = std::make_shared<const TokenTable>(TokenTable::FromFile(tokens_));
+}
 
 void GateKeeper::Reload() {
   if (tokens_.empty()) return;
   auto table = std::make_shared<const TokenTable>(TokenTable::FromFile(tokens_));
+  if (table->size() == 0 && !RefusesEverybody()) {
+    throw std::invalid_argument("--tokens: " + tokens_ + " holds 0 tokens: nobody could call");
+  }
   const std::lock_guard lock(mutex_);
-  table_ = std::move(table);
+  rules_.tokens = std::move(table);
+  ++rules_.number;
 }
 
-RobotId GateKeeper::Admit(const grpc::ServerContextBase& context) const {
-  if (const auto table = Table()) {
-    const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
-    return Certified(table->RobotOf(TokenOf(context.client_metadata()), now));
+void GateKeeper::SetAuthority(std::shared_ptr<const ClientAuthority> authority) {
+  const std::lock_guard lock(mutex_);
+  rules_.authority = std::move(authority);
+  ++rules_.number;
+}
+
+Admission GateKeeper::Admit(const grpc::ServerContextBase& context) const {
+  const Rules rules = this->rules();
+  Admission admission;
+  admission.rules = rules.number;
+  const auto peer = context.auth_context();
+  if (rules.authority) admission.expires = CertifiedUntil(*rules.authority, *peer);
+  if (rules.tokens) {
+    const TokenTable::Entry& entry =
+        rules.tokens->EntryOf(TokenOf(context.client_metadata()), Now());
+    admission.robot = Certified(entry.robot);
+    admission.expires = std::min(admission.expires, entry.expires);
+    return admission;
   }
-  const auto certified = context.auth_context()->GetPeerIdentity();
-  if (!certified.empty()) return Certified({certified.front().data(), certified.front().size()});
-  const std::string peer = context.peer();
-  return {HostOfPeer(peer), RobotName(context.client_metadata(), peer)};
+  const auto certified = peer->GetPeerIdentity();
+  if (!certified.empty()) {
+    admission.robot = Certified({certified.front().data(), certified.front().size()});
+  } else {
+    const std::string address = context.peer();
+    admission.robot = {HostOfPeer(address), RobotName(context.client_metadata(), address)};
+  }
+  return admission;
+}
+
+void GateKeeper::Readmit(const grpc::ServerContextBase& context, Admission* admission) const {
+  if (rules().number == admission->rules && Now() < admission->expires) return;
+  const Admission again = Admit(context);
+  if (again.robot.name != admission->robot.name) throw Unauthenticated("the token is another robot's now");
+  admission->expires = again.expires;
+  admission->rules = again.rules;
 }
 
 bool GateKeeper::RefusesEverybody() const {
-  const auto table = Table();
-  return table && table->size() == 0;
+  const auto tokens = rules().tokens;
+  return tokens && tokens->size() == 0;
 }
 
-std::shared_ptr<const TokenTable> GateKeeper::Table() const {
+GateKeeper::Rules GateKeeper::rules() const {
   const std::lock_guard lock(mutex_);
-  return table_;
+  return rules_;
 }
 
 }  // namespace fovea::server

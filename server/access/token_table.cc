@@ -66,11 +66,11 @@ void TokenTable::Add(const std::string& line) {
 }
 
 // By hash: neither does the file hold tokens, nor does the time of a comparison tell about them.
-const std::string& TokenTable::RobotOf(std::string_view token, Time now) const {
+const TokenTable::Entry& TokenTable::EntryOf(std::string_view token, Time now) const {
   const auto found = by_hash_.find(Sha256(token));
   if (found == by_hash_.end()) throw Unauthenticated("the token is not known");
   if (now >= found->second.expires) throw Unauthenticated("the token has expired");
-  return found->second.robot;
+  return found->second;
 }
 
 }  // namespace fovea::server

@@ -29,15 +29,16 @@ class TokenTable {
   // How many tokens it holds, those that have expired among them.
   std::size_t size() const { return by_hash_.size(); }
 
-  // The robot that has this token. Throws Unauthenticated for one that is not known or has expired.
-  const std::string& RobotOf(std::string_view token, Time now) const;
-
- private:
   struct Entry {
     std::string robot;
     Time expires = Time::max();
   };
 
+  // Whose this token is, and until when. Throws Unauthenticated for one that is not known or has
+  // expired.
+  const Entry& EntryOf(std::string_view token, Time now) const;
+
+ private:
   void Add(const std::string& line);
 
   std::map<std::string, Entry> by_hash_;

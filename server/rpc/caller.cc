@@ -23,7 +23,7 @@ void Caller::Begin(std::function<void()> on_gone) {
 }
 
 void Caller::Identify(const GateKeeper& gate_keeper) {
-  id_ = gate_keeper.Admit(*context_);
+  admission_ = gate_keeper.Admit(*context_);
   request_id_ = RequestId(context_->client_metadata());
   trace_ = TraceOf(context_->client_metadata());
   context_->AddTrailingMetadata(kRequestIdKey, request_id_);

@@ -30,9 +30,12 @@ class Caller {
   // Finds out the following four. Throws Unauthenticated where the caller may not call, and
   // std::invalid_argument where the names that it chose will not do.
   void Identify(const GateKeeper& gate_keeper);
-  const std::string& robot() const { return id_.name; }
+  // Throws Unauthenticated where the caller may not call any more. Not from several threads at
+  // once.
+  void Recheck(const GateKeeper& gate_keeper) { gate_keeper.Readmit(*context_, &admission_); }
+  const std::string& robot() const { return admission_.robot.name; }
   // Whose turn the call takes.
-  const RobotId& id() const { return id_; }
+  const RobotId& id() const { return admission_.robot; }
   const std::string& request_id() const { return request_id_; }
   // Of the caller, where it sends one.
   const std::optional<TraceContext>& trace() const { return trace_; }
@@ -66,7 +69,7 @@ class Caller {
   grpc::ServerContext* const context_;
   std::atomic<bool> gone_ = false;
   CallEvent done_;
-  RobotId id_;
+  Admission admission_;
   std::string request_id_;
   std::optional<TraceContext> trace_;
   ConnectionTable& connections_;

@@ -15,11 +15,12 @@ LiveCalls::Token LiveCalls::Enter() {
           }};
 }
 
-LiveCalls::Token LiveCalls::Begin(std::function<void()> on_stop) {
+LiveCalls::Token LiveCalls::Begin(std::function<void()> on_stop,
+                                  std::function<void()> on_check) {
   const std::lock_guard lock(mutex_);
   if (stopping_) return nullptr;
   const int id = ++last_id_;
-  begun_.emplace(id, std::move(on_stop));
+  begun_.emplace(id, Begun{std::move(on_stop), std::move(on_check)});
   return {this, [id](LiveCalls* calls) {
             const std::lock_guard inner(calls->mutex_);
             calls->begun_.erase(id);
@@ -32,9 +33,18 @@ void LiveCalls::Stop() {
   {
     const std::lock_guard lock(mutex_);
     stopping_ = true;
-    for (const auto& [id, on_stop] : begun_) on_stops.push_back(on_stop);
+    for (const auto& [id, call] : begun_) on_stops.push_back(call.on_stop);
   }
   for (const auto& on_stop : on_stops) on_stop();
+}
+
+void LiveCalls::Check() {
+  std::vector<std::function<void()>> on_checks;
+  {
+    const std::lock_guard lock(mutex_);
+    for (const auto& [id, call] : begun_) on_checks.push_back(call.on_check);
+  }
+  for (const auto& on_check : on_checks) on_check();
 }
 
 void LiveCalls::WaitUntilIdle(std::chrono::steady_clock::time_point deadline) {

@@ -17,8 +17,12 @@ class LiveCalls {
 
   // For one that is waited for.
   Token Enter();
-  // For one that has begun; null once the server stops. `on_stop` is called by Stop().
-  Token Begin(std::function<void()> on_stop);
+  // For one that has begun; null once the server stops. `on_stop` is called by Stop(), `on_check`
+  // by Check().
+  Token Begin(std::function<void()> on_stop, std::function<void()> on_check = [] {});
+
+  // Has those that have begun see whether they may go on.
+  void Check();
 
   // No more calls begin.
   void Stop();
@@ -32,7 +36,11 @@ class LiveCalls {
   int num_entered_ = 0;
   bool stopping_ = false;
   int last_id_ = 0;
-  std::map<int, std::function<void()>> begun_;
+
+  struct Begun {
+    std::function<void()> on_stop, on_check;
+  };
+  std::map<int, Begun> begun_;
 };
 
 }  // namespace fovea::server

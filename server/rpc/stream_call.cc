@@ -76,9 +76,13 @@ void StreamCall::Refuse(const grpc::Status& status, const char* reason) {
 
 void StreamCall::Open() {
   caller_.Identify(environment_.gate_keeper);
-  begun_ = environment_.live_calls.Begin([weak = weak_from_this()] {
-    if (const auto self = weak.lock()) self->End();
-  });
+  begun_ = environment_.live_calls.Begin(
+      [weak = weak_from_this()] {
+        if (const auto self = weak.lock()) self->End();
+      },
+      [weak = weak_from_this()] {
+        if (const auto self = weak.lock()) self->Check();
+      });
   if (!begun_) {
     const grpc::Status stopping = StatusOfStopping();
     Refuse(stopping, NameOf(stopping.error_code()));
@@ -115,6 +119,7 @@ void StreamCall::OnRead() {
   newest_ = {.bytes = {}, .sequence = num_received_++, .at = std::chrono::steady_clock::now()};
   newest_->bytes.Swap(&bytes_);
   bytes_.Clear();
+  CheckAccess();
   Proceed();
   if (!finished_) Read();
 }
@@ -139,12 +144,32 @@ void StreamCall::End() {
   Proceed();
 }
 
+void StreamCall::Check() {
+  const std::lock_guard lock(mutex_);
+  CheckAccess();
+  if (barred_) Proceed();
+}
+
+void StreamCall::CheckAccess() {
+  if (finished_ || barred_) return;
+  try {
+    caller_.Recheck(environment_.gate_keeper);
+    return;
+  } catch (...) {
+    barred_ = StatusOfCurrentException(/*deadline_passed=*/false);
+  }
+  // A frame that is looked at is answered, one that waits is not.
+  if (busy_ && environment_.scheduler.Withdraw(caller_.id(), ticket_)) busy_ = false;
+}
+
 void StreamCall::Proceed() {
   if (finished_ || busy_) return;
   if (broken_ || caller_.IsGone()) {
     Finish(caller_.StatusOfGone());
   } else if (ending_) {
     Finish(StatusOfStopping());
+  } else if (barred_) {
+    Refuse(*barred_, NameOf(barred_->error_code()));
   } else if (newest_) {
     TakeTurn();
   } else if (no_more_) {

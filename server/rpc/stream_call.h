@@ -43,6 +43,8 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   void OnGone();
   void OnWritten(bool ok);
   void End();  // by the server
+  void Check();  // whether the caller may still call
+  void CheckAccess();  // mutex_ is held
   void Deliver();
   void ComputeOrSayWhyNot();
   void Compute();   // the newest frame into response_
@@ -72,6 +74,7 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   bool no_more_ = false;  // the caller sends no more frames
   bool ending_ = false;   // the server is stopping
   bool broken_ = false;   // an answer could not be sent
+  std::optional<grpc::Status> barred_;  // why the caller may not call any more
   bool finished_ = false;
 };
 

@@ -208,10 +208,10 @@ TEST_F(Tokens, AreTakenOverWhenReloaded) {
   Loopback loopback(FindOne, options_);
   const Client kitchen(loopback.server.Address(), With("let-me-in"));
   folder_.Write("tokens", "nonsense");
-  EXPECT_THROW(loopback.server.ReloadTokens(), std::invalid_argument);
+  EXPECT_THROW(loopback.server.ReloadAccess(), std::invalid_argument);
   EXPECT_EQ(CodeOf(kitchen), grpc::StatusCode::OK);
   folder_.Write("tokens", LineOf("hall", "other"));
-  loopback.server.ReloadTokens();
+  loopback.server.ReloadAccess();
   EXPECT_EQ(CodeOf(kitchen), grpc::StatusCode::UNAUTHENTICATED);
 }
 

@@ -5,6 +5,7 @@
 #include <openssl/pem.h>
 #include <openssl/x509v3.h>
 
+#include <algorithm>
 #include <random>
 
 namespace fovea::testing {
@@ -70,6 +71,29 @@ PemPair Authority::Issue(const std::string& name) const {
   return {PemOfCertificate(certificate.get()), PemOf([&](BIO* out) {
             PEM_write_bio_PrivateKey(out, key.get(), nullptr, nullptr, 0, nullptr, nullptr);
           })};
+}
+
+std::string Authority::Revoke(const std::vector<std::string>& certificates, long due_s) const {
+  const std::unique_ptr<X509_CRL, decltype(&X509_CRL_free)> list(X509_CRL_new(), X509_CRL_free);
+  const std::unique_ptr<ASN1_TIME, decltype(&ASN1_TIME_free)> time(ASN1_TIME_new(), ASN1_TIME_free);
+  X509_CRL_set_version(list.get(), X509_CRL_VERSION_2);
+  X509_CRL_set_issuer_name(list.get(), X509_get_subject_name(certificate_.get()));
+  X509_gmtime_adj(time.get(), std::min(-60L, due_s - 60));
+  X509_CRL_set1_lastUpdate(list.get(), time.get());
+  for (const std::string& pem : certificates) {
+    const std::unique_ptr<BIO, decltype(&BIO_free)> reader(
+        BIO_new_mem_buf(pem.data(), static_cast<int>(pem.size())), BIO_free);
+    const std::shared_ptr<X509> certificate(PEM_read_bio_X509(reader.get(), nullptr, nullptr, nullptr),
+                                   X509_free);
+    X509_REVOKED* entry = X509_REVOKED_new();
+    X509_REVOKED_set_serialNumber(entry, X509_get_serialNumber(certificate.get()));
+    X509_REVOKED_set_revocationDate(entry, time.get());
+    X509_CRL_add0_revoked(list.get(), entry);
+  }
+  X509_gmtime_adj(time.get(), due_s);
+  X509_CRL_set1_nextUpdate(list.get(), time.get());
+  X509_CRL_sign(list.get(), key_.get(), EVP_sha256());
+  return PemOf([&](BIO* out) { PEM_write_bio_X509_CRL(out, list.get()); });
 }
 
 }  // namespace fovea::testing

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 struct evp_pkey_st;
 struct x509_st;
@@ -21,6 +22,8 @@ class Authority {
   std::string Certificate() const;
   // For the given name, which is also its DNS name, and for 127.0.0.1.
   PemPair Issue(const std::string& name) const;
+  // The list of these certificates as revoked, whose next issue is due after so many seconds.
+  std::string Revoke(const std::vector<std::string>& certificates, long due_s = 3600) const;
 
  private:
   std::shared_ptr<evp_pkey_st> key_;

@@ -1,0 +1,321 @@
+// Certificates, lists of revoked ones and tokens that change while the server serves.
+#include <gmock/gmock.h>
+#include <grpcpp/create_channel.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+
+#include "server/access/certificates.h"
+#include "tests/server/captured_log.h"
+#include "tests/server/detectors.h"
+#include "tests/server/frames.h"
+#include "tests/server/loopback.h"
+#include "tests/server/metric_value.h"
+#include "tests/support/certificates.h"
+#include "tests/support/temporary_folder.h"
+
+namespace fovea::testing {
+namespace {
+
+using client::Client;
+using client::ClientOptions;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+grpc::Status StatusOfDetecting(const Client& client) {
+  try {
+    client.Detect(TestRequest());
+    return grpc::Status::OK;
+  } catch (const client::RpcError& error) {
+    return {error.code(), error.message()};
+  }
+}
+
+// A stream that has had an answer.
+std::unique_ptr<client::DetectStream> OpenStream(const Client& client) {
+  auto stream = client.OpenStream(kPatience);
+  v1::DetectStreamRequest request;
+  *request.mutable_frame() = TestFrame();
+  EXPECT_TRUE(stream->Send(request));
+  EXPECT_TRUE(stream->Receive());
+  return stream;
+}
+
+class AccessChanges : public ::testing::Test {
+ protected:
+  AccessChanges() {
+    WriteServer(authority_.Issue("server"));
+    options_.tls_key = folder_.At("key.pem");
+    options_.tls_cert = folder_.At("cert.pem");
+    options_.tls_reload_s = 1;
+  }
+
+  void WriteServer(const PemPair& pair) const {
+    folder_.Write("key.pem", pair.key);
+    folder_.Write("cert.pem", pair.certificate);
+  }
+  void AskForClientCertificates() {
+    options_.tls_client_ca = folder_.Write("clients.pem", clients_.Certificate());
+  }
+  void Revoke(const std::vector<std::string>& certificates, long due_s = 3600) {
+    options_.tls_crl = folder_.Write("crl.pem", clients_.Revoke(certificates, due_s));
+  }
+  // Not read again by itself as long as a test lasts.
+  void ReloadBySignalOnly() { options_.tls_reload_s = 86'400; }
+
+  static ClientOptions Trusting(const Authority& authority, const PemPair& own = {}) {
+    ClientOptions options = PatientOptions();
+    options.tls = client::TlsOptions{.root_certificates = authority.Certificate(),
+                                     .certificate_chain = own.certificate,
+                                     .private_key = own.key};
+    return options;
+  }
+  Client ClientOf(const Loopback& loopback, const PemPair& own) const {
+    return Client(loopback.server.Address(), Trusting(authority_, own));
+  }
+
+  const TemporaryFolder folder_;
+  const Authority authority_, clients_;
+  server::ServerOptions options_ = LoopbackOptions();
+};
+
+TEST_F(AccessChanges, ServesTheOldCertificateUntilTheNewKeyIsThere) {
+  const CapturedLog log;
+  const Loopback loopback(FindOne, options_);
+  const auto serves = [&](const Authority& authority) {
+    return StatusOfDetecting(Client(loopback.server.Address(), Trusting(authority))).ok();
+  };
+  const Authority other;
+  const PemPair pair = other.Issue("renewed");
+  folder_.Write("cert.pem", pair.certificate);
+  log.Await("the certificates stay as they were: --tls-key: " + options_.tls_key);
+  for (int i = 0; i < 5; ++i) EXPECT_TRUE(serves(authority_));
+  EXPECT_THAT(log.text(), Not(HasSubstr("CN=renewed")));
+
+  folder_.Write("key.pem", pair.key);
+  log.Await("subject \"CN=renewed\", serial number " +
+            server::SerialOf(*server::CertificatesOf(pair.certificate).front()));
+  while (!serves(other)) {
+  }
+  EXPECT_FALSE(serves(authority_));
+}
+
+TEST_F(AccessChanges, SaysWhenTheCertificateExpires) {
+  const CapturedLog log;
+  const Loopback loopback(FindOne, options_);
+  const auto expiry = server::ExpiryOf(
+      *server::CertificatesOf(authority_.Issue("another").certificate).front());
+  ASSERT_TRUE(loopback.server.CertificateExpiry());
+  EXPECT_LE(*loopback.server.CertificateExpiry(), expiry);
+  log.Await("expires soon, at " + server::TextOf(*loopback.server.CertificateExpiry()));
+  EXPECT_FALSE(Loopback(FindOne).server.CertificateExpiry());
+}
+
+TEST_F(AccessChanges, ABadFileChangesNothing) {
+  ReloadBySignalOnly();
+  options_.tokens = folder_.Write(
+      "tokens", "kitchen a3ee786b5707c27d42570785081ec17f5c7db9262a01366af362a1aa61a420b9\n");
+  Loopback loopback(FindOne, options_);
+  ClientOptions robot = Trusting(authority_);
+  robot.token = "let-me-in";
+  folder_.Write("tokens", "# nobody\n");
+  EXPECT_THAT([&] { loopback.server.ReloadAccess(); },
+              ::testing::ThrowsMessage<std::invalid_argument>(
+                  StartsWith("--tokens: " + options_.tokens + " holds 0 tokens")));
+  folder_.Write("tokens",
+                "hall a3ee786b5707c27d42570785081ec17f5c7db9262a01366af362a1aa61a420b9\n");
+  folder_.Write("cert.pem", "-----BEGIN CERTIFICATE-----\nAAAA\n");
+  EXPECT_THAT([&] { loopback.server.ReloadAccess(); },
+              ::testing::ThrowsMessage<std::invalid_argument>(
+                  StartsWith("--tls-cert: " + options_.tls_cert + " holds a damaged")));
+  EXPECT_TRUE(StatusOfDetecting(Client(loopback.server.Address(), robot)).ok());
+  const server::Metrics& metrics = *loopback.server.metrics();
+  EXPECT_EQ(MetricValue(metrics, "fovea_frames_received_total", "kitchen"), 1);
+}
+
+TEST_F(AccessChanges, RevokedCertificatesEndTheirStreams) {
+  ReloadBySignalOnly();
+  AskForClientCertificates();
+  const PemPair kitchen = clients_.Issue("kitchen"), hall = clients_.Issue("hall");
+  Revoke({});
+  Loopback loopback(FindOne, options_);
+  const Client client = ClientOf(loopback, kitchen), other = ClientOf(loopback, hall);
+  const auto stream = OpenStream(client), stays = OpenStream(other);
+
+  Revoke({kitchen.certificate});
+  loopback.server.ReloadAccess();
+  const grpc::Status status = StatusOf([&] { stream->Receive(); });
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::UNAUTHENTICATED);
+  EXPECT_EQ(status.error_message(), "the client certificate was revoked");
+  EXPECT_EQ(StatusOfDetecting(client).error_code(), grpc::StatusCode::UNAUTHENTICATED);
+  EXPECT_TRUE(StatusOfDetecting(other).ok());
+  v1::DetectStreamRequest request;
+  *request.mutable_frame() = TestFrame();
+  EXPECT_TRUE(stays->Send(request));
+  EXPECT_TRUE(stays->Receive());
+  EXPECT_EQ(MetricValue(*loopback.server.metrics(), "fovea_refused_total", "UNAUTHENTICATED"), 2);
+}
+
+TEST_F(AccessChanges, RevocationIsSeenWithoutASignal) {
+  AskForClientCertificates();
+  const PemPair kitchen = clients_.Issue("kitchen");
+  Revoke({});
+  const Loopback loopback(FindOne, options_);
+  const Client client = ClientOf(loopback, kitchen);
+  const auto stream = OpenStream(client);
+  Revoke({kitchen.certificate});
+  EXPECT_EQ(StatusOf([&] { stream->Receive(); }).error_message(),
+            "the client certificate was revoked");
+}
+
+TEST_F(AccessChanges, AnOverdueListIsHeededAndNamed) {
+  const CapturedLog log;
+  AskForClientCertificates();
+  const PemPair kitchen = clients_.Issue("kitchen"), hall = clients_.Issue("hall");
+  Revoke({kitchen.certificate}, /*due_s=*/-60);
+  const Loopback loopback(FindOne, options_);
+  EXPECT_EQ(StatusOfDetecting(ClientOf(loopback, kitchen)).error_message(),
+            "the client certificate was revoked");
+  EXPECT_TRUE(StatusOfDetecting(ClientOf(loopback, hall)).ok());
+  log.Await("--tls-crl: " + options_.tls_crl + ": the list of CN=authority should have been");
+}
+
+TEST_F(AccessChanges, AnotherAuthorityOfClientsEndsTheStreamsOfTheFirst) {
+  ReloadBySignalOnly();
+  AskForClientCertificates();
+  Loopback loopback(FindOne, options_);
+  const Client client = ClientOf(loopback, clients_.Issue("kitchen"));
+  const auto stream = OpenStream(client);
+  const Authority others;
+  folder_.Write("clients.pem", others.Certificate());
+  loopback.server.ReloadAccess();
+  const grpc::Status status = StatusOf([&] { stream->Receive(); });
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::UNAUTHENTICATED);
+  EXPECT_THAT(status.error_message(), StartsWith("the client certificate is not good"));
+  const PemPair hall = others.Issue("hall");
+  while (!StatusOfDetecting(ClientOf(loopback, hall)).ok()) {
+  }
+}
+
+TEST_F(AccessChanges, ListsThatDoNotFitAreNamed) {
+  AskForClientCertificates();
+  const auto error_with = [&](const std::string& list) -> std::string {
+    options_.tls_crl = folder_.Write("crl.pem", list);
+    try {
+      const server::Server server(options_, FindOne);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  const std::string start = "--tls-crl: " + folder_.At("crl.pem") + " ";
+  EXPECT_EQ(error_with(clients_.Revoke({})), "none");
+  EXPECT_EQ(error_with("nothing"), start + "holds no revocation list in PEM");
+  EXPECT_EQ(error_with(authority_.Revoke({})),
+            start + "the list of CN=authority is signed by no authority of --tls-client-ca");
+  options_.tls_client_ca =
+      folder_.Write("clients.pem", clients_.Certificate() + Authority().Certificate());
+  EXPECT_EQ(error_with(clients_.Revoke({})),
+            start + "holds no list of CN=authority, an authority of --tls-client-ca");
+  options_.tls_client_ca.clear();
+  EXPECT_EQ(error_with(clients_.Revoke({})), "--tls-crl: needs --tls-client-ca");
+}
+
+class TokenChanges : public ::testing::Test {
+ protected:
+  static constexpr const char* kHash =
+      "a3ee786b5707c27d42570785081ec17f5c7db9262a01366af362a1aa61a420b9";  // of let-me-in
+  static constexpr const char* kOther =
+      "d9298a10d1b0735837dc4bd85dac641b0f3cef27a47e5d53a54f2f3f5b2fcffa";
+
+  TokenChanges() { WriteTokens(std::string("kitchen ") + kHash); }
+
+  void WriteTokens(const std::string& text) { options_.tokens = folder_.Write("tokens", text); }
+  static Client Kitchen(const Loopback& loopback) {
+    ClientOptions options = PatientOptions();
+    options.token = "let-me-in";
+    return Client(loopback.server.Address(), options);
+  }
+  static void ExpectEnd(client::DetectStream& stream, const std::string& why) {
+    const grpc::Status status = StatusOf([&] { stream.Receive(); });
+    EXPECT_EQ(status.error_code(), grpc::StatusCode::UNAUTHENTICATED);
+    EXPECT_EQ(status.error_message(), why);
+  }
+
+  const TemporaryFolder folder_;
+  server::ServerOptions options_ = LoopbackOptions();
+};
+
+TEST_F(TokenChanges, ARemovedTokenEndsItsStreams) {
+  Loopback loopback(FindOne, options_);
+  const Client client = Kitchen(loopback);
+  const auto stream = OpenStream(client);
+  loopback.server.ReloadAccess();  // nothing has changed
+  v1::DetectStreamRequest request;
+  *request.mutable_frame() = TestFrame();
+  EXPECT_TRUE(stream->Send(request));
+  EXPECT_TRUE(stream->Receive());
+  WriteTokens(std::string("hall ") + kOther);
+  loopback.server.ReloadAccess();
+  ExpectEnd(*stream, "the token is not known");
+}
+
+TEST_F(TokenChanges, ATokenThatBecomesAnothersEndsItsStreams) {
+  Loopback loopback(FindOne, options_);
+  const Client client = Kitchen(loopback);
+  const auto stream = OpenStream(client);
+  WriteTokens(std::string("hall ") + kHash);
+  loopback.server.ReloadAccess();
+  ExpectEnd(*stream, "the token is another robot's now");
+}
+
+TEST_F(TokenChanges, AnIdleStreamEndsWhenItsTokenExpires) {
+  // In whole seconds: long enough to open the stream, or the test says that it was not.
+  const auto soon = std::chrono::ceil<std::chrono::seconds>(std::chrono::system_clock::now()) +
+                    std::chrono::seconds(3);
+  WriteTokens(std::string("kitchen ") + kHash + " " + server::TextOf(soon));
+  const Loopback loopback(FindOne, options_);
+  const Client client = Kitchen(loopback);
+  const auto stream = OpenStream(client);
+  ExpectEnd(*stream, "the token has expired");
+}
+
+// The answer that is computed is sent; the frame that waits gets none.
+TEST_F(TokenChanges, TheAnswerThatIsComputedIsSent) {
+  Gate gate;
+  Loopback loopback(std::ref(gate), options_);
+  const Client client = Kitchen(loopback);
+  const auto stream = client.OpenStream(kPatience);
+  v1::DetectStreamRequest request;
+  *request.mutable_frame() = TestFrame();
+  ASSERT_TRUE(stream->Send(request));
+  gate.WaitUntilBegun();
+  ASSERT_TRUE(stream->Send(request));
+  WriteTokens(std::string("hall ") + kOther);
+  loopback.server.ReloadAccess();
+  gate.Let();
+  EXPECT_TRUE(stream->Receive());
+  ExpectEnd(*stream, "the token is not known");
+}
+
+TEST_F(TokenChanges, TheSchemeIsTakenInAnyCase) {
+  const Loopback loopback(FindOne, options_);
+  const auto stub = v1::DetectionService::NewStub(
+      grpc::CreateChannel(loopback.server.Address(), grpc::InsecureChannelCredentials()));
+  const auto code_with = [&](const std::string& authorization) {
+    grpc::ClientContext context;
+    context.AddMetadata("authorization", authorization);
+    v1::GetServerInfoResponse info;
+    return stub->GetServerInfo(&context, {}, &info).error_code();
+  };
+  for (const char* scheme : {"Bearer", "bearer", "BEARER"}) {
+    EXPECT_EQ(code_with(std::string(scheme) + " let-me-in"), grpc::StatusCode::OK) << scheme;
+  }
+  EXPECT_EQ(code_with("Basic let-me-in"), grpc::StatusCode::UNAUTHENTICATED);
+  EXPECT_EQ(code_with("Bearer"), grpc::StatusCode::UNAUTHENTICATED);
+}
+
+}  // namespace
+}  // namespace fovea::testing
