@@ -119,6 +119,9 @@ void AddFlags(CLI::App& app, ServerOptions& options) {
          "Frames that take longer get a log line with the time of each stage, 0 to 3600000; "
          "0 = none")
       ->capture_default_str();
+  app.add_option("--log-format", options.log_format,
+                 "text: key=value; or json: an object a line with the same keys")
+      ->capture_default_str();
   app.add_option("--log-level", options.log_level,
                  "trace, debug, info, warn, error or off; SIGHUP reads it again from the file")
       ->capture_default_str();
@@ -130,7 +133,7 @@ std::string NoTokens(const ServerOptions& options) {
   return "--tokens: " + options.tokens + " holds 0 tokens: nobody may call";
 }
 
-std::optional<ServerOptions> ParseCommandLine(int argc, char** argv) {
+std::optional<ServerOptions> ParseCommandLine(int argc, char** argv, Settings* settings) {
   CLI::App app("Serves fovea.v1.DetectionService: finds unknown objects in RGB-D frames.",
                "fovea-server");
   ServerOptions options;
@@ -160,6 +163,7 @@ std::optional<ServerOptions> ParseCommandLine(int argc, char** argv) {
     return std::nullopt;
   }
   Validate(options);
+  if (settings != nullptr) *settings = SettingsOf(app);
   if (check_config) {
     const Credentials credentials(options);
     const GateKeeper gate_keeper(options.tokens);

@@ -39,29 +39,30 @@ grpc::Status FrameAnswerer::Answer(const FrameRequest& request, const Caller& ca
                                    v1::Detections* answer) const {
   grpc::Status status;
   Detections detections;
+  cv::Size image;
   try {
     if (caller.IsGone()) throw Cancelled();
     RequireField(request.frame != nullptr, "frame", "is missing");
     Trace trace;
-    detections = Compute(request, caller, &trace);
+    detections = Compute(request, caller, &trace, &image);
     *answer = ToProto(detections, trace, *request.frame, *request.options);
   } catch (...) {
     status = StatusOfCurrentException(caller.DeadlinePassed());
     detections = {};
   }
-  Record(request, caller, status, detections);
+  Record(request, caller, status, detections, image);
   return status;
 }
 
 void FrameAnswerer::Refuse(const FrameRequest& request, const Caller& caller,
                            const grpc::Status& status) const {
-  Record(request, caller, status, {});
+  Record(request, caller, status, {}, {});
 }
 
 // The answer matters more than what is said of it elsewhere.
 void FrameAnswerer::Record(const FrameRequest& request, const Caller& caller,
-                           const grpc::Status& status, const Detections& detections) const noexcept
-    try {
+                           const grpc::Status& status, const Detections& detections,
+                           cv::Size image) const noexcept try {
   const Clock::duration took = Clock::now() - request.received;
   const std::string frame_id = request.frame != nullptr ? request.frame->id() : "";
   LogFrame({.request_id = caller.request_id(),
@@ -69,6 +70,8 @@ void FrameAnswerer::Record(const FrameRequest& request, const Caller& caller,
             .frame_id = frame_id,
             .status = status,
             .detections = detections,
+            .options = *request.options,
+            .image = image,
             .took = took},
            slow_);
   metrics_.OnAnswered(caller.robot(), status, detections, took);
@@ -84,11 +87,12 @@ void FrameAnswerer::Record(const FrameRequest& request, const Caller& caller,
   LogCurrentException("a frame that was answered is not counted");
 }
 
-Detections FrameAnswerer::Compute(const FrameRequest& request, const Caller& caller,
-                                  Trace* trace) const {
+Detections FrameAnswerer::Compute(const FrameRequest& request, const Caller& caller, Trace* trace,
+                                  cv::Size* image) const {
   std::vector<std::string> losses;
   const DetectorOptions options = FromProto(*request.options);
   const RgbdFrame frame = FromProto(*request.frame, max_pixels_, &losses);
+  *image = frame.depth_m.size();
   InField("options.parameters", [&] { RequireNotEmpty(options.region, frame.depth_m.size()); });
   const Clock::time_point decoded = Clock::now();
   // What the method throws from here on is no longer about the request, TooComplex apart.

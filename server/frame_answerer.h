@@ -46,8 +46,10 @@ class FrameAnswerer {
 
  private:
   void Record(const FrameRequest& request, const Caller& caller, const grpc::Status& status,
-              const Detections& detections) const noexcept;
-  Detections Compute(const FrameRequest& request, const Caller& caller, Trace* trace) const;
+              const Detections& detections, cv::Size image) const noexcept;
+  // `image` gets the size of the frame once that is decoded.
+  Detections Compute(const FrameRequest& request, const Caller& caller, Trace* trace,
+                     cv::Size* image) const;
 
   const DetectFunction detect_;
   const std::uint64_t max_pixels_;

@@ -1,8 +1,9 @@
 #include "server/log_exception.h"
 
-#include <spdlog/spdlog.h>
-
 #include <exception>
+#include <string>
+
+#include "server/logging/log_limiter.h"
 
 namespace fovea::server {
 
@@ -11,9 +12,9 @@ void LogCurrentException(const char* what) noexcept {
     try {
       throw;
     } catch (const std::exception& error) {
-      spdlog::error("{}: {}", what, error.what());
+      LogLimited(what, spdlog::level::err, std::string(what) + ": " + error.what());
     } catch (...) {
-      spdlog::error("{}: an exception of unknown type", what);
+      LogLimited(what, spdlog::level::err, std::string(what) + ": an exception of unknown type");
     }
   } catch (...) {  // NOLINT(bugprone-empty-catch): there is nobody left to tell
   }

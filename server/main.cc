@@ -10,10 +10,12 @@
 #include <mutex>
 #include <string>
 
+#include "server/build_info.h"
 #include "server/command_line.h"
 #include "server/compute_process.h"
 #include "server/connections/self_check.h"
-#include "server/process.h"
+#include "server/logging/logging.h"
+#include "server/reload.h"
 #include "server/server.h"
 #include "server/service_manager.h"
 #include "server/spare_memory.h"
@@ -49,19 +51,6 @@ void StopGently(fovea::server::Server& server, const fovea::server::ServerOption
 void WarnOfTokens(const fovea::server::ServerOptions& options,
                   const fovea::server::Server& server) {
   if (server.RefusesEverybody()) spdlog::warn(fovea::server::NoTokens(options));
-}
-
-// SIGHUP: what can change while serving is read again. A mistake changes nothing.
-void Reload(int argc, char** argv, fovea::server::Server& server) {
-  try {
-    const auto options = fovea::server::ParseCommandLine(argc, argv);
-    server.ReloadAccess();
-    fovea::server::SetLogLevel(options->log_level);
-    WarnOfTokens(*options, server);
-    spdlog::warn("read configuration and tokens again, log level is {}", options->log_level);
-  } catch (const std::exception& error) {
-    spdlog::error("the configuration stays as it was: {}", error.what());
-  }
 }
 
 // A server that nobody can reach any more had better be started again by whoever started it.
@@ -113,27 +102,32 @@ int WaitFor(const sigset_t& signals) {
 }
 
 int Run(int argc, char** argv) {
+  fovea::server::GuardStandardStreams();
   const sigset_t signals = BlockSignals();
-  const auto options = fovea::server::ParseCommandLine(argc, argv);
+  fovea::server::Settings settings;
+  const auto options = fovea::server::ParseCommandLine(argc, argv, &settings);
   if (!options) return EXIT_SUCCESS;
 
-  fovea::server::SetUpLogging(options->log_level);
-  fovea::server::RaiseFileLimit();
   fovea::server::SetUpComputing(NumComputeThreads(*options));
+  const fovea::server::Logging logging(options->log_level,
+                                       fovea::server::ParseLogFormat(options->log_format));
+  fovea::server::RaiseFileLimit();
   const fovea::server::SpareMemory spare_memory(std::chrono::minutes{1});
   fovea::server::Server server(*options);
+  spdlog::info("fovea-server {} ({}) serves", fovea::server::Version(), fovea::server::Commit());
+  fovea::server::LogSettings(settings);
   Life life;
   const auto metrics = MakeMetricsEndpoint(*options, server, life);
   for (const std::string& address : server.Addresses()) {
-    std::cout << "listening on " << address << std::endl;
+    fovea::server::Announce("listening on " + address);
   }
-  if (metrics) std::cout << "metrics at http://" << metrics->Address() << "/metrics" << std::endl;
+  if (metrics) fovea::server::Announce("metrics at http://" + metrics->Address() + "/metrics");
   if (options->insecure) spdlog::warn("other machines may call unprotected (--insecure)");
 
   WarnOfTokens(*options, server);
   life.Watch(MakeSelfCheck(*options, server));
   fovea::server::NotifyReady();
-  while (WaitFor(signals) == SIGHUP) Reload(argc, argv, server);
+  while (WaitFor(signals) == SIGHUP) fovea::server::Reload(argc, argv, server, &settings);
   fovea::server::NotifyStopping();
   life.Watch(nullptr);
   StopGently(server, *options, signals);

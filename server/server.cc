@@ -171,8 +171,8 @@ void Server::Listen() {
   grpc::ServerBuilder builder;
   ConfigureChannel(options_, &builder);
   using Type = grpc::ServerBuilder::experimental_type::ExternalConnectionType;
-  auto callers = builder.experimental().AddExternalConnectionAcceptor(Type::FROM_FD,
-                                                                      credentials_.ForGrpc());
+  auto callers =
+      builder.experimental().AddExternalConnectionAcceptor(Type::FROM_FD, credentials_.ForGrpc());
   auto self = builder.experimental().AddExternalConnectionAcceptor(
       Type::FROM_FD, grpc::InsecureServerCredentials());
   builder.RegisterService(&service_);

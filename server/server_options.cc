@@ -88,6 +88,11 @@ void RequireLogLevel(const std::string& level) {
                               "\" is not one of trace, debug, info, warn, error, off");
 }
 
+void RequireLogFormat(const std::string& format) {
+  if (format == "text" || format == "json") return;
+  throw std::invalid_argument("--log-format: \"" + format + "\" is not one of text, json");
+}
+
 }  // namespace
 
 void Validate(const ServerOptions& options) {
@@ -115,6 +120,7 @@ void Validate(const ServerOptions& options) {
   RequireTracing(options);
   RequireRange("--slow-ms", options.slow_ms, 0, 3'600'000);
   RequireLogLevel(options.log_level);
+  RequireLogFormat(options.log_format);
 }
 
 int NumComputeThreads(const ServerOptions& options) {

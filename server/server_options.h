@@ -70,6 +70,8 @@ struct ServerOptions {
   // Frames that take longer get a line in the log with the time of each stage, 0 … 3600000 ms;
   // 0 = none does.
   int slow_ms = 2000;
+  // text or json.
+  std::string log_format = "text";
   // trace, debug, info, warn, error or off.
   std::string log_level = "info";
 };

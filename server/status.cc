@@ -1,7 +1,5 @@
 #include "server/status.h"
 
-#include <spdlog/spdlog.h>
-
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -11,6 +9,7 @@
 #include "server/access/token_table.h"
 #include "server/conversion/field_error.h"
 #include "server/error_details.h"
+#include "server/logging/log_limiter.h"
 #include "server/scheduling/scheduler.h"
 
 namespace fovea::server {
@@ -31,9 +30,10 @@ grpc::Status StatusOfCurrentException(bool deadline_passed) {
   } catch (const std::bad_alloc&) {
     return {grpc::StatusCode::RESOURCE_EXHAUSTED, "not enough memory for this frame"};
   } catch (const std::exception& error) {
-    spdlog::error("internal error: {}", error.what());
+    LogLimited("internal error", spdlog::level::err,
+               std::string("internal error: ") + error.what());
   } catch (...) {
-    spdlog::error("internal error of unknown type");
+    LogLimited("internal error", spdlog::level::err, "internal error of unknown type");
   }
   return {grpc::StatusCode::INTERNAL, "internal error; the server's log says more"};
 }

@@ -7,6 +7,8 @@
 #include <mutex>
 #include <utility>
 
+#include "server/log_exception.h"
+
 namespace fovea::server {
 
 AccessWatch::AccessWatch(std::chrono::seconds period, Credentials& credentials,
@@ -18,26 +20,31 @@ AccessWatch::AccessWatch(std::chrono::seconds period, Credentials& credentials,
       thread_([this](const std::stop_token& stop) { Run(stop); }) {}
 
 void AccessWatch::Run(const std::stop_token& stop) {
-  using Clock = std::chrono::steady_clock;
   constexpr std::chrono::seconds kCheck{1};
-  constexpr std::chrono::hours kRemind{24};
   std::mutex mutex;
   std::condition_variable_any never;
   std::unique_lock lock(mutex);
-  Clock::time_point reloaded = Clock::now(), reminded = reloaded;
-  credentials_.WarnOfWhatIsDue();
+  reloaded_ = std::chrono::steady_clock::now();
   while (!never.wait_for(lock, stop, kCheck, [&] { return stop.stop_requested(); })) {
-    const Clock::time_point now = Clock::now();
-    if (!fault_.empty() || now - reloaded >= period_) {
-      Reload();
-      reloaded = now;
+    try {
+      Look();
+    } catch (...) {
+      LogCurrentException("cannot see whether those who call may still do so");
     }
-    if (now - reminded >= kRemind) {
-      credentials_.WarnOfWhatIsDue();
-      reminded = now;
-    }
-    check_calls_();
   }
+}
+
+void AccessWatch::Look() {
+  constexpr std::chrono::hours kRemind{24};
+  const auto now = std::chrono::steady_clock::now();
+  if (!fault_.empty() || now - reloaded_ >= period_) {
+    Reload();
+    reloaded_ = now;
+  }
+  check_calls_();
+  if (reminded_ != decltype(reminded_){} && now - reminded_ < kRemind) return;
+  credentials_.WarnOfWhatIsDue();
+  reminded_ = now;
 }
 
 // Says a fault once, however long it lasts.

@@ -21,12 +21,14 @@ class AccessWatch {
 
  private:
   void Run(const std::stop_token& stop);
+  void Look();
   void Reload();
 
   const std::chrono::seconds period_;
   Credentials& credentials_;
   GateKeeper& gate_keeper_;
   const std::function<void()> check_calls_;
+  std::chrono::steady_clock::time_point reloaded_, reminded_;
   std::string fault_;  // of the files, as it was said last; empty = none
   std::jthread thread_;
 };

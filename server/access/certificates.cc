@@ -28,7 +28,8 @@ std::vector<std::shared_ptr<Thing>> ReadAll(const std::string& pem,
   const Bio reader = Reader(pem);
   std::vector<std::shared_ptr<Thing>> things;
   ERR_clear_error();
-  while (Thing* thing = read(reader.get(), nullptr, nullptr, nullptr)) things.emplace_back(thing, free);
+  while (Thing* thing = read(reader.get(), nullptr, nullptr, nullptr))
+    things.emplace_back(thing, free);
   const bool at_end = ERR_GET_REASON(ERR_peek_last_error()) == PEM_R_NO_START_LINE;
   ERR_clear_error();
   if (!at_end) throw std::invalid_argument("holds a damaged " + name);

@@ -14,8 +14,7 @@ constexpr std::size_t kMaxRemembered = 1024;
 // A list is better late than none: it goes on being heeded.
 int Heed(int ok, X509_STORE_CTX* context) {
   const int error = X509_STORE_CTX_get_error(context);
-  const bool late =
-      error == X509_V_ERR_CRL_HAS_EXPIRED || error == X509_V_ERR_CRL_NOT_YET_VALID;
+  const bool late = error == X509_V_ERR_CRL_HAS_EXPIRED || error == X509_V_ERR_CRL_NOT_YET_VALID;
   if (ok == 0 && late) X509_STORE_CTX_set_error(context, X509_V_OK);
   return late ? 1 : ok;
 }
@@ -41,9 +40,8 @@ void RequireToBelongTogether(const std::vector<Certificate>& authorities,
     }
   }
   for (const Certificate& authority : authorities) {
-    const bool listed = std::ranges::any_of(lists, [&](const RevocationList& list) {
-      return IsSignedBy(list.get(), authority.get());
-    });
+    const bool listed = std::ranges::any_of(
+        lists, [&](const RevocationList& list) { return IsSignedBy(list.get(), authority.get()); });
     if (!listed && SignedItself(authority.get())) {
       throw std::invalid_argument("holds no list of " + SubjectOf(*authority) +
                                   ", an authority of --tls-client-ca");
@@ -102,7 +100,7 @@ std::chrono::sys_seconds ClientAuthority::Verify(const std::string& certificate,
   std::vector<Certificate> others;
   if (!chain.empty()) others = CertificatesOf(chain);
   const std::unique_ptr<STACK_OF(X509), void (*)(STACK_OF(X509)*)> untrusted(
-      sk_X509_new_null(), [](STACK_OF(X509)* stack) { sk_X509_free(stack); });
+      sk_X509_new_null(), [](STACK_OF(X509) * stack) { sk_X509_free(stack); });
   for (const Certificate& other : others) sk_X509_push(untrusted.get(), other.get());
   const std::unique_ptr<X509_STORE_CTX, decltype(&X509_STORE_CTX_free)> context(
       X509_STORE_CTX_new(), X509_STORE_CTX_free);

@@ -72,9 +72,7 @@ void Credentials::RequireUsable() const {
   if (has_tls()) ReadTlsFiles(options_);
 }
 
-std::shared_ptr<const ClientAuthority> Credentials::authority() const {
-  return files().authority;
-}
+std::shared_ptr<const ClientAuthority> Credentials::authority() const { return files().authority; }
 
 std::optional<std::chrono::sys_seconds> Credentials::Expiry() const {
   if (!has_tls()) return std::nullopt;

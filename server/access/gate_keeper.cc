@@ -103,7 +103,8 @@ Admission GateKeeper::Admit(const grpc::ServerContextBase& context) const {
 void GateKeeper::Readmit(const grpc::ServerContextBase& context, Admission* admission) const {
   if (rules().number == admission->rules && Now() < admission->expires) return;
   const Admission again = Admit(context);
-  if (again.robot.name != admission->robot.name) throw Unauthenticated("the token is another robot's now");
+  if (again.robot.name != admission->robot.name)
+    throw Unauthenticated("the token is another robot's now");
   admission->expires = again.expires;
   admission->rules = again.rules;
 }

@@ -40,7 +40,8 @@ class GateKeeper {
   Admission Admit(const grpc::ServerContextBase& context) const;
 
   // Throws like Admit where a call that was let in would not be any more, or be somebody else's.
-  // Leaves the robot as it is, which others may read meanwhile. Costs next to nothing as long as neither the rules have changed nor its time has come.
+  // Leaves the robot as it is, which others may read meanwhile. Costs next to nothing as long as
+  // neither the rules have changed nor its time has come.
   void Readmit(const grpc::ServerContextBase& context, Admission* admission) const;
 
   // Whether tokens are needed and there is none.

@@ -2,7 +2,7 @@
 
 #include <linux/tcp.h>
 #include <netinet/in.h>
-#include <spdlog/spdlog.h>
+#include <spdlog/fmt/fmt.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
 
@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "server/connections/socket_address.h"
+#include "server/logging/log_limiter.h"
 
 namespace fovea::server {
 namespace {
@@ -160,7 +161,8 @@ void ConnectionTable::End(Connection& connection, const std::string& why) {
   ++counts_.ended;
   GiveBackPlace(connection);
   shutdown(connection.fd.get(), SHUT_RDWR);  // gRPC closes what is left of it
-  spdlog::warn("connection of {} ended: it {}", connection.peer, why);
+  LogLimited("connection ended", spdlog::level::warn,
+             fmt::format("connection of {} ended: it {}", connection.peer, why));
 }
 
 void ConnectionTable::GiveBackPlace(const Connection& connection) {

@@ -1,7 +1,7 @@
 #include "server/connections/door.h"
 
 #include <fcntl.h>
-#include <spdlog/spdlog.h>
+#include <spdlog/fmt/fmt.h>
 #include <sys/epoll.h>
 #include <sys/eventfd.h>
 #include <sys/resource.h>
@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "server/connections/socket_address.h"
+#include "server/logging/log_limiter.h"
 
 namespace fovea::server {
 namespace {
@@ -123,7 +124,8 @@ void Door::Accept(const ListeningSocket& listening) {
       return;
     } else if (errno != ECONNABORTED && errno != EINTR) {
       if (errno == EAGAIN) return;
-      spdlog::error("cannot accept connections: {}", std::strerror(errno));
+      LogLimited("connection not accepted", spdlog::level::err,
+                 std::string("cannot accept connections: ") + std::strerror(errno));
       std::this_thread::sleep_for(kRest);  // it stays in line, and would be heard again at once
       return;
     }
@@ -138,7 +140,8 @@ void Door::HandOver(const ListeningSocket& listening, FileDescriptor connection)
     if (!watched) return;  // and so `connection` is closed
     const int fd = connections_.Add(peer, std::move(watched));
     if (fd < 0) {
-      spdlog::warn("connection of {} refused: there are too many", peer);
+      LogLimited("connection refused", spdlog::level::warn,
+                 "connection of " + peer + " refused: there are too many");
       return;
     }
     Watch(fd, EPOLLET);  // of its end, which is always said
@@ -151,7 +154,9 @@ void Door::HandOver(const ListeningSocket& listening, FileDescriptor connection)
 
 // Else the caller stays in line, and the line is said to be waiting at once again.
 void Door::TurnAwayWithoutDescriptor(const ListeningSocket& listening) {
-  spdlog::error("connection refused: {} (raise the limit of open files)", std::strerror(errno));
+  LogLimited(
+      "connection refused", spdlog::level::err,
+      fmt::format("connection refused: {} (raise the limit of open files)", std::strerror(errno)));
   if (!spare_) std::this_thread::sleep_for(kRest);
   spare_.Close();
   FileDescriptor(accept4(listening.fd(), nullptr, nullptr, SOCK_CLOEXEC));

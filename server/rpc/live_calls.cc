@@ -15,8 +15,7 @@ LiveCalls::Token LiveCalls::Enter() {
           }};
 }
 
-LiveCalls::Token LiveCalls::Begin(std::function<void()> on_stop,
-                                  std::function<void()> on_check) {
+LiveCalls::Token LiveCalls::Begin(std::function<void()> on_stop, std::function<void()> on_check) {
   const std::lock_guard lock(mutex_);
   if (stopping_) return nullptr;
   const int id = ++last_id_;

@@ -19,7 +19,8 @@ class LiveCalls {
   Token Enter();
   // For one that has begun; null once the server stops. `on_stop` is called by Stop(), `on_check`
   // by Check().
-  Token Begin(std::function<void()> on_stop, std::function<void()> on_check = [] {});
+  Token Begin(
+      std::function<void()> on_stop, std::function<void()> on_check = [] {});
 
   // Has those that have begun see whether they may go on.
   void Check();

@@ -42,8 +42,8 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   void OnNoMore();
   void OnGone();
   void OnWritten(bool ok);
-  void End();  // by the server
-  void Check();  // whether the caller may still call
+  void End();          // by the server
+  void Check();        // whether the caller may still call
   void CheckAccess();  // mutex_ is held
   void Deliver();
   void ComputeOrSayWhyNot();
@@ -70,10 +70,10 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   std::uint64_t num_received_ = 0;
   std::uint64_t num_dropped_ = 0;  // since the last frame that was taken
   Scheduler::Ticket ticket_ = 0;
-  bool busy_ = false;     // waits for its turn, computes or writes
-  bool no_more_ = false;  // the caller sends no more frames
-  bool ending_ = false;   // the server is stopping
-  bool broken_ = false;   // an answer could not be sent
+  bool busy_ = false;                   // waits for its turn, computes or writes
+  bool no_more_ = false;                // the caller sends no more frames
+  bool ending_ = false;                 // the server is stopping
+  bool broken_ = false;                 // an answer could not be sent
   std::optional<grpc::Status> barred_;  // why the caller may not call any more
   bool finished_ = false;
 };

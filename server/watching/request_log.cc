@@ -1,56 +1,90 @@
 #include "server/watching/request_log.h"
 
-#include <spdlog/spdlog.h>
+#include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "core/options.h"
+#include "server/logging/log_limiter.h"
+#include "server/logging/log_record.h"
 #include "server/status.h"
 
 namespace fovea::server {
 namespace {
 
-// A caller must not be able to write lines or keys of its own into the log.
-std::string Quoted(const std::string& text) {
-  constexpr std::size_t kMaxBytes = 300;
-  std::string result = "\"";
-  for (const char c : text.substr(0, kMaxBytes)) {
-    const bool plain = static_cast<unsigned char>(c) >= 0x20 && c != 0x7F && c != '"' && c != '\\';
-    result += plain ? c : '?';
-  }
-  return result + '"';
-}
-
 double Milliseconds(std::chrono::steady_clock::duration duration) {
   return std::chrono::duration<double, std::milli>(duration).count();
 }
 
-void LogStages(const FrameRecord& record) {
-  std::string stages;
-  for (const StageTime& time : record.detections.stage_times) {
-    stages += fmt::format(" {}_ms={:.1f}", time.stage, time.duration_ms);
+// What a caller did wrong, or that he left, he can do as often as he likes.
+void LogFault(const LogRecord& record, const std::string& kind) {
+  if (LogLimiter::Global().Admit(kind, spdlog::level::warn)) record.Log(spdlog::level::warn);
+}
+
+std::string ProfileOf(const v1::DetectOptions& options) {
+  return options.profile().empty() ? "default" : options.profile();
+}
+
+// "mrf.lambda=3 saliency.levels=2": those that are not as the profile has them, or unknown.
+std::string ChangesOf(const v1::DetectOptions& options) {
+  const std::vector<std::string> profiles = ProfileNames();
+  const bool known = std::ranges::count(profiles, ProfileOf(options)) > 0;
+  std::map<std::string, double> usual;
+  if (known && options.parameters_size() > 0)
+    usual = OptionValues(OptionsOfProfile(ProfileOf(options)));
+  const std::map<std::string, double> given(options.parameters().begin(),
+                                            options.parameters().end());
+  std::string text;
+  for (const auto& [name, value] : given) {
+    const auto found = usual.find(name);
+    if (found != usual.end() && found->second == value) continue;
+    text += fmt::format("{}{}={}", text.empty() ? "" : " ", name, value);
   }
-  spdlog::warn("slow request={} total_ms={:.1f}{}", Quoted(record.request_id),
-               Milliseconds(record.took), stages);
+  return text;
+}
+
+LogRecord Begin(const FrameRecord& record, const std::string& event, const std::string& title) {
+  LogRecord line(event, title);
+  line.Text("request", record.request_id).Text("robot", record.robot);
+  line.Text("frame", record.frame_id).Word("code", NameOf(record.status.error_code()));
+  return line;
+}
+
+void LogSlow(const FrameRecord& record) {
+  const std::string code = NameOf(record.status.error_code());
+  LogRecord line = Begin(record, "slow", "slow");
+  line.Milliseconds("total_ms", Milliseconds(record.took));
+  line.Text("image", fmt::format("{}x{}", record.image.width, record.image.height));
+  line.Text("profile", ProfileOf(record.options)).Text("options", ChangesOf(record.options));
+  for (const StageTime& time : record.detections.stage_times) {
+    line.Milliseconds(time.stage + "_ms", time.duration_ms);
+  }
+  LogFault(line, "slow " + code);
 }
 
 }  // namespace
 
 void LogFrame(const FrameRecord& record, std::chrono::milliseconds slow) {
-  const std::string who = fmt::format("request={} robot={} frame={}", Quoted(record.request_id),
-                                      Quoted(record.robot), Quoted(record.frame_id));
+  LogRecord line = Begin(record, "frame", "");
   const double total_ms = Milliseconds(record.took);
   if (record.status.ok()) {
-    spdlog::info("{} code=OK objects={} total_ms={:.1f}", who, record.detections.objects.size(),
-                 total_ms);
+    line.Number("objects", static_cast<double>(record.detections.objects.size()));
+    line.Milliseconds("total_ms", total_ms).Log(spdlog::level::info);
   } else {
-    spdlog::warn("{} code={} total_ms={:.1f} error={}", who, NameOf(record.status.error_code()),
-                 total_ms, Quoted(record.status.error_message()));
+    line.Milliseconds("total_ms", total_ms).Text("error", record.status.error_message());
+    LogFault(line, std::string("frame ") + NameOf(record.status.error_code()));
   }
-  if (slow.count() > 0 && record.took > slow) LogStages(record);
+  if (slow.count() > 0 && record.took > slow) LogSlow(record);
 }
 
 void LogRefusedStream(const std::string& request_id, const std::string& robot,
                       const grpc::Status& status) {
-  spdlog::warn("stream request={} robot={} code={} error={}", Quoted(request_id), Quoted(robot),
-               NameOf(status.error_code()), Quoted(status.error_message()));
+  const std::string code = NameOf(status.error_code());
+  LogRecord line("stream");
+  line.Text("request", request_id).Text("robot", robot).Word("code", code);
+  LogFault(line.Text("error", status.error_message()), "stream " + code);
 }
 
 }  // namespace fovea::server

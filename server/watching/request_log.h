@@ -3,9 +3,11 @@
 #include <grpcpp/support/status.h>
 
 #include <chrono>
+#include <opencv2/core/types.hpp>
 #include <string>
 
 #include "core/types/detections.h"
+#include "fovea/v1/detection.pb.h"
 
 namespace fovea::server {
 
@@ -15,16 +17,20 @@ struct FrameRecord {
   const std::string& robot;
   const std::string& frame_id;
   const grpc::Status& status;
-  const Detections& detections;  // empty where the status is not OK
+  const Detections& detections;      // empty where the status is not OK
+  const v1::DetectOptions& options;  // as they came
+  cv::Size image;                    // empty where it was not decoded
   std::chrono::steady_clock::duration took{};
 };
 
 // One line of key=value per frame: at info what was found, at warning what went wrong; a second one
-// with the time of each stage where it took longer than `slow` (0: never). What came from outside
-// is quoted, escaped and shortened.
+// with image, profile, options that differ from it, and the time of each stage where it took longer
+// than `slow` (0: never). What went wrong is limited by status code, see LogLimiter. What came from
+// outside is quoted, escaped and shortened.
 void LogFrame(const FrameRecord& record, std::chrono::milliseconds slow);
 
-// One line, at warning, for a stream that was not let in.
+// One line, at warning and limited likewise, for a stream that was not let in, or whose caller may
+// not call any more.
 void LogRefusedStream(const std::string& request_id, const std::string& robot,
                       const grpc::Status& status);
 

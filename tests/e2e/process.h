@@ -16,8 +16,9 @@ struct Finished {
 // A child process. Its stdout and stderr go to files, which are read when it has ended.
 class Process {
  public:
-  // `arguments[0]` is the executable's path.
-  explicit Process(const std::vector<std::string>& arguments);
+  // `arguments[0]` is the executable's path. `err` is where stderr goes instead of the file, which
+  // is empty then.
+  explicit Process(const std::vector<std::string>& arguments, int err = -1);
   // Kills the child where it still runs.
   ~Process();
 

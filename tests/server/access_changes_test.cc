@@ -105,8 +105,8 @@ TEST_F(AccessChanges, ServesTheOldCertificateUntilTheNewKeyIsThere) {
 TEST_F(AccessChanges, SaysWhenTheCertificateExpires) {
   const CapturedLog log;
   const Loopback loopback(FindOne, options_);
-  const auto expiry = server::ExpiryOf(
-      *server::CertificatesOf(authority_.Issue("another").certificate).front());
+  const auto expiry =
+      server::ExpiryOf(*server::CertificatesOf(authority_.Issue("another").certificate).front());
   ASSERT_TRUE(loopback.server.CertificateExpiry());
   EXPECT_LE(*loopback.server.CertificateExpiry(), expiry);
   log.Await("expires soon, at " + server::TextOf(*loopback.server.CertificateExpiry()));
@@ -132,7 +132,7 @@ TEST_F(AccessChanges, ABadFileChangesNothing) {
                   StartsWith("--tls-cert: " + options_.tls_cert + " holds a damaged")));
   EXPECT_TRUE(StatusOfDetecting(Client(loopback.server.Address(), robot)).ok());
   const server::Metrics& metrics = *loopback.server.metrics();
-  EXPECT_EQ(MetricValue(metrics, "fovea_frames_received_total", "kitchen"), 1);
+  EXPECT_EQ(MetricValue(metrics, "fovea_robot_frames_received_total", "kitchen"), 1);
 }
 
 TEST_F(AccessChanges, RevokedCertificatesEndTheirStreams) {

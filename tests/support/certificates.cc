@@ -83,8 +83,8 @@ std::string Authority::Revoke(const std::vector<std::string>& certificates, long
   for (const std::string& pem : certificates) {
     const std::unique_ptr<BIO, decltype(&BIO_free)> reader(
         BIO_new_mem_buf(pem.data(), static_cast<int>(pem.size())), BIO_free);
-    const std::shared_ptr<X509> certificate(PEM_read_bio_X509(reader.get(), nullptr, nullptr, nullptr),
-                                   X509_free);
+    const std::shared_ptr<X509> certificate(
+        PEM_read_bio_X509(reader.get(), nullptr, nullptr, nullptr), X509_free);
     X509_REVOKED* entry = X509_REVOKED_new();
     X509_REVOKED_set_serialNumber(entry, X509_get_serialNumber(certificate.get()));
     X509_REVOKED_set_revocationDate(entry, time.get());

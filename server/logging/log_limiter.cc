@@ -1,0 +1,59 @@
+#include "server/logging/log_limiter.h"
+
+#include <spdlog/spdlog.h>
+
+#include <vector>
+
+#include "server/logging/log_record.h"
+
+namespace fovea::server {
+namespace {
+
+void LogLeftOut(const std::string& kind, std::uint64_t count, spdlog::level::level_enum level) {
+  LogRecord("left_out",
+            fmt::format("{} more like this in {} s:", count, LogLimiter::kPeriod.count()))
+      .Text("kind", kind)
+      .Number("count", static_cast<double>(count))
+      .Log(level);
+}
+
+}  // namespace
+
+bool LogLimiter::Admit(const std::string& kind, spdlog::level::level_enum level,
+                       Clock::time_point now) {
+  Summarize(now);
+  const std::lock_guard lock(mutex_);
+  Kind& of_kind = kinds_.try_emplace(kind, Kind{.since = now}).first->second;
+  of_kind.level = level;
+  if (of_kind.written < kLines) {
+    ++of_kind.written;
+    return true;
+  }
+  ++of_kind.left_out;
+  return false;
+}
+
+void LogLimiter::Summarize(Clock::time_point now) {
+  std::vector<std::pair<std::string, Kind>> over;
+  {
+    const std::lock_guard lock(mutex_);
+    std::erase_if(kinds_, [&](const auto& kind) {
+      if (now - kind.second.since < kPeriod) return false;
+      if (kind.second.left_out > 0) over.push_back(kind);
+      return true;
+    });
+  }
+  for (const auto& [kind, counts] : over) LogLeftOut(kind, counts.left_out, counts.level);
+}
+
+LogLimiter& LogLimiter::Global() {
+  static auto* const limiter = new LogLimiter;  // gRPC's threads may log at the very end
+  return *limiter;
+}
+
+void LogLimited(const std::string& kind, spdlog::level::level_enum level,
+                const std::string& message) {
+  if (LogLimiter::Global().Admit(kind, level)) spdlog::log(level, message);
+}
+
+}  // namespace fovea::server

@@ -1,0 +1,22 @@
+// The configuration in force, for people.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace fovea::server {
+
+// By key: what was given on the command line or in the file, else the default.
+using Settings = std::map<std::string, std::string>;
+
+Settings SettingsOf(const CLI::App& app);
+
+// In the order of the names.
+std::vector<std::string> ChangedKeys(const Settings& before, const Settings& after);
+
+// One line in the log.
+void LogSettings(const Settings& settings);
+
+}  // namespace fovea::server
