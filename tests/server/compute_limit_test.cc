@@ -46,15 +46,5 @@ TEST(ComputeLimit, IsNotThatOfTheCaller) {
   EXPECT_EQ(status.error_code(), grpc::StatusCode::DEADLINE_EXCEEDED);
 }
 
-TEST(ComputeLimit, EndsARealDetectionWithExtremeOptions) {
-  Loopback loopback(fovea::Detect, WithLimit(1));
-  v1::DetectRequest request = TestRequest();
-  auto& parameters = *request.mutable_options()->mutable_parameters();
-  parameters["depth_fill.passes"] = 10;
-  parameters["gravity.num_starts"] = 9;
-  const grpc::Status status = StatusOf([&] { loopback.client.Detect(request); });
-  EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
-}
-
 }  // namespace
 }  // namespace fovea::testing
