@@ -14,6 +14,7 @@
 #include "core/segmentation/labels.h"
 #include "core/segmentation/mean_color.h"
 #include "core/stage_clock.h"
+#include "core/types/interruption.h"
 
 namespace fovea {
 namespace {
@@ -62,6 +63,7 @@ std::vector<int> LabelVoxels(const PottsEnergy& energy, const MrfOptions& option
 // Both maps, each scaled to a maximum of 1, count the same.
 cv::Mat MeanSaliency(const cv::Mat& color_saliency, const cv::Mat& depth_saliency) {
   const auto scale = [](const cv::Mat& map) {
+    InterruptionPoint();
     double max = 0;
     cv::minMaxLoc(map, nullptr, &max);
     return max > 0 ? 0.5 / max : 0.0;
@@ -74,6 +76,7 @@ cv::Mat MeanSaliency(const cv::Mat& color_saliency, const cv::Mat& depth_salienc
 cv::Mat LabelsOfMeasured(const VoxelGrid& grid, const std::vector<int>& labels,
                          const cv::Mat& measured_depth) {
   cv::Mat image = LabelImage(grid, labels);
+  InterruptionPoint();
   image.setTo(0, ~(measured_depth == measured_depth));  // NaN
   return image;
 }
@@ -87,7 +90,7 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   RequireNotEmpty(options.region, frame.depth_m.size());
   Detections result;
   Diagnostics& counts = result.diagnostics;
-  StageClock clock(result.stage_times, should_stop);
+  StageClock clock(result.stage_times, should_stop, "depth");
 
   // Section 1: the smoothed depth image and the point cloud.
   const cv::Mat measured = CleanDepth(frame.depth_m);
@@ -95,20 +98,22 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
       FillDepthHoles(RemoveFlyingPixels(measured, frame.intrinsics.fx_px, frame.intrinsics.fy_px,
                                         options.flying_pixels),
                      options.depth_fill);
+  InterruptionPoint();
   const cv::Mat points = BackProject(depth, frame.intrinsics, options.max_depth_m);
+  InterruptionPoint();
   counts.num_pixels = measured.total();
   counts.num_measured = CountMeasured(measured);
   counts.num_points = CountMeasured(ChannelZ(points));
-  clock.Finish("depth");
+  clock.Begin("normals");
 
   const NormalMap normals = EstimateNormals(points, frame.intrinsics, options.normals);
-  clock.Finish("normals");
+  clock.Begin("color_saliency");
 
   // Section 3.1: where something stands out, in colour and in depth.
   const cv::Mat color_saliency = StrengthSaliency(frame.color_rgb, options.color_saliency);
-  clock.Finish("color_saliency");
+  clock.Begin("depth_saliency");
   const cv::Mat depth_saliency = DepthSaliency(depth, options.depth_saliency);
-  clock.Finish("depth_saliency");
+  clock.Begin("seeds");
 
   // Section 3.2: seeds at salient positions, except on the dominating support surface.
   SeedCandidates from_color;
@@ -124,7 +129,7 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   counts.seeds_from_color = from_color.seeds.size() + from_color.without_depth;
   counts.seeds_from_depth = from_depth.seeds.size() + from_depth.without_depth;
   counts.seeds_without_depth = from_color.without_depth + from_depth.without_depth;
-  clock.Finish("seeds");
+  clock.Begin("support");
 
   NormalMap wide_normals;
   if (!frame.gravity || options.support.wide_normals) {
@@ -140,7 +145,7 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   const std::size_t num_candidates = seeds.size();
   seeds = SeedsAbove(supports, seeds, options.support);
   counts.seeds_on_support = num_candidates - seeds.size();
-  clock.Finish("support");
+  clock.Begin("voxels");
 
   // Section 3: the scene as voxels, labelled by a Markov random field.
   const VoxelGrid grid = BuildVoxelGrid(points, normals, options.voxels);
@@ -150,14 +155,14 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
       FindWalls(grid, -result.gravity.direction, supports, options.support, options.walls);
   AddWalls(on_wall, is_background);
   seeds = CoverWithSeeds(grid, is_background, seeds, options.cover);
-  clock.Finish("voxels");
+  clock.Begin("energy");
   const std::vector<MeanColor> colors = ColorsOfVoxels(grid, is_background, frame.color_rgb);
   const PottsEnergy energy = BuildEnergy(grid, points, colors, is_background, seeds, options.mrf);
   counts.num_seeds = seeds.size();
   counts.num_voxels = grid.voxels.size();
-  clock.Finish("energy");
+  clock.Begin("graph_cut");
   const std::vector<int> labels = LabelVoxels(energy, options.mrf);
-  clock.Finish("graph_cut");
+  clock.Begin("refinement");
 
   // Section 3.3: segments that look alike are one object.
   const RefinedScene refined =
@@ -167,13 +172,13 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   counts.num_segments = refined.num_segments;
   counts.num_merged = refined.num_merged;
   counts.segments_implausible = refined.num_implausible;
-  clock.Finish("refinement");
+  clock.Begin("objects");
 
   result.labels = LabelsOfMeasured(grid, refined.objects, measured);
   DescribeObjects(frame, points, MeanSaliency(color_saliency, depth_saliency), supports,
                   options.objects, result);
   counts.messages = ExplainLosses(result);
-  clock.Finish("objects");
+  clock.Finish();
   if (trace != nullptr)
     *trace = {color_saliency, depth_saliency, seeds, grid, colors, refined.segments};
   return result;

@@ -1,4 +1,4 @@
-// Times the stages of the pipeline and stops it between them.
+// Times the stages of the pipeline and lets them be stopped.
 #pragma once
 
 #include <chrono>
@@ -8,24 +8,30 @@
 #include <vector>
 
 #include "core/types/detections.h"
+#include "core/types/interruption.h"
 
 namespace fovea {
 
 class StageClock {
  public:
-  // Appends to `times`; asks `should_stop` (may be empty) after each stage.
-  StageClock(std::vector<StageTime>& times, std::function<bool()> should_stop)
-      : times_(times), should_stop_(std::move(should_stop)) {}
+  // The first stage begins. Appends to `times`; asks `should_stop` (may be empty) at the
+  // interruption points of this thread and after each stage.
+  StageClock(std::vector<StageTime>& times, std::function<bool()> should_stop,
+             const std::string& first_stage)
+      : times_(times), scope_(std::move(should_stop)), stage_(first_stage) {
+    scope_.Enter(first_stage);
+  }
 
-  // Ends a stage that began at the end of the one before. Throws Cancelled if the caller wants to
-  // stop.
-  void Finish(const std::string& stage);
+  // Ends a stage, and begins the next one. Throw Cancelled if the caller wants to stop.
+  void Finish();
+  void Begin(const std::string& stage);
 
  private:
   using Clock = std::chrono::steady_clock;
 
   std::vector<StageTime>& times_;
-  std::function<bool()> should_stop_;
+  InterruptionScope scope_;
+  std::string stage_;
   Clock::time_point started_ = Clock::now();
 };
 

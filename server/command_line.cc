@@ -93,6 +93,10 @@ void AddFlags(CLI::App& app, ServerOptions& options) {
                  "Frames that one robot may have computed at once, 0 to 1024; 0 = one per thread, "
                  "but one less while others call")
       ->capture_default_str();
+  app.add_option("--max-compute-ms", options.max_compute_ms,
+                 "Processor time that one frame may take, 0 to 3600000 ms; more gets "
+                 "RESOURCE_EXHAUSTED. 0 = any")
+      ->capture_default_str();
   app.add_option("--hold-s", options.hold_s,
                  "How long to serve on with health NOT_SERVING after SIGTERM or SIGINT, 0 to 3600 "
                  "seconds; a second signal ends it")

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "server/compute_limit.h"
 #include "server/conversion/detections.h"
 #include "server/conversion/field_error.h"
 #include "server/conversion/frame.h"
@@ -31,6 +32,7 @@ FrameAnswerer::FrameAnswerer(DetectFunction detect, const ServerOptions& options
                              Tracer* tracer)
     : detect_(std::move(detect)),
       max_pixels_(static_cast<std::uint64_t>(options.max_pixels)),
+      max_compute_(options.max_compute_ms),
       slow_(options.slow_ms),
       metrics_(metrics),
       tracer_(tracer) {}
@@ -87,6 +89,21 @@ void FrameAnswerer::Record(const FrameRequest& request, const Caller& caller,
   LogCurrentException("a frame that was answered is not counted");
 }
 
+Detections FrameAnswerer::DetectInTime(const RgbdFrame& frame, const DetectorOptions& options,
+                                       const Caller& caller, Trace* trace) const {
+  const ComputeLimit limit(max_compute_);
+  bool passed = false;
+  try {
+    return detect_(frame, options, trace, [&] {
+      passed = limit.HasPassed();
+      return passed || caller.IsGone();
+    });
+  } catch (const Cancelled& cancelled) {
+    if (passed && !caller.IsGone()) throw ComputeLimitPassed(cancelled.stage, max_compute_);
+    throw;
+  }
+}
+
 Detections FrameAnswerer::Compute(const FrameRequest& request, const Caller& caller, Trace* trace,
                                   cv::Size* image) const {
   std::vector<std::string> losses;
@@ -96,8 +113,8 @@ Detections FrameAnswerer::Compute(const FrameRequest& request, const Caller& cal
   InField("options.parameters", [&] { RequireNotEmpty(options.region, frame.depth_m.size()); });
   const Clock::time_point decoded = Clock::now();
   // What the method throws from here on is no longer about the request, TooComplex apart.
-  Detections detections = detect_(frame, options, WantsTrace(*request.options) ? trace : nullptr,
-                                  [&caller] { return caller.IsGone(); });
+  Detections detections =
+      DetectInTime(frame, options, caller, WantsTrace(*request.options) ? trace : nullptr);
   std::vector<std::string>& messages = detections.diagnostics.messages;
   messages.insert(messages.begin(), losses.begin(), losses.end());
   detections.stage_times.insert(detections.stage_times.begin(),

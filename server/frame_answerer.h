@@ -37,7 +37,8 @@ class FrameAnswerer {
   FrameAnswerer(DetectFunction detect, const ServerOptions& options, Metrics& metrics,
                 Tracer* tracer = nullptr);
 
-  // Fills `answer` where the status is OK. Stops between two stages once the caller is gone.
+  // Fills `answer` where the status is OK. Stops once the caller is gone, or
+  // the limit of computing has passed.
   grpc::Status Answer(const FrameRequest& request, const Caller& caller,
                       v1::Detections* answer) const;
 
@@ -47,13 +48,15 @@ class FrameAnswerer {
  private:
   void Record(const FrameRequest& request, const Caller& caller, const grpc::Status& status,
               const Detections& detections, cv::Size image) const noexcept;
+  Detections DetectInTime(const RgbdFrame& frame, const DetectorOptions& options,
+                          const Caller& caller, Trace* trace) const;
   // `image` gets the size of the frame once that is decoded.
   Detections Compute(const FrameRequest& request, const Caller& caller, Trace* trace,
                      cv::Size* image) const;
 
   const DetectFunction detect_;
   const std::uint64_t max_pixels_;
-  const std::chrono::milliseconds slow_;
+  const std::chrono::milliseconds max_compute_, slow_;
   Metrics& metrics_;
   Tracer* const tracer_;
 };

@@ -115,6 +115,7 @@ void Validate(const ServerOptions& options) {
   RequireRange("--max-waiting", options.max_waiting, -1, 10'000);
   RequireRange("--max-per-robot", options.max_per_robot, 0, 10'000);
   RequireRange("--max-running-per-robot", options.max_running_per_robot, 0, 1024);
+  RequireRange("--max-compute-ms", options.max_compute_ms, 0, 3'600'000);
   RequireRange("--hold-s", options.hold_s, 0, 3600);
   RequireRange("--drain-timeout-s", options.drain_timeout_s, 0, 3600);
   RequireTracing(options);

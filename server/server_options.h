@@ -52,9 +52,11 @@ struct ServerOptions {
   int max_waiting = -1;
   // Frames that one robot may have waiting or computed, 0 … 10000; 0 = two thirds of all.
   int max_per_robot = 0;
-  // Frames that one robot may have computed at once, 0 … 1024; 0 = as many as there are threads, but
-  // one less while others call.
+  // Frames that one robot may have computed at once, 0 … 1024; 0 = as many as there are threads,
+  // but one less while others call.
   int max_running_per_robot = 0;
+  // Processor time that the detection of one frame may take, 0 … 3600000 ms; 0 = any.
+  int max_compute_ms = 5000;
   // How long to serve on with the health NOT_SERVING after a stop signal, 0 … 3600 s: longer than
   // what stands in front (load balancer, probe) takes to notice. A second signal ends it.
   int hold_s = 0;

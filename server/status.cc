@@ -7,6 +7,7 @@
 #include "core/detector.h"
 #include "core/types/too_complex.h"
 #include "server/access/token_table.h"
+#include "server/compute_limit.h"
 #include "server/conversion/field_error.h"
 #include "server/error_details.h"
 #include "server/logging/log_limiter.h"
@@ -27,6 +28,8 @@ grpc::Status StatusOfCurrentException(bool deadline_passed) {
     return ResourceExhausted(error.what(), error.retry_after);
   } catch (const Cancelled&) {
     return StatusOfGoneCaller(deadline_passed);
+  } catch (const ComputeLimitPassed& error) {
+    return {grpc::StatusCode::RESOURCE_EXHAUSTED, error.what()};
   } catch (const std::bad_alloc&) {
     return {grpc::StatusCode::RESOURCE_EXHAUSTED, "not enough memory for this frame"};
   } catch (const std::exception& error) {

@@ -3,6 +3,8 @@
 #include <limits>
 #include <vector>
 
+#include "core/types/interruption.h"
+
 namespace fovea {
 
 cv::Mat BackProject(const cv::Mat& depth_m, const CameraIntrinsics& intrinsics,
@@ -15,7 +17,9 @@ cv::Mat BackProject(const cv::Mat& depth_m, const CameraIntrinsics& intrinsics,
   }
 
   cv::Mat points(depth_m.size(), CV_32FC3);
+  InterruptionPoint();
   for (int row = 0; row < depth_m.rows; ++row) {
+    InterruptionPoint();
     const float ray_y = static_cast<float>((row - intrinsics.cy_px) / intrinsics.fy_px);
     const float* depth = depth_m.ptr<float>(row);
     cv::Vec3f* point = points.ptr<cv::Vec3f>(row);

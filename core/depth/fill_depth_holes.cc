@@ -6,6 +6,8 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
+#include "core/types/interruption.h"
+
 namespace fovea {
 namespace {
 
@@ -52,6 +54,7 @@ cv::Mat FillOnce(const cv::Mat& depth, float bin) {
              cv::Mat::ones(2 * kWindowRadius + 1, 2 * kWindowRadius + 1, CV_8UC1));
   cv::Mat filled = depth.clone();
   for (int row = 0; row < depth.rows; ++row) {
+    InterruptionPoint();
     for (int col = 0; col < depth.cols; ++col) {
       if (measured.at<uchar>(row, col) || !near_measured.at<uchar>(row, col)) continue;
       Neighborhood around = MeasuredAround(depth, row, col);

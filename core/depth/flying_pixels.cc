@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/types/interruption.h"
 #include "core/types/pixels.h"
 
 namespace fovea {
@@ -31,6 +32,7 @@ cv::Mat RemoveFlyingPixels(const cv::Mat& depth_m, double fx_px, double fy_px,
                            const FlyingPixelOptions& options) {
   if (options.max_angle_deg >= 90) return depth_m;
   cv::Mat kept = depth_m.clone();
+  InterruptionPoint();
   const int stride = ScaledPx(1, depth_m.cols, 1);
   const double slope = std::tan(options.max_angle_deg * std::numbers::pi / 180) * stride;
   const auto slope_x = static_cast<float>(slope / fx_px);

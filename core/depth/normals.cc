@@ -7,6 +7,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "core/types/interruption.h"
 #include "core/types/lanes.h"
 
 namespace fovea {
@@ -30,6 +31,7 @@ class InverseDepth {
         image_(cv::Mat::zeros(points.rows + 2 * radius_, centers_ * step_, CV_32FC1)) {
     const int lattice = std::gcd(step_, options.sample_px);
     for (int row = 0; row < points.rows; row += lattice) {
+      InterruptionPoint();
       const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
       for (int first = 0; first < step_; first += lattice) {
         float* out = image_.ptr<float>(row + radius_) + Place(first);
@@ -193,7 +195,10 @@ NormalMap EstimateNormals(const cv::Mat& points, const CameraIntrinsics& intrins
   const std::vector<float> relative_cols = RelativeColumns(points.cols, step, intrinsics.cx_px);
   const RowFit fit{points, inverse, relative_cols, intrinsics, options};
   RunInWidestRegisters([&] {
-    for (int row = 0; row < points.rows; row += step) fit.Run(row, normals);
+    for (int row = 0; row < points.rows; row += step) {
+      InterruptionPoint();
+      fit.Run(row, normals);
+    }
   });
   return {normals, step};
 }

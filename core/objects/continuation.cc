@@ -2,6 +2,7 @@
 
 #include "core/objects/outline.h"
 #include "core/segmentation/labels.h"
+#include "core/types/interruption.h"
 #include "core/types/pixels.h"
 
 namespace fovea {
@@ -40,6 +41,7 @@ PlausibleSegments RemoveContinued(const VoxelGrid& grid, const std::vector<int>&
   if (options.max_share >= 1) return result;
   const cv::Mat wall_pixels = LabelImage(grid, {on_wall.begin(), on_wall.end()});
   for (bool changed = true; changed;) {
+    InterruptionPoint();
     const std::size_t num_labels = CountLabels(result.labels);
     const cv::Mat segments = LabelImage(grid, WithoutSpecks(grid, result.labels, num_labels));
     const std::vector<Outline> outlines =

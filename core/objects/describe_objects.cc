@@ -6,6 +6,7 @@
 
 #include "core/objects/measured_area.h"
 #include "core/objects/selection.h"
+#include "core/types/interruption.h"
 
 namespace fovea {
 namespace {
@@ -63,15 +64,18 @@ DetectedObject Describe(const RgbdFrame& frame, const cv::Mat& points, const Can
   object.saliency = candidate.saliency;
   object.bounds_px = cv::boundingRect(pixels);
   object.num_pixels = pixels.size();
+  InterruptionPoint();
   object.truncated = candidate.truncated;
   SetColoredCloud(frame, points, pixels, object);
 
   std::vector<Eigen::Vector3f> positions;
   for (const pcl::PointXYZRGB& p : object.cloud) positions.emplace_back(p.x, p.y, p.z);
+  InterruptionPoint();
   const std::optional<SupportSurface> support = OwnSupport(supports, positions);
   object.box =
       FitOrientedBox(positions, support ? support->normal : -gravity, support, options.box);
   if (support) object.height_above_support_m = LowestHeight(positions, *support);
+  InterruptionPoint();
   object.grasps.push_back(GraspFromAbove(object.box, options.grasp));
   return object;
 }
@@ -88,6 +92,7 @@ void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points, const cv::Ma
   detections.diagnostics.objects_less_salient = selection.num_less_salient;
   detections.labels = cv::Mat::zeros(frame.depth_m.size(), CV_16UC1);
   for (const Candidate& candidate : selection.candidates) {
+    InterruptionPoint();
     DetectedObject object =
         Describe(frame, points, candidate, supports, detections.gravity.direction, options);
     object.label = static_cast<int>(detections.objects.size()) + 1;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/types/interruption.h"
 #include "core/types/pixels.h"
 
 namespace fovea {
@@ -25,6 +26,7 @@ int Margin(const std::vector<int>& measured, int across, bool from_end) {
 cv::Rect MeasuredArea(const cv::Mat& points) {
   std::vector<int> in_row(points.rows, 0), in_col(points.cols, 0);
   for (int row = 0; row < points.rows; ++row) {
+    InterruptionPoint();
     const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
     int count = 0;
     for (int col = 0; col < points.cols; ++col) {

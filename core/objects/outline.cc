@@ -8,6 +8,7 @@
 #include "core/objects/measured_area.h"
 #include "core/scene/image_direction.h"
 #include "core/segmentation/labels.h"
+#include "core/types/interruption.h"
 #include "core/types/pixels.h"
 
 namespace fovea {
@@ -108,6 +109,7 @@ std::vector<Outline> FindOutlines(const cv::Mat& labels, const cv::Mat& points,
   std::vector<Outline> outlines(1);
   const Search search(labels, points, on_wall, up);
   for (int row = 0; row < labels.rows; ++row) {
+    InterruptionPoint();
     const auto* label = labels.ptr<std::uint16_t>(row);
     for (int col = 0; col < labels.cols; ++col) {
       if (label[col] == 0) continue;

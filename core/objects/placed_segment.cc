@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/segmentation/labels.h"
+#include "core/types/interruption.h"
 
 namespace fovea {
 namespace {
@@ -28,7 +29,9 @@ std::vector<PlacedSegment> PlaceSegments(const VoxelGrid& grid, const std::vecto
                                          const std::vector<Support>& supports,
                                          const SupportOptions& options) {
   std::vector<PlacedSegment> segments(CountLabels(labels) + 1);
+  LongLoop loop;
   for (std::size_t v = 0; v < labels.size(); ++v) {
+    loop.Turn();
     if (labels[v] == 0) continue;
     const Eigen::Vector3f& point = grid.voxels[v].mean;
     PlacedSegment& segment = segments[labels[v]];

@@ -9,6 +9,7 @@
 #include "core/objects/placed_segment.h"
 #include "core/segmentation/contacts.h"
 #include "core/segmentation/labels.h"
+#include "core/types/interruption.h"
 #include "core/types/pixels.h"
 
 namespace fovea {
@@ -72,6 +73,7 @@ bool MatterContacts(const std::vector<PlacedSegment>& segments, const std::vecto
 void SpreadRest(const std::vector<int>& labels, const std::vector<VoxelEdge>& contacts,
                 const std::vector<char>& stays, std::vector<char>& rests) {
   for (bool changed = true; changed;) {
+    InterruptionPoint();
     changed = false;
     for (const VoxelEdge& contact : contacts) {
       const int a = labels[contact.a];
@@ -104,6 +106,7 @@ PlausibleSegments RemoveImplausible(const VoxelGrid& grid, const std::vector<int
   std::vector<char> stays(segments.size(), 0);
   std::vector<char> rests(segments.size(), 0);
   for (std::size_t label = 1; label < segments.size(); ++label) {
+    InterruptionPoint();
     stays[label] = !table_legs[label] && !seats[label] && !seat_legs[label] &&
                    !IsTooLarge(segments[label], supports, options) &&
                    !IsLump(segments[label], points.size(), options);

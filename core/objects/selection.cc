@@ -9,6 +9,7 @@
 #include "core/objects/confidence.h"
 #include "core/objects/measured_area.h"
 #include "core/objects/seclusion.h"
+#include "core/types/interruption.h"
 #include "core/types/pixels.h"
 
 namespace fovea {
@@ -25,6 +26,7 @@ PixelsOfLabel CollectPixels(const cv::Mat& labels) {
   cv::minMaxLoc(labels, nullptr, &max_label);
   PixelsOfLabel pixels(static_cast<std::size_t>(max_label) + 1);
   for (int row = 0; row < labels.rows; ++row) {
+    InterruptionPoint();
     const auto* label = labels.ptr<std::uint16_t>(row);
     for (int col = 0; col < labels.cols; ++col) {
       if (label[col] != 0) pixels[label[col]].emplace_back(col, row);
@@ -86,6 +88,7 @@ Selection SelectObjects(const cv::Mat& labels, const cv::Mat& depth_m, const cv:
   Selection selection;
   for (int label = 1; label < static_cast<int>(pixels_of_label.size()); ++label) {
     std::vector<cv::Point>& pixels = pixels_of_label[label];
+    InterruptionPoint();
     if (pixels.empty()) continue;
     const double squares = SumOfSquaredZ(depth_m, pixels);
     const double area_m2 = squares / (intrinsics.fx_px * intrinsics.fy_px);

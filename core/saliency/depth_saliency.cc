@@ -11,6 +11,7 @@
 #include "core/saliency/blocks.h"
 #include "core/saliency/line_contrast.h"
 #include "core/saliency/nearness.h"
+#include "core/types/interruption.h"
 
 namespace fovea {
 namespace {
@@ -18,6 +19,7 @@ namespace {
 constexpr double kLeastContrast = 1e-5;  // 1/m; a map that nowhere reaches it is rounding error
 
 void ScaleToOne(cv::Mat& map) {
+  InterruptionPoint();
   double most = 0;
   cv::minMaxLoc(map, nullptr, &most);
   if (most < kLeastContrast) {
@@ -33,6 +35,7 @@ void ScaleToOne(cv::Mat& map) {
 // The nearness at which the nearer half of the pixels begins. Positive floats are in the order of
 // their bits: a histogram of the upper half of the bits leaves few candidates to sort.
 float NearerHalf(const cv::Mat& nearness) {
+  InterruptionPoint();
   const auto bin_of = [](float value) { return std::bit_cast<std::uint32_t>(value) >> 16; };
   const std::span values(nearness.ptr<float>(), nearness.total());  // continuous, being our own
   std::vector<int> histogram(bin_of(kNoNearness) + 1, 0);
@@ -51,6 +54,7 @@ float NearerHalf(const cv::Mat& nearness) {
 
 // Ju's depth prior: × nearness / T below T.
 void ApplyDepthPrior(const cv::Mat& nearness, cv::Mat& map) {
+  InterruptionPoint();
   const float threshold = NearerHalf(nearness);
   for (int y = 0; y < map.rows; ++y) {
     const float* near = nearness.ptr<float>(y);
@@ -61,6 +65,7 @@ void ApplyDepthPrior(const cv::Mat& nearness, cv::Mat& map) {
 
 // Ju's centre prior: × exp(−(Δrow/(H/2))² − (Δcolumn/(W/2))²).
 void ApplyCenterPrior(cv::Mat& map) {
+  InterruptionPoint();
   const auto weight = [](int index, int size) {
     const double offset = (index - (size - 1) / 2.0) / (size / 2.0);
     return static_cast<float>(std::exp(-offset * offset));
@@ -77,6 +82,7 @@ void ApplyCenterPrior(cv::Mat& map) {
 
 cv::Mat SaliencyOfPixels(const cv::Mat& depth_m, const DepthSaliencyOptions& options,
                          int line_step_px) {
+  InterruptionPoint();
   const cv::Mat nearness = SmoothNearness(depth_m);
   if (cv::countNonZero(nearness != kNoNearness) == 0) return cv::Mat::zeros(depth_m.size(), CV_32F);
 

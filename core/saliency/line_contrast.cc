@@ -7,6 +7,7 @@
 
 #include "core/saliency/nearness.h"
 #include "core/saliency/superpixels.h"
+#include "core/types/interruption.h"
 
 namespace fovea {
 namespace {
@@ -16,6 +17,7 @@ constexpr float kCompactness = 20;  // of superpixels, where the nearness spans 
 // map(p) = min(map(p), map(p + shift)) where p + shift lies in the image; in place, in an order
 // that reads every row before it changes.
 void TakeShiftedMinimum(cv::Mat& map, cv::Point shift) {
+  InterruptionPoint();
   const int first_x = std::max(0, -shift.x);
   const int count_x = map.cols - std::abs(shift.x);
   const int count_y = map.rows - std::abs(shift.y);
@@ -77,6 +79,7 @@ cv::Mat ContrastOfPixels(const cv::Mat& nearness, const std::array<ScanLine, 8>&
   cv::Mat minima;
   for (const ScanLine& line : lines) {
     nearness.copyTo(minima);
+    InterruptionPoint();
     TakeLineMinima(line, minima);
     for (int y = 0; y < nearness.rows; ++y) {
       const float* own = nearness.ptr<float>(y);
@@ -97,7 +100,9 @@ cv::Mat ContrastOfSuperpixels(const cv::Mat& nearness, const std::array<ScanLine
   const Superpixels superpixels = DivideIntoSuperpixels(nearness, count, compactness);
 
   std::vector<float> contrasts;
+  LongLoop loop;
   for (const Superpixel& center : superpixels.all) {
+    loop.Turn();
     float sum = 0;
     if (center.pixels > 0) {
       for (const ScanLine& line : lines) sum += LineContrast(nearness, center, line);
@@ -106,6 +111,7 @@ cv::Mat ContrastOfSuperpixels(const cv::Mat& nearness, const std::array<ScanLine
   }
   cv::Mat contrast = cv::Mat::zeros(nearness.size(), CV_32F);
   for (int y = 0; y < contrast.rows; ++y) {
+    InterruptionPoint();
     const int* labels = superpixels.labels.ptr<int>(y);
     float* to = contrast.ptr<float>(y);
     for (int x = 0; x < contrast.cols; ++x) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 
+#include "core/types/interruption.h"
+
 namespace fovea {
 namespace {
 
@@ -27,6 +29,7 @@ Kernel GaussianKernel() {
 
 // Sums of the rows about each row, weighted by the kernel; what lies outside counts as 0.
 cv::Mat BlurColumns(const cv::Mat& map, const Kernel& kernel) {
+  InterruptionPoint();
   cv::Mat blurred = cv::Mat::zeros(map.size(), CV_32F);
   for (int y = 0; y < map.rows; ++y) {
     float* to = blurred.ptr<float>(y);
@@ -42,6 +45,7 @@ cv::Mat BlurColumns(const cv::Mat& map, const Kernel& kernel) {
 
 // The same along rows.
 cv::Mat BlurRows(const cv::Mat& map, const Kernel& kernel) {
+  InterruptionPoint();
   cv::Mat blurred = cv::Mat::zeros(map.size(), CV_32F);
   for (int y = 0; y < map.rows; ++y) {
     const float* from = map.ptr<float>(y);
@@ -60,6 +64,7 @@ cv::Mat BlurRows(const cv::Mat& map, const Kernel& kernel) {
 cv::Mat SmoothNearness(const cv::Mat& depth_m) {
   cv::Mat nearness(depth_m.size(), CV_32F), presence(depth_m.size(), CV_32F);
   for (int y = 0; y < depth_m.rows; ++y) {
+    InterruptionPoint();
     const float* depth = depth_m.ptr<float>(y);
     float* near = nearness.ptr<float>(y);
     float* present = presence.ptr<float>(y);
@@ -72,6 +77,7 @@ cv::Mat SmoothNearness(const cv::Mat& depth_m) {
   const Kernel kernel = GaussianKernel();
   nearness = BlurColumns(BlurRows(nearness, kernel), kernel);
   presence = BlurColumns(BlurRows(presence, kernel), kernel);
+  InterruptionPoint();
   for (int y = 0; y < depth_m.rows; ++y) {
     const float* depth = depth_m.ptr<float>(y);
     const float* present = presence.ptr<float>(y);

@@ -13,6 +13,7 @@
 
 #include "core/saliency/strength_block.h"
 #include "core/saliency/strength_saliency.h"
+#include "core/types/interruption.h"
 
 namespace fovea {
 namespace {
@@ -83,6 +84,7 @@ class Propagation {
         down_(scale, end_, blocks_),
         up_(scale, end_, blocks_) {
     // Blocks are whole: columns past the image are border, which nothing inside looks at.
+    InterruptionPoint();
     cv::copyMakeBorder(channel, features_, 0, 0, 0, cols_ - channel.cols, cv::BORDER_REPLICATE);
     features_.convertTo(features_, CV_32F);
     strengths_ = cv::Mat::ones(channel.rows, cols_, CV_32F);
@@ -111,6 +113,7 @@ class Propagation {
     for (int i = 0; i < blocks_; ++i) {
       const int block = side < 0 ? i : blocks_ - 1 - i;
       if (!pending.Take(y, block, least_)) continue;
+      loop_.Turn();
       const StrengthBlock::Growth growth = Pull(y, block, side);
       if (growth.all > 0) MarkNeighbours(y, block, growth);
     }
@@ -161,6 +164,7 @@ class Propagation {
   int blocks_;  // in a row, without the border
   int cols_;
   float least_ = 0;  // what the sweeps of this round leave out
+  LongLoop loop_;
   PendingBlocks down_;
   PendingBlocks up_;
   cv::Mat features_;   // CV_32FC1, whole numbers 0 … 255, cols_ wide

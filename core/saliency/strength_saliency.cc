@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/saliency/blocks.h"
+#include "core/types/interruption.h"
 #include "core/types/lab.h"
 
 namespace fovea {
@@ -20,6 +21,7 @@ void Accumulate(const cv::Mat& strength, cv::Mat& saliency) {
 
 // In a fixed order, unlike cv::norm: the sum must not depend on the machine's vector width.
 void NormalizeL2(cv::Mat& map) {
+  InterruptionPoint();
   double sum = 0;
   for (int y = 0; y < map.rows; ++y) {
     const float* row = map.ptr<float>(y);
@@ -43,9 +45,11 @@ cv::Mat StrengthSaliency(const cv::Mat& color_rgb, const StrengthSaliencyOptions
   cv::Mat saliency = cv::Mat::zeros(lab.size(), CV_32F);
   for (int scale = 1; scale <= options.num_scales; ++scale) {
     for (const cv::Mat& channel : channels) {
+      InterruptionPoint();
       Accumulate(PropagateStrength(channel, scale), saliency);
     }
   }
+  InterruptionPoint();
   saliency = EnlargeBlocks(saliency, options.downscale, color_rgb.size());
   NormalizeL2(saliency);
   return saliency;

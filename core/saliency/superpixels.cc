@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "core/types/interruption.h"
+
 namespace fovea {
 namespace {
 
@@ -30,6 +32,7 @@ int CellOf(int pixel, int size, int count) {
 cv::Mat LabelByCell(const cv::Mat& map, const Grid& grid) {
   cv::Mat labels(map.size(), CV_32S);
   for (int y = 0; y < map.rows; ++y) {
+    InterruptionPoint();
     const int row = CellOf(y, map.rows, grid.rows);
     for (int x = 0; x < map.cols; ++x) {
       const int cell = row * grid.cols + CellOf(x, map.cols, grid.cols);
@@ -47,6 +50,7 @@ std::vector<Superpixel> Average(const cv::Mat& map, const cv::Mat& labels, const
   };
   std::vector<Sum> sums(static_cast<std::size_t>(grid.cols * grid.rows));
   for (int y = 0; y < map.rows; ++y) {
+    InterruptionPoint();
     for (int x = 0; x < map.cols; ++x) {
       const int label = labels.at<int>(y, x);
       if (label < 0) continue;
@@ -57,6 +61,7 @@ std::vector<Superpixel> Average(const cv::Mat& map, const cv::Mat& labels, const
       ++sum.pixels;
     }
   }
+  InterruptionPoint();
   std::vector<Superpixel> all(sums.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Sum& sum = sums[i];
@@ -110,6 +115,7 @@ Superpixels DivideIntoSuperpixels(const cv::Mat& map, int count, float compactne
   superpixels.all = Average(map, superpixels.labels, grid);
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     for (int row = 0; row < grid.rows; ++row) {
+      InterruptionPoint();
       for (int col = 0; col < grid.cols; ++col) {
         AssignCell(map, grid, {col, row}, px_weight, superpixels);
       }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/types/interruption.h"
+
 namespace fovea {
 namespace {
 
@@ -25,8 +27,10 @@ std::vector<char> FindBackground(const VoxelGrid& grid, const std::vector<Suppor
                                  const SupportOptions& options, const CameraIntrinsics& intrinsics,
                                  const RegionOptions& region) {
   std::vector<char> is_background(grid.voxels.size());
+  LongLoop loop;
   std::transform(grid.voxels.begin(), grid.voxels.end(), is_background.begin(),
                  [&](const Voxel& voxel) {
+                   loop.Turn();
                    return !MayBeObject(supports, voxel.mean, options) ||
                           !IsInRegion(voxel.mean, intrinsics, region);
                  });

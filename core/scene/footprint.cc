@@ -7,6 +7,8 @@
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 
+#include "core/types/interruption.h"
+
 namespace fovea {
 namespace {
 
@@ -15,6 +17,7 @@ constexpr float kMaxCells = 2048;  // along a side, however far the points reach
 
 // Cells with points, closed over gaps of one cell (far surfaces are sampled thinly).
 cv::Mat Occupancy(const std::vector<cv::Point>& cells, const cv::Size& size) {
+  InterruptionPoint();
   cv::Mat occupied = cv::Mat::zeros(size, CV_8UC1);
   const cv::Rect grid({0, 0}, size);
   for (const cv::Point& cell : cells) {
@@ -50,17 +53,20 @@ Footprint::Footprint(const std::vector<Eigen::Vector3f>& points,
   origin_ = low - Eigen::Vector2f::Constant(cell_m_ * static_cast<float>(border));
   const Eigen::Vector2i extent = ((high - low) / cell_m_).cast<int>().array() + 2 * border + 1;
   const cv::Size size(extent.x(), extent.y());
+  InterruptionPoint();
 
   std::vector<cv::Point> cells = CellsOf(points);
   const cv::Mat occupied = Occupancy(cells, size);
   const std::vector<cv::Point> covered = CellsOf(above);
   cells.insert(cells.end(), covered.begin(), covered.end());
   part_of_cell_ = cv::Mat::zeros(size, CV_16UC1);
+  InterruptionPoint();
   cv::Mat parts, statistics, centroids;
   const int num_parts =
       cv::connectedComponentsWithStats(Occupancy(cells, size), parts, statistics, centroids);
   for (int part = 1; part < num_parts; ++part) {
     const int* of_part = statistics.ptr<int>(part);
+    InterruptionPoint();
     const cv::Rect box(of_part[cv::CC_STAT_LEFT], of_part[cv::CC_STAT_TOP],
                        of_part[cv::CC_STAT_WIDTH], of_part[cv::CC_STAT_HEIGHT]);
     const cv::Mat seen = (parts(box) == part) & occupied(box);
@@ -71,11 +77,13 @@ Footprint::Footprint(const std::vector<Eigen::Vector3f>& points,
     FillHull(seen, static_cast<double>(number), part_of_cell_(box));
   }
   const int reach = 2 * static_cast<int>(std::lround(margin_m / cell_m_)) + 1;
+  InterruptionPoint();
   cv::dilate(part_of_cell_, part_of_cell_,
              cv::getStructuringElement(cv::MORPH_ELLIPSE, {reach, reach}));
 }
 
 std::vector<cv::Point> Footprint::CellsOf(const std::vector<Eigen::Vector3f>& points) const {
+  InterruptionPoint();
   std::vector<cv::Point> cells;
   for (const Eigen::Vector3f& point : points) {
     const Eigen::Vector2f cell = (axes_ * point - origin_) / cell_m_;

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/types/interruption.h"
+
 namespace fovea {
 namespace {
 
@@ -15,7 +17,9 @@ constexpr double kMinScoreShare = 0.72;
 
 std::vector<Eigen::Vector3d> ValidNormals(const cv::Mat& normals) {
   std::vector<Eigen::Vector3d> valid;
+  valid.reserve(normals.total());
   for (int row = 0; row < normals.rows; ++row) {
+    InterruptionPoint();
     for (int col = 0; col < normals.cols; ++col) {
       const cv::Vec3f& n = normals.at<cv::Vec3f>(row, col);
       if (!std::isnan(n[0])) valid.emplace_back(n[0], n[1], n[2]);
@@ -28,7 +32,9 @@ Eigen::Vector3d Refine(const std::vector<Eigen::Vector3d>& normals, const Eigen:
                        double angle_rad) {
   const double level = std::cos(angle_rad), upright = std::sin(angle_rad);
   double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+  LongLoop loop;
   for (const Eigen::Vector3d& n : normals) {
+    loop.Turn();
     const double c = std::abs(n.dot(down));
     if (!(c > level || c < upright)) continue;
     const double sign = c > level ? -1 : 1;  // floors want to be parallel, walls orthogonal
@@ -95,7 +101,9 @@ Explained Explain(const std::vector<Eigen::Vector3d>& normals, const Eigen::Vect
   const double gate = 10 * std::numbers::pi / 180;
   const double level = std::cos(gate), upright = std::sin(gate);
   Explained explained;
+  LongLoop loop;
   for (const Eigen::Vector3d& n : normals) {
+    loop.Turn();
     const double c = n.dot(down);
     if (c < -level) ++explained.level;
     if (std::abs(c) < upright) ++explained.upright;

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "core/scene/plane_fit.h"
+#include "core/types/interruption.h"
 
 namespace fovea {
 namespace {
@@ -18,9 +19,13 @@ constexpr std::size_t kManyPoints = 500;  // tell a plane within a millimetre
 
 // Middle of the fullest interval; the lowest of equals.
 float DominatingHeight(const Points& points, const Eigen::Vector3f& up, float bin) {
+  InterruptionPoint();
   std::map<int, std::size_t> histogram;
-  for (const Eigen::Vector3f& p : points)
+  LongLoop loop;
+  for (const Eigen::Vector3f& p : points) {
+    loop.Turn();
     ++histogram[static_cast<int>(std::floor(up.dot(p) / bin))];
+  }
   // Neighbouring bins count half, so that a surface that straddles a border is not missed.
   int best_bin = 0;
   std::size_t best_count = 0;
@@ -44,6 +49,7 @@ struct Interval {
 
 // The shortest interval that holds half of the values (Rousseeuw 1984); at least one value.
 Interval ShortestHalf(std::vector<float> values) {
+  InterruptionPoint();
   std::sort(values.begin(), values.end());
   const std::size_t half = values.size() / 2;
   const auto width = [&](std::size_t begin) { return values[begin + half] - values[begin]; };
@@ -69,6 +75,7 @@ Points SampleNear(const Points& points, const SupportSurface& surface,
 std::vector<float> Heights(const Points& points, const SupportSurface& surface,
                            const SupportOptions& options) {
   std::vector<float> heights;
+  InterruptionPoint();
   heights.reserve(points.size());
   std::transform(points.begin(), points.end(), std::back_inserter(heights), [&](const auto& p) {
     return surface.HeightOf(p) / SupportTolerance(p.z(), options);
@@ -85,6 +92,7 @@ Points PointsAtCommonHeight(const Points& points, const SupportSurface& surface,
   Points near = PointsNear(points, surface, options);
   if (near.empty()) return near;
   const std::vector<float> heights = Heights(near, surface, options);
+  InterruptionPoint();
   const Interval most = ShortestHalf(heights);
   const float reach = kSigmas / kHalfPerSigma * most.half_width;
   Points common;
@@ -97,9 +105,11 @@ Points PointsAtCommonHeight(const Points& points, const SupportSurface& surface,
 SupportSurface FitWide(const Points& points, SupportSurface surface, const Eigen::Vector3f& up,
                        const SupportOptions& options) {
   for (int fit = 0; fit < options.plane_fits; ++fit) {
+    InterruptionPoint();
     const float widening = fit == 0 ? 2.0F : 1.0F;  // gravity may be off by a degree at first
     const Points inliers = PointsNear(points, surface, options, widening);
     if (inliers.size() < kMinPoints) break;
+    InterruptionPoint();
     surface = FitPlane(inliers, up);
   }
   return surface;
@@ -139,7 +149,9 @@ SupportSurface FitRobustly(const Points& points, const SupportSurface& level,
 Points PointsNear(const Points& points, const SupportSurface& surface,
                   const SupportOptions& options, float widening) {
   Points near;
+  LongLoop loop;
   std::copy_if(points.begin(), points.end(), std::back_inserter(near), [&](const auto& p) {
+    loop.Turn();
     return std::abs(surface.HeightOf(p)) <= widening * SupportTolerance(p.z(), options);
   });
   return near;

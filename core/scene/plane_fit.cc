@@ -3,6 +3,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
+#include "core/types/interruption.h"
+
 namespace fovea {
 
 SupportSurface FitPlane(const std::vector<Eigen::Vector3f>& points,
@@ -10,7 +12,9 @@ SupportSurface FitPlane(const std::vector<Eigen::Vector3f>& points,
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
   double total = 0;
+  LongLoop loop;
   for (const Eigen::Vector3f& point : points) {
+    loop.Turn();
     const Eigen::Vector3d p = point.cast<double>();
     const double weight = 1 / std::max(1e-4, p.z() * p.z() * p.z() * p.z());
     total += weight;

@@ -9,6 +9,7 @@
 
 #include "core/scene/level_fit.h"
 #include "core/scene/surface_scatter.h"
+#include "core/types/interruption.h"
 
 namespace fovea {
 namespace {
@@ -22,6 +23,7 @@ std::vector<Eigen::Vector3f> LevelPoints(const cv::Mat& points, const NormalMap&
   std::vector<Eigen::Vector3f> level;
   const int step = normals.step_px;
   for (int row = 0; row < normals.vectors.rows; ++row) {
+    InterruptionPoint();
     const cv::Vec3f* normal = normals.vectors.ptr<cv::Vec3f>(row);
     for (int col = 0; col < normals.vectors.cols; ++col) {
       if (ToEigen(normal[col]).dot(up) <= min_cos || std::isnan(normal[col][0])) continue;
@@ -44,6 +46,7 @@ std::vector<Eigen::Vector3f> PointsAbove(const cv::Mat& points, const SupportSur
   const auto max_height_m = static_cast<float>(options.max_height_m);
   std::vector<Eigen::Vector3f> above;
   for (int row = 0; row < points.rows; row += kStep_px) {
+    InterruptionPoint();
     for (int col = 0; col < points.cols; col += kStep_px) {
       const Eigen::Vector3f point = ToEigen(points.at<cv::Vec3f>(row, col));
       const float height_m = surface.HeightOf(point);  // NaN where there is no point
@@ -60,6 +63,7 @@ std::vector<Eigen::Vector3f> PointsAbove(const cv::Mat& points, const SupportSur
 std::vector<Eigen::Vector3f> PointsOn(const std::vector<Eigen::Vector3f>& inliers,
                                       const SupportSurface& surface, const SupportOptions& options,
                                       float tolerance_share) {
+  InterruptionPoint();
   std::vector<Eigen::Vector3f> on;
   std::copy_if(inliers.begin(), inliers.end(), std::back_inserter(on), [&](const auto& p) {
     return surface.HeightOf(p) <= tolerance_share * SupportTolerance(p.z(), options);
@@ -71,6 +75,7 @@ Footprint FootprintOf(const std::vector<Eigen::Vector3f>& inliers, const cv::Mat
                       const SupportSurface& surface, const SupportOptions& options,
                       float tolerance_share) {
   const bool matters = options.min_area_m2 > 0 || options.footprint_margin_m > 0;
+  InterruptionPoint();
   if (!matters) return {};
   const std::vector<Eigen::Vector3f> on = PointsOn(inliers, surface, options, tolerance_share);
   if (on.empty()) return {};
@@ -82,6 +87,7 @@ Footprint FootprintOf(const std::vector<Eigen::Vector3f>& inliers, const cv::Mat
 bool IsCloselyAbove(const std::vector<Support>& supports,
                     const std::vector<Eigen::Vector3f>& points, double max_step_m) {
   return std::any_of(supports.begin(), supports.end(), [&](const Support& support) {
+    InterruptionPoint();
     const auto above = std::count_if(points.begin(), points.end(), [&](const Eigen::Vector3f& p) {
       const float height = support.surface.HeightOf(p);
       return height > 0 && height < max_step_m && support.footprint.Covers(p);
@@ -102,7 +108,9 @@ double MinArea_m2(const std::vector<Support>& supports, const std::vector<Eigen:
 // Takes the points of a surface out, with what noise left around it. False if there were none.
 bool RemoveInliers(std::vector<Eigen::Vector3f>& level, const SupportSurface& surface,
                    const SupportOptions& options) {
+  LongLoop loop;
   const auto removed = std::remove_if(level.begin(), level.end(), [&](const Eigen::Vector3f& p) {
+    loop.Turn();
     return std::abs(surface.HeightOf(p)) <= 2 * SupportTolerance(p.z(), options);
   });
   const bool any = removed != level.end();
@@ -126,12 +134,15 @@ std::vector<Support> FindSupports(const cv::Mat& points, const NormalMap& normal
 
   std::vector<Support> supports;
   for (int attempt = 0; attempt < 3 * options.max_surfaces; ++attempt) {
+    InterruptionPoint();
     if (level.size() < 3 || static_cast<int>(supports.size()) == options.max_surfaces) break;
     const SupportSurface surface = FitLevelSurface(level, up, options);
     const std::vector<Eigen::Vector3f> inliers = PointsNear(level, surface, options);
+    InterruptionPoint();
     if (supports.empty() && inliers.size() < min_points) break;
     const float tolerance_share = ToleranceShare(inliers, surface, options);
     const Footprint footprint = FootprintOf(inliers, points, surface, options, tolerance_share);
+    InterruptionPoint();
     if (footprint.AreaM2() >= MinArea_m2(supports, inliers, options)) {
       if (options.max_surfaces > 1 && supports.empty()) up = surface.normal;  // the better vertical
       supports.push_back(

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "core/types/interruption.h"
+
 namespace fovea {
 
 float ToleranceShare(const std::vector<Eigen::Vector3f>& points, const SupportSurface& surface,
@@ -12,11 +14,13 @@ float ToleranceShare(const std::vector<Eigen::Vector3f>& points, const SupportSu
   constexpr float kMedianPerSigma = 0.6745F;  // of the absolute values of a normal distribution
   if (options.tolerance_sigmas <= 0) return 1;
   std::vector<float> depths;  // only below the surface: above it there are low objects as well
+  InterruptionPoint();
   for (const Eigen::Vector3f& p : points) {
     const float depth_m = -surface.HeightOf(p);
     if (depth_m > 0) depths.push_back(depth_m / SupportTolerance(p.z(), options));
   }
   if (depths.empty()) return 1;
+  InterruptionPoint();
   const auto median = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
   std::nth_element(depths.begin(), median, depths.end());
   const float sigma = *median / kMedianPerSigma;

@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/scene/plane_fit.h"
+#include "core/types/interruption.h"
 
 namespace fovea {
 namespace {
@@ -29,8 +30,10 @@ std::vector<int> UprightVoxels(const VoxelGrid& grid, const Eigen::Vector3f& up,
                                const std::vector<Support>& supports,
                                const SupportOptions& tolerance) {
   const float max_sine = std::numbers::sqrt2_v<float> / 2;
+  LongLoop loop;
   std::vector<int> upright;
   for (int v = 0; v < static_cast<int>(grid.voxels.size()); ++v) {
+    loop.Turn();
     const Eigen::Vector3f& normal = grid.voxels[v].normal;
     if (normal.isZero() || std::abs(normal.dot(up)) >= max_sine) continue;
     if (!IsOnSupport(supports, grid.voxels[v].mean, tolerance)) upright.push_back(v);
@@ -58,6 +61,7 @@ SupportSurface MostVoted(const VoxelGrid& grid, const std::vector<int>& candidat
   SupportSurface best;
   float best_votes = 0;
   for (const Eigen::Vector3f& direction : directions) {
+    InterruptionPoint();
     std::vector<float> votes(2 * static_cast<std::size_t>(half) + 1, 0.0F);
     for (const int v : candidates) {
       const Voxel& voxel = grid.voxels[v];
@@ -78,6 +82,7 @@ std::vector<int> Inliers(const VoxelGrid& grid, const std::vector<int>& voxels,
                          const SupportSurface& plane, const SupportOptions& tolerance,
                          float widening) {
   std::vector<int> inliers;
+  InterruptionPoint();
   std::copy_if(voxels.begin(), voxels.end(), std::back_inserter(inliers), [&](int v) {
     const Eigen::Vector3f& p = grid.voxels[v].mean;
     return std::abs(plane.HeightOf(p)) <= widening * SupportTolerance(p.z(), tolerance);
@@ -96,6 +101,7 @@ std::vector<int> Facing(const VoxelGrid& grid, std::vector<int> inliers,
 SupportSurface Refine(const VoxelGrid& grid, const std::vector<int>& candidates,
                       SupportSurface plane, const SupportOptions& tolerance) {
   for (const float widening : {2.0F, 1.5F, 1.0F}) {
+    InterruptionPoint();
     std::vector<Eigen::Vector3f> points;
     for (const int v : Inliers(grid, candidates, plane, tolerance, widening)) {
       points.push_back(grid.voxels[v].mean);
@@ -152,6 +158,7 @@ class LargeParts {
     const int count = cv::connectedComponentsWithStats(occupied, parts, statistics, centroids);
     for (int part = 1; part < count; ++part) {
       const int* stats = statistics.ptr<int>(part);
+      InterruptionPoint();
       const int extent = std::max(stats[cv::CC_STAT_WIDTH], stats[cv::CC_STAT_HEIGHT]);
       const float area_m2 = static_cast<float>(stats[cv::CC_STAT_AREA]) * cell_m_ * cell_m_;
       if (static_cast<float>(extent) * cell_m_ < options.min_extent_m) continue;
@@ -188,6 +195,7 @@ std::vector<char> FindWalls(const VoxelGrid& grid, const Eigen::Vector3f& up,
     const std::vector<int> inliers =
         Facing(grid, Inliers(grid, upright, plane, tolerance, 1.0F), plane);
     const LargeParts parts(grid, inliers, plane, up, options);
+    InterruptionPoint();
     for (const int v : Inliers(grid, all, plane, tolerance, 1.5F)) {
       if (parts.Contain(grid.voxels[v].mean)) on_wall[v] = 1;
     }

@@ -9,6 +9,7 @@
 
 #include "core/segmentation/adjacency.h"
 #include "core/segmentation/labels.h"
+#include "core/types/interruption.h"
 
 namespace fovea {
 namespace {
@@ -32,8 +33,10 @@ class SurfaceDistance {
     using Entry = std::pair<float, int>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
     distance_[source] = 0;
+    LongLoop loop;
     queue.emplace(0.0F, source);
     while (!queue.empty()) {
+      loop.Turn();
       const auto [distance, voxel] = queue.top();
       queue.pop();
       if (distance > distance_[voxel]) continue;
@@ -56,6 +59,7 @@ class SurfaceDistance {
 
 // The connected parts of what is not background, as lists of voxels.
 std::vector<std::vector<int>> Parts(const VoxelGrid& grid, const std::vector<char>& is_background) {
+  InterruptionPoint();
   std::vector<int> foreground(grid.voxels.size());
   std::transform(is_background.begin(), is_background.end(), foreground.begin(),
                  [](char background) { return background ? 0 : 1; });
@@ -70,6 +74,7 @@ std::vector<std::vector<int>> Parts(const VoxelGrid& grid, const std::vector<cha
 }
 
 int MostCentral(const VoxelGrid& grid, const std::vector<int>& part) {
+  InterruptionPoint();
   Eigen::Vector3f mean = Eigen::Vector3f::Zero();
   for (const int v : part) mean += grid.voxels[v].mean / static_cast<float>(part.size());
   return *std::min_element(part.begin(), part.end(), [&](int a, int b) {
@@ -85,6 +90,7 @@ float Extent(const VoxelGrid& grid, const std::vector<int>& part) {
 }
 
 int Farthest(const std::vector<int>& part, const SurfaceDistance& distance) {
+  InterruptionPoint();
   return *std::max_element(part.begin(), part.end(),
                            [&](int a, int b) { return distance.Of(a) < distance.Of(b); });
 }
@@ -111,6 +117,7 @@ std::vector<int> VoxelsToAdd(const VoxelGrid& grid, const std::vector<char>& is_
 
 // A pixel of every voxel: the first in row-major order.
 std::vector<cv::Point> PixelsOfVoxels(const VoxelGrid& grid) {
+  InterruptionPoint();
   std::vector<cv::Point> pixels(grid.voxels.size(), {-1, -1});
   for (int row = 0; row < grid.voxel_of_pixel.rows; ++row) {
     const int* voxel = grid.voxel_of_pixel.ptr<int>(row);
@@ -127,6 +134,7 @@ std::vector<Seed> CoverWithSeeds(const VoxelGrid& grid, const std::vector<char>&
                                  const std::vector<Seed>& seeds, const CoverOptions& options) {
   if (options.spacing_m <= 0) return seeds;
   const Adjacency adjacency(grid);
+  InterruptionPoint();
   SurfaceDistance distance(grid, adjacency, is_background);
   for (const Seed& seed : seeds) {
     const int voxel = grid.voxel_of_pixel.at<int>(seed.pixel);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/seeds/morphology.h"
+#include "core/types/interruption.h"
 #include "core/types/widest_registers.h"
 
 namespace fovea {
@@ -80,6 +81,7 @@ cv::Mat ErodeByDisk(const cv::Mat& map, int radius_px) {
   cv::Mat eroded(map.size(), CV_32F, cv::Scalar::all(kOutside));
   RunInWidestRegisters([&] {
     for (int y = 0; y < map.rows; ++y) {
+      InterruptionPoint();
       runs.Set(map.ptr<float>(y));
       for (const DiskRow& row : disk) {
         for (const int to : {y - row.rise, y + row.rise}) {

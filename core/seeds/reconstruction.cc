@@ -4,6 +4,7 @@
 
 #include "core/seeds/morphology.h"
 #include "core/seeds/neighbours.h"
+#include "core/types/interruption.h"
 #include "core/types/widest_registers.h"
 
 namespace fovea {
@@ -64,6 +65,7 @@ void RaiseRest(const cv::Mat& mask, cv::Mat& map) {
   RunInWidestRegisters([&] {
     for (int y = 0; y < map.rows; ++y) {
       const float* above = map.ptr<float>(std::max(y - 1, 0));
+      InterruptionPoint();
       raise(y, 0);
       for (int first = 1; first < map.cols - 1; first += kCheckedTogether) {
         const int end = std::min(first + kCheckedTogether, map.cols - 1);
@@ -73,7 +75,9 @@ void RaiseRest(const cv::Mat& mask, cv::Mat& map) {
       raise(y, map.cols - 1);
     }
   });
+  LongLoop loop;
   for (; !grown.empty(); grown.pop_front()) {
+    loop.Turn();
     const float value = map.at<float>(grown.front());
     ForEachNeighbour(map.size(), grown.front(), [&](int y, int x) {
       const float raised = std::min(value, mask.at<float>(y, x));
@@ -91,10 +95,12 @@ cv::Mat ReconstructByDilation(const cv::Mat& marker, const cv::Mat& mask) {
   const int rows = map.rows;
   RunInWidestRegisters([&] {
     for (int y = 0; y < rows; ++y) {
+      InterruptionPoint();
       const float* above = y > 0 ? map.ptr<float>(y - 1) : nullptr;
       RaiseRow(above, mask.ptr<float>(y), map.cols, +1, map.ptr<float>(y));
     }
     for (int y = rows - 1; y >= 0; --y) {
+      InterruptionPoint();
       const float* below = y + 1 < rows ? map.ptr<float>(y + 1) : nullptr;
       RaiseRow(below, mask.ptr<float>(y), map.cols, -1, map.ptr<float>(y));
     }

@@ -6,6 +6,7 @@
 
 #include "core/seeds/morphology.h"
 #include "core/seeds/neighbours.h"
+#include "core/types/interruption.h"
 #include "core/types/widest_registers.h"
 
 namespace fovea {
@@ -13,6 +14,7 @@ namespace {
 
 // Numbers the components anew, 1 … n by their first pixels, without those that are not kept.
 void Renumber(const std::vector<char>& keep, cv::Mat& labels) {
+  InterruptionPoint();
   std::vector<int> numbers(keep.size(), 0);
   int count = 0;
   for (int y = 0; y < labels.rows; ++y) {
@@ -41,6 +43,7 @@ FOVEA_INLINE void MarkUnsurpassed(const float* above, const float* row, const fl
 }
 
 cv::Mat Unsurpassed(const cv::Mat& map) {
+  InterruptionPoint();
   cv::Mat marks(map.size(), CV_8UC1);
   RunInWidestRegisters([&] {
     for (int y = 0; y < map.rows; ++y) {
@@ -68,16 +71,20 @@ cv::Mat LabelRegionalMaxima(const cv::Mat& map) {
   // Neighbours among the pixels with no higher neighbour are equal, so that a component is a
   // plateau, or a part of one whose other pixels have a higher neighbour.
   const cv::Mat unsurpassed = Unsurpassed(map);
+  InterruptionPoint();
   if (cv::countNonZero(unsurpassed) == static_cast<int>(map.total())) {
     return cv::Mat::zeros(map.size(), CV_32S);  // constant
   }
   cv::Mat labels, surrounded;
   cv::erode(unsurpassed, surrounded, cv::Mat());
+  InterruptionPoint();
   const int components = cv::connectedComponents(unsurpassed, labels, 8, CV_32S);
+  InterruptionPoint();
   std::vector<char> keep(static_cast<std::size_t>(components), 1);
   keep[0] = 0;  // the rest of the map
   for (int y = 0; y < map.rows; ++y) {
     const int* component = labels.ptr<int>(y);
+    InterruptionPoint();
     const auto* inner = surrounded.ptr<std::uint8_t>(y);
     for (int x = 0; x < map.cols; ++x) {
       if (component[x] == 0 || inner[x] != 0) continue;

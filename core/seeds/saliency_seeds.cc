@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/seeds/morphology.h"
+#include "core/types/interruption.h"
 #include "core/types/pixels.h"
 
 namespace fovea {
@@ -21,6 +22,7 @@ void TakeHigher(const float* row, std::vector<float>& highest) {
 
 // Maximum of every block; those at the right and lower end may be cut.
 cv::Mat BlockMaxima(const cv::Mat& map, int block_px) {
+  InterruptionPoint();
   const int rows = (map.rows + block_px - 1) / block_px;
   const int cols = (map.cols + block_px - 1) / block_px;
   cv::Mat maxima(rows, cols, CV_32F, cv::Scalar::all(std::numeric_limits<float>::lowest()));
@@ -52,6 +54,7 @@ cv::Mat FindPeaks(const cv::Mat& saliency, int radius_px, int block_px) {
 }
 
 std::vector<std::vector<cv::Point>> PixelsOfPeaks(const cv::Mat& peaks) {
+  InterruptionPoint();
   std::vector<std::vector<cv::Point>> pixels;
   for (int row = 0; row < peaks.rows; ++row) {
     const int* peak = peaks.ptr<int>(row);
@@ -101,7 +104,9 @@ SeedCandidates FindSeeds(const cv::Mat& saliency, const cv::Mat& points, Seed::S
   const int radius_px = ScaledPx(options.disk_radius_px, saliency.cols, 0);
   const cv::Mat peaks = FindPeaks(saliency, radius_px, block_px);
   SeedCandidates candidates;
+  LongLoop loop;
   for (const std::vector<cv::Point>& peak : PixelsOfPeaks(peaks)) {
+    loop.Turn();
     const std::optional<cv::Point> pixel = PixelOfPeak(peak, points, options.on_peak);
     if (!pixel) {
       ++candidates.without_depth;

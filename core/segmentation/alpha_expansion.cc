@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/segmentation/binary_energy.h"
+#include "core/types/interruption.h"
 
 namespace fovea {
 namespace {
@@ -18,6 +19,7 @@ class Adjacency {
     }
     for (std::size_t node = 1; node < first_.size(); ++node) first_[node] += first_[node - 1];
     links_.resize(first_.back());
+    InterruptionPoint();
     std::vector<int> next(first_.begin(), first_.end() - 1);
     for (const PottsEnergy::Edge& edge : energy.edges) {
       links_[next[edge.a]++] = {edge.b, edge.weight};
@@ -46,6 +48,7 @@ Labelling CheapestLabels(const PottsEnergy& energy) {
   Labelling start{std::vector<int>(energy.num_nodes, 0),
                   std::vector<float>(energy.num_nodes, std::numeric_limits<float>::infinity())};
   for (int label = 0; label < static_cast<int>(energy.choices.size()); ++label) {
+    InterruptionPoint();
     for (const PottsEnergy::Choice& choice : energy.choices[label]) {
       if (choice.cost >= start.costs[choice.node]) continue;
       start.labels[choice.node] = label;
@@ -143,6 +146,7 @@ class Sweeps {
 
  private:
   bool Expand(int alpha) {
+    InterruptionPoint();
     const std::vector<PottsEnergy::Choice> moves =
         Expansion(energy_, adjacency_, current_, alpha, scratch_).Solve();
     for (const PottsEnergy::Choice& move : moves) {

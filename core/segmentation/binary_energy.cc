@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "core/types/interruption.h"
+
 namespace fovea {
 namespace {
 
@@ -28,7 +30,9 @@ class GainFlow {
 
   void Run() {
     RelabelAll();
+    LongLoop loop;
     while (highest_ > 0) {
+      loop.Turn();
       const int v = first_active_[highest_];
       if (v < 0) {
         --highest_;
@@ -89,6 +93,7 @@ class GainFlow {
       node.end_arc = node.first_arc;
     }
     arcs_.resize(end);
+    InterruptionPoint();
     for (const BinaryEnergy::Pair& pair : pairs) {
       const int from_a = nodes_[pair.a].end_arc++;
       const int from_b = nodes_[pair.b].end_arc++;
@@ -107,6 +112,7 @@ class GainFlow {
 
   // Makes every height exact, by a breadth-first search.
   void RelabelAll() {
+    InterruptionPoint();
     std::vector<int> found;
     for (int v = 0; v < static_cast<int>(nodes_.size()); ++v) {
       nodes_[v].arc = nodes_[v].first_arc;
@@ -177,6 +183,7 @@ class GainFlow {
 
   // Over a height at which there is no node nothing flows down.
   void CutOffAbove(int gap) {
+    InterruptionPoint();
     for (Node& node : nodes_) {
       if (node.height <= gap || node.height == out_of_reach_) continue;
       --num_at_height_[node.height];

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/segmentation/contacts.h"
+#include "core/types/interruption.h"
 
 namespace fovea {
 
@@ -24,7 +25,9 @@ constexpr double kMinGapPairs = 4;
 Boundaries CollectWithin(int reach_cells, const VoxelGrid& grid, const std::vector<int>& labels,
                          const std::vector<MeanColor>& colors, const Eigen::Vector3f& up) {
   Boundaries boundaries;
+  LongLoop loop;
   for (const VoxelEdge& pair : FindContacts(grid, labels, reach_cells)) {
+    loop.Turn();
     const auto [low, high] = std::minmax(labels[pair.a], labels[pair.b]);
     const Voxel& a = grid.voxels[pair.a];
     const Voxel& b = grid.voxels[pair.b];
@@ -46,6 +49,7 @@ Boundaries CollectWithin(int reach_cells, const VoxelGrid& grid, const std::vect
 std::vector<int> LabelsOfRims(const VoxelGrid& grid, std::vector<int> labels) {
   constexpr int kNeighborsInSheet = 4;  // by faces
   std::vector<int> num_alike(labels.size());
+  InterruptionPoint();
   for (const VoxelEdge& edge : grid.edges) {
     const Eigen::Vector3i step = grid.voxels[edge.a].cell - grid.voxels[edge.b].cell;
     if (labels[edge.a] != labels[edge.b] || step.cwiseAbs().sum() != 1) continue;

@@ -7,6 +7,7 @@
 
 #include "core/segmentation/disjoint_sets.h"
 #include "core/segmentation/labels.h"
+#include "core/types/interruption.h"
 
 namespace fovea {
 namespace {
@@ -19,6 +20,7 @@ std::vector<SparseHistogram> ColorHistograms(const VoxelGrid& grid, const std::v
                                              int num_labels, const cv::Mat& color_rgb, int bins) {
   std::vector<std::pair<int, int>> seen;  // label, bin: one entry a pixel
   for (int row = 0; row < color_rgb.rows; ++row) {
+    InterruptionPoint();
     const int* voxel = grid.voxel_of_pixel.ptr<int>(row);
     const cv::Vec3b* color = color_rgb.ptr<cv::Vec3b>(row);
     for (int col = 0; col < color_rgb.cols; ++col) {
@@ -68,6 +70,7 @@ std::vector<int> MergeByColor(const VoxelGrid& grid, const std::vector<int>& lab
   int last_a = 0;  // pairs are in the order of a
   cv::Mat of_a;
   for (const auto& [a, b] : NeighboringLabels(grid, labels)) {
+    InterruptionPoint();
     if (a != last_a) of_a = Whole(histograms[a], options.bins);
     last_a = a;
     const cv::Mat of_b = Whole(histograms[b], options.bins);

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "core/segmentation/cell_index.h"
+#include "core/types/interruption.h"
 
 namespace fovea {
 namespace {
@@ -16,9 +17,11 @@ struct Place {
 // Of the voxels of segments, by cell.
 std::vector<Place> SortedPlaces(const VoxelGrid& grid, const std::vector<int>& labels) {
   std::vector<Place> places;
+  InterruptionPoint();
   for (int v = 0; v < static_cast<int>(labels.size()); ++v) {
     if (labels[v] != 0) places.push_back({CellKey(grid.voxels[v].cell), v});
   }
+  InterruptionPoint();
   std::sort(places.begin(), places.end(),
             [](const Place& a, const Place& b) { return a.key < b.key; });
   return places;
@@ -30,7 +33,9 @@ template <typename Visit>
 void ForEachPair(const std::vector<Place>& places, std::uint64_t first, std::uint64_t last,
                  Visit visit) {
   auto begin = places.begin();
+  LongLoop loop;
   for (const Place& place : places) {
+    loop.Turn();
     while (begin != places.end() && begin->key < place.key + first) ++begin;
     for (auto other = begin; other != places.end() && other->key <= place.key + last; ++other) {
       visit(place.voxel, other->voxel);

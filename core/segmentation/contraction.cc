@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/segmentation/disjoint_sets.h"
+#include "core/types/interruption.h"
 
 namespace fovea {
 namespace {
@@ -12,6 +13,7 @@ namespace {
 std::vector<char> HaveChoice(const PottsEnergy& energy) {
   std::vector<char> have(energy.num_nodes, 0);
   for (std::size_t label = 1; label < energy.choices.size(); ++label) {
+    InterruptionPoint();
     for (const PottsEnergy::Choice& choice : energy.choices[label]) have[choice.node] = 1;
   }
   return have;
@@ -28,6 +30,7 @@ Clusters FindClusters(const PottsEnergy& energy, int max_size, float min_weight)
   DisjointSets sets(energy.num_nodes);
   std::vector<int> sizes(energy.num_nodes, 1);  // of a set, at its first node
   for (int limit = 2; limit <= max_size; limit *= 2) {
+    InterruptionPoint();
     for (const PottsEnergy::Edge& edge : energy.edges) {
       if (edge.weight < min_weight || !have_choice[edge.a] || !have_choice[edge.b]) continue;
       const int a = sets.Find(edge.a);
@@ -87,6 +90,7 @@ std::vector<PottsEnergy::Edge> JoinEdges(const std::vector<PottsEnergy::Edge>& e
     return std::pair(x.a, x.b) < std::pair(y.a, y.b);
   });
   std::size_t kept = 0;
+  InterruptionPoint();
   for (const PottsEnergy::Edge& edge : joined) {
     if (kept > 0 && joined[kept - 1].a == edge.a && joined[kept - 1].b == edge.b) {
       joined[kept - 1].weight += edge.weight;
@@ -106,6 +110,7 @@ Contraction Contract(const PottsEnergy& energy, int max_size, float min_weight) 
   contraction.energy.num_nodes = static_cast<int>(clusters.sizes.size());
   std::vector<Sum> sums(clusters.sizes.size());
   for (const std::vector<PottsEnergy::Choice>& choices : energy.choices) {
+    InterruptionPoint();
     contraction.energy.choices.push_back(JoinChoices(choices, clusters, sums));
   }
   contraction.energy.edges = JoinEdges(energy.edges, clusters);

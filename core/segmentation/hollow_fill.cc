@@ -11,6 +11,7 @@
 #include "core/depth/depth_gap.h"
 #include "core/scene/level_axes.h"
 #include "core/segmentation/labels.h"
+#include "core/types/interruption.h"
 #include "core/types/projection.h"
 
 namespace fovea {
@@ -85,6 +86,7 @@ void Fill(const VoxelGrid& grid, const std::vector<char>& on_wall, const RoundWa
     return true;
   };
   for (bool changed = true; changed;) {
+    InterruptionPoint();
     changed = false;
     for (const VoxelEdge& edge : edges) {
       if (spread(edge.a, edge.b) || spread(edge.b, edge.a)) changed = true;
@@ -133,6 +135,7 @@ std::vector<int> FillHollows(const VoxelGrid& grid, const std::vector<int>& obje
                              const cv::Mat& points, const CameraIntrinsics& intrinsics,
                              const std::vector<char>& on_wall, const Eigen::Vector3f& up) {
   for (std::optional<RoundWall>& wall : walls) {
+    InterruptionPoint();
     if (wall && !(wall->is_inside && HasRim(*wall, points, intrinsics, up))) wall.reset();
   }
   if (std::none_of(walls.begin(), walls.end(), [](const auto& wall) { return wall.has_value(); })) {

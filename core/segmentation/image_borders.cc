@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/types/interruption.h"
 #include "core/types/pixels.h"
 
 namespace fovea {
@@ -41,6 +42,7 @@ ImageBorders FindImageBorders(const cv::Mat& labels, const cv::Mat& points, int 
     }
   };
   for (int row = 0; row < labels.rows; ++row) {
+    InterruptionPoint();
     for (int col = 0; col < labels.cols; ++col) {
       if (labels.at<std::uint16_t>(row, col) == 0) continue;
       visit_next({col, row}, {1, 0});

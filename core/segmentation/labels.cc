@@ -4,8 +4,11 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/types/interruption.h"
+
 namespace fovea {
 std::vector<int> Renumbered(std::vector<int> labels) {
+  InterruptionPoint();
   std::vector<int> number(CountLabels(labels) + 1, 0);
   int count = 0;
   for (int& label : labels) {
@@ -18,10 +21,12 @@ std::vector<int> Renumbered(std::vector<int> labels) {
 
 std::vector<int> SplitIntoSegments(const VoxelGrid& grid, const std::vector<int>& labels) {
   DisjointSets parts(static_cast<int>(labels.size()));
+  InterruptionPoint();
   for (const VoxelEdge& edge : grid.edges) {
     if (labels[edge.a] == labels[edge.b]) parts.Join(edge.a, edge.b);
   }
   std::vector<int> segments(labels.size(), 0);
+  InterruptionPoint();
   for (std::size_t v = 0; v < labels.size(); ++v) {
     if (labels[v] != 0) segments[v] = parts.Find(static_cast<int>(v)) + 1;
   }
@@ -36,6 +41,7 @@ std::vector<int> Renumbered(const std::vector<int>& labels, DisjointSets& sets) 
 }
 
 cv::Mat LabelImage(const VoxelGrid& grid, const std::vector<int>& labels) {
+  InterruptionPoint();
   std::vector<std::uint16_t> label_of(labels.size() + 1, 0);  // the first for "no voxel"
   std::copy(labels.begin(), labels.end(), label_of.begin() + 1);
   cv::Mat image(grid.voxel_of_pixel.size(), CV_16UC1);

@@ -8,6 +8,7 @@
 #include "core/scene/image_direction.h"
 #include "core/segmentation/beyond_border.h"
 #include "core/segmentation/labels.h"
+#include "core/types/interruption.h"
 #include "core/types/pixels.h"
 
 namespace fovea {
@@ -26,6 +27,7 @@ std::vector<LowerBorder> FindLowerBorders(const cv::Mat& labels, const cv::Mat& 
   cv::Mat depth_m;
   cv::extractChannel(points, depth_m, 2);
   for (int row = 0; row < labels.rows; ++row) {
+    InterruptionPoint();
     const auto* label = labels.ptr<std::uint16_t>(row);
     for (int col = 0; col < labels.cols; ++col) {
       if (label[col] == 0 || !looked_at[label[col]] || IsInterior(labels, row, col)) continue;

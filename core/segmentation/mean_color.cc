@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/segmentation/labels.h"
+#include "core/types/interruption.h"
 #include "core/types/lab.h"
 
 namespace fovea {
@@ -58,9 +59,11 @@ std::vector<MeanColor> ColorsOfVoxels(const VoxelGrid& grid, const std::vector<c
   if (bounds.empty()) return colors;
   static const ColorTable table;
   const cv::Mat lab = LabOf(color_rgb(bounds));
+  InterruptionPoint();
   const cv::Mat voxel_of_pixel = grid.voxel_of_pixel(bounds);
   std::size_t num_colorful = 0;
   for (int row = 0; row < lab.rows; ++row) {
+    InterruptionPoint();
     const int* voxel = voxel_of_pixel.ptr<int>(row);
     const cv::Vec3b* pixel = lab.ptr<cv::Vec3b>(row);
     for (int col = 0; col < lab.cols; ++col) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/types/interruption.h"
 #include "core/types/too_complex.h"
 
 namespace fovea {
@@ -14,6 +15,7 @@ template <typename Visit>
 void ForEachPoint(const VoxelGrid& grid, const cv::Mat& points,
                   const std::vector<char>& is_background, Visit visit) {
   for (int row = 0; row < points.rows; ++row) {
+    InterruptionPoint();
     const int* voxel_of_pixel = grid.voxel_of_pixel.ptr<int>(row);
     const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
     for (int col = 0; col < points.cols; ++col) {
@@ -81,8 +83,10 @@ PointStatistics Collect(const VoxelGrid& grid, const cv::Mat& points,
   });
 
   const Positions positions = PositionsOf(seeds);
+  LongLoop loop;
   std::vector<std::vector<Eigen::Vector3f>> near_seeds(num_voxels);
   for (std::size_t v = 0; v < num_voxels; ++v) {
+    loop.Turn();
     if (is_background[v]) continue;
     near_seeds[v] = NearSeeds(grid.voxels[v], std::sqrt(squared_radius[v]), positions);
   }
@@ -167,12 +171,14 @@ PottsEnergy BuildEnergy(const VoxelGrid& grid, const cv::Mat& points,
   PottsEnergy energy;
   energy.num_nodes = static_cast<int>(grid.voxels.size());
   std::vector<PottsEnergy::Choice>& background = energy.choices.emplace_back();
+  InterruptionPoint();
   for (int v = 0; v < energy.num_nodes; ++v) {
     background.push_back({v, statistics.background_cost[v]});
   }
   const Foreground foreground = CollectForeground(grid, is_background, statistics.variance);
   std::size_t num_choices = 0;
   for (const Seed& seed : seeds) {
+    InterruptionPoint();
     energy.choices.push_back(ChoicesOfSeed(foreground, seed, options));
     num_choices += energy.choices.back().size();
     if (num_choices > kMaxChoices) {
@@ -181,7 +187,9 @@ PottsEnergy BuildEnergy(const VoxelGrid& grid, const cv::Mat& points,
           "voxels.size_m");
     }
   }
+  LongLoop loop;
   for (const VoxelEdge& edge : grid.edges) {
+    loop.Turn();
     if (is_background[edge.a] && is_background[edge.b]) continue;
     float weight = PairwiseWeight(grid.voxels[edge.a], grid.voxels[edge.b], options);
     const bool between_objects = !is_background[edge.a] && !is_background[edge.b];

@@ -15,6 +15,7 @@
 #include "core/segmentation/part.h"
 #include "core/segmentation/roundness.h"
 #include "core/segmentation/shared_surface.h"
+#include "core/types/interruption.h"
 #include "core/types/pixels.h"
 
 namespace fovea {
@@ -46,6 +47,7 @@ std::vector<Segment> Collect(const VoxelGrid& grid, const std::vector<int>& labe
     if (labels[v] != 0) segments[labels[v]].voxels.push_back(v);
   }
   for (std::size_t label = 1; label < segments.size(); ++label) {
+    InterruptionPoint();
     segments[label].part = parts[label];
     segments[label].roundness = FitRoundness(grid, segments[label].voxels, up);
   }
@@ -74,6 +76,7 @@ class Evidence {
   std::set<std::pair<int, int>> PairsWithCommonOccluder() const {
     std::map<int, std::vector<int>> hidden_by;
     for (const auto& [pair, border] : borders_) {
+      InterruptionPoint();
       if (border.first_in_front >= min_border_px_) hidden_by[pair.first].push_back(pair.second);
       if (border.second_in_front >= min_border_px_) hidden_by[pair.second].push_back(pair.first);
     }
@@ -81,6 +84,7 @@ class Evidence {
     for (auto& [front, hidden] : hidden_by) {
       std::erase_if(hidden, [&](int s) { return segments_[s].voxels.size() < kMinVoxels; });
       for (std::size_t i = 0; i < hidden.size(); ++i) {
+        InterruptionPoint();
         for (std::size_t j = i + 1; j < hidden.size(); ++j) {
           pairs.insert(std::minmax(hidden[i], hidden[j]));
         }
@@ -174,6 +178,7 @@ std::vector<int> MergeOccluded(const VoxelGrid& grid, const std::vector<int>& la
   const Evidence evidence(grid, labels, points, colors, intrinsics, up, options);
   DisjointSets objects(evidence.NumSegments());
   for (const auto& [pair, border] : evidence.Borders()) {
+    InterruptionPoint();
     const auto [a, b] = pair;
     if (evidence.IsInsideOf(a, b) || evidence.IsInsideOf(b, a) || evidence.IsInNotchOf(a, b) ||
         evidence.IsInNotchOf(b, a)) {
@@ -182,6 +187,7 @@ std::vector<int> MergeOccluded(const VoxelGrid& grid, const std::vector<int>& la
   }
   if (options.min_shared_surface > 0) {
     for (const auto& [a, b] : evidence.PairsWithCommonOccluder()) {
+      InterruptionPoint();
       if (objects.Find(a) == objects.Find(b)) continue;
       if (evidence.AreOneBehindAnOccluder(a, b)) objects.Join(a, b);
     }

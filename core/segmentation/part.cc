@@ -2,6 +2,7 @@
 
 #include "core/scene/level_axes.h"
 #include "core/segmentation/labels.h"
+#include "core/types/interruption.h"
 
 namespace fovea {
 
@@ -19,7 +20,9 @@ std::vector<Part> CollectParts(const VoxelGrid& grid, const std::vector<int>& la
   Eigen::Matrix3f axes;
   axes << LevelAxesAlongView(up), up.transpose();
   std::vector<Part> parts(CountLabels(labels) + 1);
+  LongLoop loop;
   for (std::size_t v = 0; v < labels.size(); ++v) {
+    loop.Turn();
     const Voxel& voxel = grid.voxels[v];
     const double z = voxel.mean.z();
     parts[labels[v]].Add(

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/segmentation/labels.h"
+#include "core/types/interruption.h"
 
 namespace fovea {
 
@@ -24,6 +25,7 @@ std::vector<int> MergeParts(const VoxelGrid& grid, const std::vector<int>& label
   };
   for (const auto& [pair, kinship] : graph.Pairs()) consider(pair);
   while (!candidates.empty()) {
+    InterruptionPoint();
     const auto [negative_log_odds, pair] = *candidates.begin();
     candidates.erase(candidates.begin());
     const auto found = graph.Pairs().find(pair);

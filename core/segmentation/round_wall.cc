@@ -7,6 +7,7 @@
 
 #include "core/scene/level_axes.h"
 #include "core/segmentation/labels.h"
+#include "core/types/interruption.h"
 
 namespace fovea {
 namespace {
@@ -116,6 +117,7 @@ RoundWalls FindRoundWalls(const VoxelGrid& grid, const std::vector<int>& labels,
   RoundWalls walls;
   walls.reserve(voxels.size());
   for (const std::vector<int>& of_label : voxels) {
+    InterruptionPoint();
     walls.push_back(FindWall(grid, of_label, up, axes, max_radius_m));
   }
   return walls;

@@ -6,6 +6,7 @@
 
 #include "core/segmentation/disjoint_sets.h"
 #include "core/segmentation/labels.h"
+#include "core/types/interruption.h"
 
 namespace fovea {
 namespace {
@@ -27,6 +28,7 @@ std::vector<int> MergeRoundWalls(const std::vector<int>& labels, const RoundWall
   }
   DisjointSets objects(static_cast<int>(walls.size()));
   for (auto a = round.begin(); a != round.end(); ++a) {
+    InterruptionPoint();
     for (auto b = std::next(a); b != round.end(); ++b) {
       if (AreOneWall(*walls[*a], *walls[*b])) objects.Join(*a, *b);
     }

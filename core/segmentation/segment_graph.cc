@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/types/interruption.h"
+
 namespace fovea {
 
 SegmentGraph::SegmentGraph(const VoxelGrid& grid, const std::vector<int>& labels,
@@ -20,6 +22,7 @@ SegmentGraph::SegmentGraph(const VoxelGrid& grid, const std::vector<int>& labels
 }
 
 void SegmentGraph::Join(SegmentPair pair) {
+  InterruptionPoint();
   const auto [into, from] = pair;
   objects_.Join(into, from);  // the smaller number stays
   parts_[into].Add(parts_[from]);

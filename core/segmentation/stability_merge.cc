@@ -14,6 +14,7 @@
 #include "core/segmentation/disjoint_sets.h"
 #include "core/segmentation/labels.h"
 #include "core/segmentation/lower_border.h"
+#include "core/types/interruption.h"
 
 namespace fovea {
 namespace {
@@ -97,6 +98,7 @@ class Statics {
   DisjointSets Join() {
     DisjointSets objects(static_cast<int>(segments_.size()));
     while (!unstable_.empty()) {
+      InterruptionPoint();
       const int unstable = unstable_.begin()->second;
       const auto holders = HoldersOf(unstable);
       const int holder = std::max_element(holders.begin(), holders.end())->second;
@@ -178,6 +180,7 @@ std::vector<Segment> CollectSegments(const VoxelGrid& grid, const std::vector<in
     segment.lowest_m = std::min(segment.lowest_m, height_m - SupportTolerance(point.z(), options));
   }
   for (std::size_t label = 1; label < segments.size(); ++label) {
+    InterruptionPoint();
     segments[label].hull = Hull(places[label]);
   }
   return segments;

@@ -7,6 +7,7 @@
 #include <opencv2/core.hpp>
 
 #include "core/segmentation/cell_index.h"
+#include "core/types/interruption.h"
 #include "core/types/widest_registers.h"
 
 namespace fovea {
@@ -113,6 +114,7 @@ CellIndex CollectVoxels(const cv::Mat& points, const NormalMap& normals,
   CellIndex index(points.total() / 64);
   RowCells cells(points.cols, options);
   for (int row = 0; row < points.rows; ++row) {
+    InterruptionPoint();
     const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
     int* voxel_of_pixel = grid.voxel_of_pixel.ptr<int>(row);
     RunInWidestRegisters([&] { cells.Set(point); });
@@ -132,6 +134,7 @@ CellIndex CollectVoxels(const cv::Mat& points, const NormalMap& normals,
 }
 
 void Finish(std::vector<Voxel>& voxels) {
+  InterruptionPoint();
   for (Voxel& voxel : voxels) {
     voxel.mean /= static_cast<float>(voxel.num_points);
     const float length = voxel.normal.norm();
@@ -143,7 +146,9 @@ std::vector<VoxelEdge> FindNeighbors(const std::vector<Voxel>& voxels, const Cel
                                      int axes) {
   const std::vector<Eigen::Vector3i> offsets = HalfNeighborhood(axes);
   std::vector<VoxelEdge> pairs;
+  LongLoop loop;
   for (int i = 0; i < static_cast<int>(voxels.size()); ++i) {
+    loop.Turn();
     for (const Eigen::Vector3i& offset : offsets) {
       const int neighbor = index.Find(voxels[i].cell + offset);
       if (neighbor >= 0) pairs.push_back({std::min(i, neighbor), std::max(i, neighbor)});
@@ -153,6 +158,7 @@ std::vector<VoxelEdge> FindNeighbors(const std::vector<Voxel>& voxels, const Cel
 }
 
 void SmoothNormals(VoxelGrid& grid) {
+  InterruptionPoint();
   std::vector<Eigen::Vector3f> sums;
   for (const Voxel& voxel : grid.voxels) sums.push_back(voxel.normal);
   for (const VoxelEdge& edge : grid.edges) {

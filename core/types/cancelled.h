@@ -2,11 +2,16 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace fovea {
 
 struct Cancelled : std::runtime_error {
-  Cancelled() : std::runtime_error("the detection was cancelled") {}
+  explicit Cancelled(std::string in_stage = "")
+      : std::runtime_error("the detection was cancelled"), stage(std::move(in_stage)) {}
+
+  std::string stage;  // in which it was; empty where it had not begun
 };
 
 }  // namespace fovea

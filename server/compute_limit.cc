@@ -1,0 +1,13 @@
+#include "server/compute_limit.h"
+
+#include <ctime>
+
+namespace fovea::server {
+
+std::chrono::nanoseconds ComputeLimit::Used() {
+  timespec used{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+  return std::chrono::seconds(used.tv_sec) + std::chrono::nanoseconds(used.tv_nsec);
+}
+
+}  // namespace fovea::server

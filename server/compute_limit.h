@@ -1,0 +1,35 @@
+#pragma once
+
+#include <chrono>
+#include <stdexcept>
+#include <string>
+
+namespace fovea::server {
+
+// Thrown where a frame has used up the processor time that it may take.
+class ComputeLimitPassed : public std::runtime_error {
+ public:
+  ComputeLimitPassed(const std::string& stage, std::chrono::milliseconds limit)
+      : std::runtime_error("the frame took more than " + std::to_string(limit.count()) +
+                           " ms of computing, this server's limit (--max-compute-ms), and was "
+                           "given up in stage " +
+                           stage + "; send a smaller image or region, or options that cost less") {}
+};
+
+// Of the processor time of the thread that made it: a machine that is busy with other things is no
+// fault of the frame.
+class ComputeLimit {
+ public:
+  // 0: none.
+  explicit ComputeLimit(std::chrono::milliseconds limit) : limit_(limit), start_(Used()) {}
+
+  bool HasPassed() const { return limit_.count() > 0 && Used() - start_ > limit_; }
+
+ private:
+  static std::chrono::nanoseconds Used();
+
+  const std::chrono::milliseconds limit_;
+  const std::chrono::nanoseconds start_;
+};
+
+}  // namespace fovea::server
