@@ -1,5 +1,6 @@
 #pragma once
 
+#include <grpcpp/alarm.h>
 #include <grpcpp/server_context.h>
 #include <grpcpp/support/async_stream.h>
 #include <grpcpp/support/byte_buffer.h>
@@ -43,6 +44,7 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   void OnGone();
   void OnWritten(bool ok);
   void End();  // by the server
+  void LimitAge();
   void Deliver();
   void ComputeOrSayWhyNot();
   void Compute();   // the newest frame into response_
@@ -71,7 +73,9 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   bool busy_ = false;     // waits for its turn, computes or writes
   bool no_more_ = false;  // the caller sends no more frames
   bool ending_ = false;   // the server is stopping
-  bool broken_ = false;   // an answer could not be sent
+  bool is_old_ = false;   // the caller is to open another one
+  grpc::Alarm age_;
+  bool broken_ = false;  // an answer could not be sent
   bool finished_ = false;
 };
 
