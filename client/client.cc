@@ -111,8 +111,8 @@ v1::GetStatisticsResponse Client::GetStatistics() const {
 
 v1::ListOptionsResponse Client::ListOptions() const {
   v1::ListOptionsResponse response;
-  CallWithRetries(*channel_, options_, options_.timeout, [&](grpc::ClientContext* context) {
-    return stub_->ListOptions(context, {}, &response);
+  CallWithRetries(*servers_, options_, options_.timeout, [&](auto& stub, auto* context) {
+    return stub.ListOptions(context, {}, &response);
   });
   return response;
 }

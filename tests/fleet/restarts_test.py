@@ -56,7 +56,11 @@ class Fleet:
         self.address = ",".join(member.address for member in self.members)
 
     def client(self, robot: str) -> fovea.Client:
-        return fovea.Client(self.address, tls=self.tls, robot=robot, timeout=PATIENCE)
+        # Behind a proxy a connection outlasts the server's readiness by its drain and a second.
+        retry = fovea.RetryOptions(max_attempts=10)
+        return fovea.Client(
+            self.address, tls=self.tls, robot=robot, timeout=PATIENCE, retry=retry
+        )
 
     def restart_one_after_the_other(self) -> None:
         for member in self.members:

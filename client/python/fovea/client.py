@@ -146,7 +146,7 @@ class Client:
     def list_options(self) -> list[Option]:
         """Every option of the server's method, in the order of the pipeline."""
         request = detection_service_pb2.ListOptionsRequest()
-        return options_from_proto(self._call(self._stub.ListOptions, request))
+        return options_from_proto(self._call(lambda stub: stub.ListOptions, request))
 
     def get_statistics(self) -> Statistics:
         """What it has done since it started, over all robots."""
