@@ -8,11 +8,12 @@
 #include <string>
 
 #include "client/client_options.h"
+#include "client/server_address.h"
 
 namespace fovea::client {
 
-// `address` as Client takes it.
-std::shared_ptr<grpc::Channel> MakeChannel(const std::string& address,
+// To one server; `has_others` = of several, so that little time is spent on one that is not there.
+std::shared_ptr<grpc::Channel> MakeChannel(const ServerTarget& target, bool has_others,
                                            const ClientOptions& options);
 
 // Waits and lets the channel work meanwhile. gRPC reads from a connection only while somebody waits

@@ -1,9 +1,12 @@
 #include "client/client.h"
 
+#include <algorithm>
+#include <thread>
 #include <utility>
 
 #include "client/channel.h"
 #include "client/retry.h"
+#include "client/servers.h"
 #include "grpc/health/v1/health.grpc.pb.h"
 
 namespace fovea::client {
@@ -17,60 +20,99 @@ health::HealthCheckRequest AboutDetection() {
   return request;
 }
 
+struct Health {
+  grpc::Status status;
+  bool serving = false;
+};
+
+Health HealthOf(const Server& server, const ClientOptions& options,
+                Servers::Clock::duration timeout) {
+  grpc::ClientContext context;
+  PrepareCall(options, std::chrono::duration_cast<std::chrono::milliseconds>(timeout), &context);
+  health::HealthCheckResponse response;
+  Health health;
+  health.status =
+      health::Health::NewStub(server.channel)->Check(&context, AboutDetection(), &response);
+  health.serving = health.status.ok() && response.status() == health::HealthCheckResponse::SERVING;
+  return health;
+}
+
+// Which may still come.
+bool IsAbsence(const grpc::Status& status) {
+  return status.ok() || status.error_code() == grpc::StatusCode::UNAVAILABLE ||
+         status.error_code() == grpc::StatusCode::CANCELLED ||
+         status.error_code() == grpc::StatusCode::DEADLINE_EXCEEDED;
+}
+
+grpc::Status NotReady(grpc::StatusCode code, const std::string& problem) {
+  return {code, "the server is not ready: " + problem};
+}
+
 }  // namespace
 
 Client::Client(const std::string& address, ClientOptions options)
-    : options_(std::move(options)),
-      channel_(MakeChannel(address, options_)),
-      stub_(v1::DetectionService::NewStub(channel_)) {}
+    : options_(std::move(options)), servers_(std::make_shared<Servers>(address, options_)) {}
 
 void Client::WaitUntilReady(std::chrono::milliseconds timeout) const {
-  grpc::ClientContext context;
-  PrepareCall(options_, timeout, &context);
-  context.set_wait_for_ready(true);  // a server that is not up yet is no error
-  const auto watch = health::Health::NewStub(channel_)->Watch(&context, AboutDetection());
-  health::HealthCheckResponse response;
-  while (watch->Read(&response)) {
-    if (response.status() != health::HealthCheckResponse::SERVING) continue;
-    context.TryCancel();
-    watch->Finish();
-    return;
+  using Clock = Servers::Clock;
+  constexpr std::chrono::milliseconds kBetween{50}, kLongestLook{1000};
+  const Clock::time_point deadline = Clock::now() + timeout;
+  std::string problem;
+  while (Clock::now() < deadline) {
+    const auto servers = servers_->All(deadline, &problem);
+    for (const auto& server : servers) {
+      const auto look = std::min<Clock::duration>(deadline - Clock::now(), kLongestLook);
+      const Health health = HealthOf(*server, options_, look);
+      if (health.serving) return;
+      problem = health.status.ok() ? "it does not serve" : health.status.error_message();
+      if (!IsAbsence(health.status)) throw RpcError(NotReady(health.status.error_code(), problem));
+    }
+    const auto rest = std::min<Clock::duration>(deadline - Clock::now(), kBetween);
+    const auto pause = std::chrono::duration_cast<std::chrono::milliseconds>(rest);
+    if (servers.empty()) {
+      std::this_thread::sleep_for(pause);
+    } else {
+      Pause(*servers.front()->channel, pause);
+    }
   }
-  const grpc::Status status = watch->Finish();
-  throw RpcError({status.ok() ? grpc::StatusCode::UNAVAILABLE : status.error_code(),
-                  "the server is not ready: " + status.error_message()});
+  throw RpcError(NotReady(grpc::StatusCode::DEADLINE_EXCEEDED, problem));
 }
 
 bool Client::IsServing() const {
-  grpc::ClientContext context;
-  PrepareCall(options_, options_.timeout, &context);
-  health::HealthCheckResponse response;
-  const grpc::Status status =
-      health::Health::NewStub(channel_)->Check(&context, AboutDetection(), &response);
-  if (!status.ok()) throw RpcError(status);
-  return response.status() == health::HealthCheckResponse::SERVING;
+  const auto deadline = Servers::Clock::now() + options_.timeout;
+  std::string problem;
+  grpc::Status status(grpc::StatusCode::UNAVAILABLE, "");
+  bool answered = false;
+  for (const auto& server : servers_->All(deadline, &problem)) {
+    const Health health = HealthOf(*server, options_, deadline - Servers::Clock::now());
+    if (health.serving) return true;
+    answered |= health.status.ok();
+    status = health.status;
+  }
+  if (answered) return false;
+  throw RpcError(problem.empty() ? status : grpc::Status(status.error_code(), problem));
 }
 
 v1::GetServerInfoResponse Client::GetServerInfo() const {
   v1::GetServerInfoResponse response;
-  CallWithRetries(*channel_, options_, options_.timeout, [&](grpc::ClientContext* context) {
-    return stub_->GetServerInfo(context, {}, &response);
+  CallWithRetries(*servers_, options_, options_.timeout, [&](auto& stub, auto* context) {
+    return stub.GetServerInfo(context, {}, &response);
   });
   return response;
 }
 
 v1::GetStatisticsResponse Client::GetStatistics() const {
   v1::GetStatisticsResponse response;
-  CallWithRetries(*channel_, options_, options_.timeout, [&](grpc::ClientContext* context) {
-    return stub_->GetStatistics(context, {}, &response);
+  CallWithRetries(*servers_, options_, options_.timeout, [&](auto& stub, auto* context) {
+    return stub.GetStatistics(context, {}, &response);
   });
   return response;
 }
 
 v1::ListOptionsResponse Client::ListOptions() const {
   v1::ListOptionsResponse response;
-  CallWithRetries(*channel_, options_, options_.timeout, [&](grpc::ClientContext* context) {
-    return stub_->ListOptions(context, {}, &response);
+  CallWithRetries(*servers_, options_, options_.timeout, [&](auto& stub, auto* context) {
+    return stub.ListOptions(context, {}, &response);
   });
   return response;
 }
@@ -82,19 +124,22 @@ v1::DetectResponse Client::Detect(const v1::DetectRequest& request) const {
 v1::DetectResponse Client::Detect(const v1::DetectRequest& request,
                                   std::chrono::milliseconds timeout) const {
   v1::DetectResponse response;
-  CallWithRetries(*channel_, options_, timeout, [&](grpc::ClientContext* context) {
-    return stub_->Detect(context, request, &response);
+  CallWithRetries(*servers_, options_, timeout, [&](auto& stub, auto* context) {
+    return stub.Detect(context, request, &response);
   });
   return response;
 }
 
 std::unique_ptr<DetectStream> Client::OpenStream(std::chrono::milliseconds timeout) const {
-  return std::make_unique<DetectStream>(*stub_, options_, timeout);
+  std::string problem;
+  const auto home = servers_->Home(Servers::Clock::now() + timeout, &problem);
+  if (!home) throw RpcError({grpc::StatusCode::UNAVAILABLE, problem});
+  return std::make_unique<DetectStream>(*home->stub, options_, timeout);
 }
 
 std::unique_ptr<ResumingStream> Client::OpenResumingStream(
     std::chrono::milliseconds timeout) const {
-  return std::make_unique<ResumingStream>(channel_, stub_, options_, timeout);
+  return std::make_unique<ResumingStream>(servers_, options_, timeout);
 }
 
 }  // namespace fovea::client

@@ -1,8 +1,6 @@
 // Talks to a fovea server. Needs gRPC and protobuf only.
 #pragma once
 
-#include <grpcpp/channel.h>
-
 #include <chrono>
 #include <memory>
 #include <string>
@@ -15,14 +13,21 @@
 
 namespace fovea::client {
 
+class Servers;
+
 // Thread-safe: one client serves any number of threads over one connection, which it opens at the
 // first call and opens again when it was lost. Every call has a deadline; it throws RpcError with
 // DEADLINE_EXCEEDED when that passes and with UNAVAILABLE when the server is away, after the
 // attempts of ClientOptions::retry.
 class Client {
  public:
-  // `address` is HOST:PORT or any gRPC target, for example "ipv4:10.0.0.1:50051,10.0.0.2:50051".
-  // Calls go to several addresses in turn.
+  // `address` is HOST:PORT (IPv6 in brackets), unix:/PATH, or several of these with commas between
+  // them; else std::invalid_argument is thrown. A name stands for all addresses that it has, and is
+  // looked up again when something fails.
+  //
+  // Of several servers a client stays with one, chosen by chance, over one connection. It asks the
+  // others as soon as that refuses or is away, and goes to another one where that takes its calls
+  // or promises to be free much sooner. Where its connection ends it chooses anew.
   explicit Client(const std::string& address, ClientOptions options = {});
 
   // Returns once the server says that it serves; throws RpcError after `timeout`.
@@ -47,8 +52,7 @@ class Client {
 
  private:
   const ClientOptions options_;
-  const std::shared_ptr<grpc::Channel> channel_;
-  const std::shared_ptr<v1::DetectionService::Stub> stub_;
+  const std::shared_ptr<Servers> servers_;
 };
 
 }  // namespace fovea::client

@@ -1,21 +1,25 @@
 #include "client/resuming_stream.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "client/retry.h"
 #include "client/rpc_error.h"
+#include "client/servers.h"
 
 namespace fovea::client {
 
-ResumingStream::ResumingStream(std::shared_ptr<grpc::Channel> channel,
-                               std::shared_ptr<v1::DetectionService::Stub> stub,
-                               ClientOptions options, std::chrono::milliseconds timeout)
-    : channel_(std::move(channel)),
-      stub_(std::move(stub)),
+ResumingStream::ResumingStream(std::shared_ptr<Servers> servers, ClientOptions options,
+                               std::chrono::milliseconds timeout)
+    : servers_(std::move(servers)),
       options_(std::move(options)),
-      deadline_(Clock::now() + timeout),
-      stream_(Open()) {}
+      deadline_(Clock::now() + timeout) {
+  std::string problem;
+  server_ = servers_->Home(std::min(deadline_, Clock::now() + options_.timeout), &problem);
+  if (!server_) throw RpcError({grpc::StatusCode::UNAVAILABLE, problem});
+  stream_ = Open();
+}
 
 void ResumingStream::Send(const v1::DetectStreamRequest& request) {
   std::shared_ptr<DetectStream> current;
@@ -69,7 +73,7 @@ std::shared_ptr<DetectStream> ResumingStream::stream() const {
 }
 
 ResumingStream::Answer ResumingStream::Account(v1::DetectStreamResponse response) {
-  failures_ = 0;
+  if (std::exchange(failures_, 0) > 0) servers_->OnAnswered(server_);
   // first_of_stream_ changes in this thread only.
   response.set_sequence(response.sequence() + first_of_stream_);
   next_expected_ = response.sequence() + 1;
@@ -78,16 +82,20 @@ ResumingStream::Answer ResumingStream::Account(v1::DetectStreamResponse response
 
 void ResumingStream::Resume(const DetectStream& broken) {
   if (failures_++ == 0) broken_since_ = Clock::now();
-  const auto wait = BackoffAfter(failures_, options_.retry, broken.context());
+  const bool is_worth_it = IsWorthRetrying(*broken.status(), broken.context());
+  if (is_worth_it) ReportEnd(broken);
+  // Also where another server is there: robots that lost the same one should not all come at once.
+  const bool elsewhere = is_worth_it && !servers_->AreAllAway();
+  const auto wait = BackoffAfter(elsewhere ? 1 : failures_, options_.retry,
+                                 elsewhere ? std::nullopt : RetryAfter(broken.context()));
   const Clock::time_point now = Clock::now();
   const bool too_late = now + wait >= deadline_ || now - broken_since_ >= options_.timeout;
-  if (too_late || !IsWorthRetrying(*broken.status(), broken.context())) throw;
+  if (too_late || !is_worth_it) throw;
 
-  AwaitConnection();
-  // Also then: robots that lost the same server should not all come at once, and a server that is
-  // there may have refused the stream.
+  const std::shared_ptr<Server> next = AwaitConnection();
   std::unique_lock lock(mutex_);
   if (changed_.wait_for(lock, wait, [this] { return canceled_.load(); })) throw;
+  if (next) server_ = next;
   num_lost_ += num_sent_ - next_expected_;
   next_expected_ = first_of_stream_ = num_sent_;
   stream_ = Open();
@@ -95,19 +103,46 @@ void ResumingStream::Resume(const DetectStream& broken) {
   if (done_) stream_->DoneSending();
 }
 
+void ResumingStream::ReportEnd(const DetectStream& broken) {
+  const auto retry_after = RetryAfter(broken.context());
+  if (retry_after && retry_after->count() == 0) {  // of age
+    servers_->OnDisconnected(server_);
+  } else {
+    servers_->OnAway(server_, retry_after);
+  }
+}
+
 // Streams that fail at once, with pauses between them, would not let the channel connect: see
 // Pause(). A stream that waits for the connection would, but holds up Send() and knows no patience.
-void ResumingStream::AwaitConnection() const {
+std::shared_ptr<Server> ResumingStream::AwaitConnection() {
   constexpr std::chrono::milliseconds kLook{20};  // gRPC's wait cannot be ended by Cancel()
   const Clock::time_point end = std::min(deadline_, broken_since_ + options_.timeout);
+  std::string problem;
   while (!canceled_ && Clock::now() < end) {
-    if (channel_->WaitForConnected(std::chrono::system_clock::now() + kLook)) return;
+    const std::shared_ptr<Server> server = servers_->Home(Clock::now() + kLook, &problem);
+    if (!server) continue;
+    // A refusal is waited for where there is nobody else.
+    if (IsConnected(*server)) return server;
+    servers_->OnAway(server);
   }
+  return nullptr;
+}
+
+// Waits as long as it comes about, but no longer than others that may be there are worth.
+bool ResumingStream::IsConnected(const Server& server) const {
+  constexpr std::chrono::milliseconds kLook{20};
+  const auto longest = servers_->size() > 1 ? std::chrono::seconds(1) : options_.timeout;
+  const Clock::time_point end = std::min(deadline_, Clock::now() + longest);
+  do {
+    if (server.channel->WaitForConnected(std::chrono::system_clock::now() + kLook)) return true;
+  } while (!canceled_ && Clock::now() < end &&
+           server.channel->GetState(true) != GRPC_CHANNEL_TRANSIENT_FAILURE);
+  return false;
 }
 
 std::shared_ptr<DetectStream> ResumingStream::Open() {
   return std::make_shared<DetectStream>(
-      *stub_, options_,
+      *server_->stub, options_,
       std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - Clock::now()));
 }
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <grpcpp/channel.h>
-
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -16,9 +14,14 @@
 
 namespace fovea::client {
 
-// A DetectStream that is opened again when it breaks, for example because the server was killed
-// and started again; Client::OpenResumingStream makes it. One thread may send while another
-// receives.
+class Servers;
+struct Server;
+
+// A DetectStream that stays with its server, and is opened again when it breaks: at another one at
+// once where the client has several, else when the server is back; Client::OpenResumingStream makes
+// it. A server that has had the stream for long enough ends it between two answers (its
+// --max-connection-age-s); the stream then goes on at any of them. One thread may send while
+// another receives.
 class ResumingStream {
  public:
   struct Answer {
@@ -28,9 +31,7 @@ class ResumingStream {
     std::uint64_t lost = 0;
   };
 
-  // `stub` is of `channel`.
-  ResumingStream(std::shared_ptr<grpc::Channel> channel,
-                 std::shared_ptr<v1::DetectionService::Stub> stub, ClientOptions options,
+  ResumingStream(std::shared_ptr<Servers> servers, ClientOptions options,
                  std::chrono::milliseconds timeout);
 
   // While the connection is broken the frame is lost.
@@ -52,17 +53,20 @@ class ResumingStream {
   Answer Account(v1::DetectStreamResponse response);
   // Waits and opens a new stream; rethrows the error where that is not worth it.
   void Resume(const DetectStream& broken);
-  // Returns without one where the patience or the stream's time ends, or Cancel() was called.
-  void AwaitConnection() const;
+  void ReportEnd(const DetectStream& broken);
+  // A server that there is a connection to. Null where the patience or the stream's time ends, or
+  // Cancel() was called.
+  std::shared_ptr<Server> AwaitConnection();
+  bool IsConnected(const Server& server) const;
   std::shared_ptr<DetectStream> Open();
 
-  const std::shared_ptr<grpc::Channel> channel_;
-  const std::shared_ptr<v1::DetectionService::Stub> stub_;
+  const std::shared_ptr<Servers> servers_;
   const ClientOptions options_;
   const Clock::time_point deadline_;
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;  // canceled_
+  std::shared_ptr<Server> server_;   // the stream's; null = none was found
   std::shared_ptr<DetectStream> stream_;
   v1::DetectOptions last_options_;
   bool repeat_options_ = false;  // the new stream does not know them yet

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <optional>
 #include <random>
+#include <thread>
 
 #include "client/channel.h"
 #include "client/rpc_error.h"
@@ -13,7 +14,77 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// What the server says in the trailing metadata, of a call that has ended.
+double RandomShare() {
+  thread_local std::minstd_rand random(std::random_device{}());
+  return std::uniform_real_distribution(0.5, 1.0)(random);
+}
+
+// One way around the servers.
+struct Attempt {
+  bool answered = false, is_worth_another = true;
+  std::optional<RpcError> error;
+  std::optional<milliseconds> retry_after;  // of the server that refused and has a place in line
+  std::shared_ptr<grpc::Channel> channel;   // of whom to ask next; null = no server was found
+};
+
+class AttemptMaker {
+ public:
+  using Call = std::function<grpc::Status(v1::DetectionService::Stub&, grpc::ClientContext*)>;
+
+  AttemptMaker(Servers& servers, const ClientOptions& options, Servers::Clock::time_point deadline,
+               const Call& call)
+      : servers_(servers), options_(options), deadline_(deadline), call_(call) {}
+
+  Attempt Make(bool asks_others) const {
+    Attempt attempt;
+    Servers::Round round(servers_, asks_others, deadline_);
+    while (const auto ask = round.Next()) {
+      Make(*ask, round, &attempt);
+      if (attempt.answered || !attempt.is_worth_another) return attempt;
+    }
+    attempt.retry_after = round.wait();
+    if (round.home()) attempt.channel = round.home()->channel;
+    if (!attempt.error) {  // nobody to ask
+      attempt.error.emplace(grpc::Status(grpc::StatusCode::UNAVAILABLE, round.problem()));
+    }
+    return attempt;
+  }
+
+ private:
+  void Make(const Servers::Round::Ask& ask, Servers::Round& round, Attempt* attempt) const {
+    grpc::ClientContext context;
+    PrepareCall(options_,
+                std::chrono::duration_cast<milliseconds>(deadline_ - Servers::Clock::now()),
+                &context);
+    if (ask.in_line_elsewhere) context.AddMetadata("fovea-in-line-elsewhere", "1");
+    const grpc::Status status = call_(*ask.server->stub, &context);
+    if (status.ok()) {
+      attempt->answered = true;
+      round.OnAnswered();
+      return;
+    }
+    const auto retry_after = RetryAfter(context);
+    attempt->is_worth_another = IsWorthRetrying(status, context);
+    const bool refused = status.error_code() == grpc::StatusCode::RESOURCE_EXHAUSTED;
+    if (attempt->is_worth_another && refused) {
+      round.OnRefused(*retry_after);
+    } else if (attempt->is_worth_another ||
+               status.error_code() == grpc::StatusCode::DEADLINE_EXCEEDED) {
+      round.OnAway();  // the next call is made to another one
+    }
+    // Of what others say while the home has a place, nothing matters.
+    const bool is_aside = ask.in_line_elsewhere && attempt->is_worth_another;
+    if (!is_aside) attempt->error.emplace(status, retry_after);
+  }
+
+  Servers& servers_;
+  const ClientOptions& options_;
+  const Servers::Clock::time_point deadline_;
+  const Call& call_;
+};
+
+}  // namespace
+
 std::optional<milliseconds> RetryAfter(const grpc::ClientContext& context) {
   const auto& metadata = context.GetServerTrailingMetadata();
   const auto found = metadata.find("retry-after-ms");
@@ -23,13 +94,6 @@ std::optional<milliseconds> RetryAfter(const grpc::ClientContext& context) {
   if (std::from_chars(found->second.data(), end, value).ptr != end) return std::nullopt;
   return milliseconds(value);
 }
-
-double RandomShare() {
-  thread_local std::minstd_rand random(std::random_device{}());
-  return std::uniform_real_distribution(0.5, 1.0)(random);
-}
-
-}  // namespace
 
 bool IsWorthRetrying(const grpc::Status& status, const grpc::ClientContext& context) {
   switch (status.error_code()) {
@@ -44,30 +108,32 @@ bool IsWorthRetrying(const grpc::Status& status, const grpc::ClientContext& cont
 }
 
 milliseconds BackoffAfter(int attempt, const RetryOptions& options,
-                          const grpc::ClientContext& context) {
+                          std::optional<milliseconds> retry_after) {
+  if (retry_after && retry_after->count() > 0) return *retry_after;
   const int doublings = std::min(attempt - 1, 16);
   const auto wait = std::min<std::chrono::duration<double, std::milli>>(
       options.backoff * (1 << doublings), options.max_backoff);
-  const auto random_wait = std::chrono::duration_cast<milliseconds>(wait * RandomShare());
-  return std::max(random_wait, RetryAfter(context).value_or(milliseconds(0)));
+  return std::chrono::duration_cast<milliseconds>(wait * RandomShare());
 }
 
-void CallWithRetries(grpc::Channel& channel, const ClientOptions& options, milliseconds timeout,
-                     const std::function<grpc::Status(grpc::ClientContext*)>& call) {
-  using Clock = std::chrono::steady_clock;
+void CallWithRetries(Servers& servers, const ClientOptions& options, milliseconds timeout,
+                     const AttemptMaker::Call& call) {
+  using Clock = Servers::Clock;
   const Clock::time_point deadline = Clock::now() + timeout;
-  for (int attempt = 1;; ++attempt) {
-    grpc::ClientContext context;
-    PrepareCall(options, std::chrono::duration_cast<milliseconds>(deadline - Clock::now()),
-                &context);
-    const grpc::Status status = call(&context);
-    if (status.ok()) return;
-    const milliseconds wait = BackoffAfter(attempt, options.retry, context);
-    if (attempt >= options.retry.max_attempts || !IsWorthRetrying(status, context) ||
+  const AttemptMaker maker(servers, options, deadline, call);
+  for (int number = 1;; ++number) {
+    const Attempt attempt = maker.Make(/*asks_others=*/number == 1);
+    if (attempt.answered) return;
+    const milliseconds wait = BackoffAfter(number, options.retry, attempt.retry_after);
+    if (number >= options.retry.max_attempts || !attempt.is_worth_another ||
         Clock::now() + wait >= deadline) {
-      throw RpcError(status, RetryAfter(context));
+      throw *attempt.error;
     }
-    Pause(channel, wait);
+    if (attempt.channel) {
+      Pause(*attempt.channel, wait);
+    } else {
+      std::this_thread::sleep_for(wait);
+    }
   }
 }
 

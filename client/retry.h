@@ -1,12 +1,13 @@
 #pragma once
 
-#include <grpcpp/channel.h>
 #include <grpcpp/client_context.h>
 
 #include <chrono>
 #include <functional>
+#include <optional>
 
 #include "client/client_options.h"
+#include "client/servers.h"
 
 namespace fovea::client {
 
@@ -14,14 +15,19 @@ namespace fovea::client {
 // only matters for what it would bring.
 bool IsWorthRetrying(const grpc::Status& status, const grpc::ClientContext& context);
 
-// How long to wait before attempt `attempt` + 1 (the first is 1).
+// How long to wait before attempt `attempt` + 1 (the first is 1): as long as the server says, since
+// it keeps a place in line that long, else by the options.
 std::chrono::milliseconds BackoffAfter(int attempt, const RetryOptions& options,
-                                       const grpc::ClientContext& context);
+                                       std::optional<std::chrono::milliseconds> retry_after);
 
-// Makes the call on this channel, again if need be and while the deadline allows. Throws the
-// RpcError of the last attempt where none succeeds.
-void CallWithRetries(grpc::Channel& channel, const ClientOptions& options,
-                     std::chrono::milliseconds timeout,
-                     const std::function<grpc::Status(grpc::ClientContext*)>& call);
+// What the server says in the trailing metadata, of a call that has ended.
+std::optional<std::chrono::milliseconds> RetryAfter(const grpc::ClientContext& context);
+
+// Makes the call: around the servers until one answers, and again if need be and while the deadline
+// allows. A way around is one attempt. Throws the RpcError of the last one where none succeeds; of
+// refusals the one of the server that it would have waited for.
+void CallWithRetries(
+    Servers& servers, const ClientOptions& options, std::chrono::milliseconds timeout,
+    const std::function<grpc::Status(v1::DetectionService::Stub&, grpc::ClientContext*)>& call);
 
 }  // namespace fovea::client

@@ -48,6 +48,11 @@ void AddConnectionFlags(CLI::App& app, ServerOptions& options) {
   app.add_option("--max-idle-s", options.max_idle_s,
                  "A connection without a call is closed after this, 1 to 86400 seconds")
       ->capture_default_str();
+  app.add_option("--max-connection-age-s", options.max_connection_age_s,
+                 "Clients are asked for a new connection after this, and streams end after the "
+                 "answer they are at, so that other servers get work, 0 to 86400 seconds; "
+                 "0 = never")
+      ->capture_default_str();
   app.add_option("--self-check-s", options.self_check_s,
                  "How often the server asks itself for its health, 0 to 3600 seconds; 0 = never. "
                  "It ends when it is not answered three times in a row")

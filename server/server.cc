@@ -114,6 +114,11 @@ void ConfigureChannel(const ServerOptions& options, grpc::ServerBuilder* builder
   builder->AddChannelArgument(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, 10'000);
   builder->AddChannelArgument(GRPC_ARG_SERVER_HANDSHAKE_TIMEOUT_MS, 5'000);
   builder->AddChannelArgument(GRPC_ARG_MAX_CONNECTION_IDLE_MS, options.max_idle_s * 1000);
+  if (const int age_s = options.max_connection_age_s; age_s > 0) {
+    builder->AddChannelArgument(GRPC_ARG_MAX_CONNECTION_AGE_MS, age_s * 1000);
+    // A stream that is opened last thing ends itself before: see StreamCall.
+    builder->AddChannelArgument(GRPC_ARG_MAX_CONNECTION_AGE_GRACE_MS, (2 * age_s + 60) * 1000);
+  }
   builder->AddChannelArgument(GRPC_ARG_MAX_CONCURRENT_STREAMS, kMaxCallsPerConnection);
 }
 
@@ -191,7 +196,8 @@ void Server::Listen() {
 void Server::Serve() {
   environment_ = std::make_unique<CallEnvironment>(CallEnvironment{
       service_, loop_->queue(), scheduler_, answerer_, live_calls_, *metrics_, gate_keeper_,
-      stream_places_, connections_, std::chrono::seconds(options_.max_transfer_s)});
+      stream_places_, connections_, std::chrono::seconds(options_.max_transfer_s),
+      std::chrono::seconds(options_.max_connection_age_s)});
   DetectCall::Accept(*environment_);
   StreamCall::Accept(*environment_);
   server_->GetHealthCheckService()->SetServingStatus(v1::DetectionService::service_full_name(),

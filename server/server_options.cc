@@ -108,6 +108,7 @@ void Validate(const ServerOptions& options) {
   RequireRange("--max-transfer-s", options.max_transfer_s, 1, 3600);
   RequireRange("--self-check-s", options.self_check_s, 0, 3600);
   RequireRange("--max-idle-s", options.max_idle_s, 1, 86'400);
+  RequireRange("--max-connection-age-s", options.max_connection_age_s, 0, 86'400);
   RequireRange("--max-message-mib", options.max_message_mib, 1, 1024);
   RequireRange("--max-pixels", options.max_pixels, 1, 100'000'000);
   RequireRange("--compute-threads", options.compute_threads, 0, 1024);

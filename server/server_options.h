@@ -37,6 +37,10 @@ struct ServerOptions {
   // A connection without a call is closed after this, 1 … 86400 s: gRPC 1.51 does not bound them,
   // and a client that was destroyed while it connected keeps its connection.
   int max_idle_s = 300;
+  // After this the caller of a connection is asked to open another one, and a stream is ended after
+  // the answer it is at, 0 … 86400 s; 0 = never. So that what stands in front, or the client, can
+  // choose another server.
+  int max_connection_age_s = 0;
   // Largest request, 1 … 1024 MiB. The default lets 2048x1536 RGB8 with 32FC1 depth (21 MiB)
   // through.
   int max_message_mib = 24;

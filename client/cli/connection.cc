@@ -28,7 +28,7 @@ void AddConnectionFlags(CLI::App& command, ConnectionFlags& flags) {
   const char* group = "Server";
   command
       .add_option("--server", flags.server,
-                  "Address of the server, HOST:PORT; of several, ipv4:HOST:PORT,HOST:PORT")
+                  "Address of the server, HOST:PORT or unix:/PATH; of several, with commas between")
       ->type_name("HOST:PORT")
       ->capture_default_str()
       ->group(group);

@@ -26,6 +26,7 @@ void Caller::Identify(const GateKeeper& gate_keeper) {
   admission_ = gate_keeper.Admit(*context_);
   request_id_ = RequestId(context_->client_metadata());
   trace_ = TraceOf(context_->client_metadata());
+  is_in_line_elsewhere_ = context_->client_metadata().contains(kInLineElsewhereKey);
   context_->AddTrailingMetadata(kRequestIdKey, request_id_);
   peer_ = context_->peer();
   owed_ = connections_.Admit(peer_);

@@ -50,7 +50,9 @@ void DetectCall::OnCall() {
     caller_.Identify(environment_.gate_keeper);
     environment_.metrics.OnReceived(caller_.robot());
     // Else a frame comes whole before it is refused, which takes time of both sides.
-    upload_ = environment_.scheduler.Enter(caller_.id());
+    upload_ = environment_.scheduler.Enter(caller_.id(), caller_.is_in_line_elsewhere()
+                                                             ? Scheduler::IfFull::kForget
+                                                             : Scheduler::IfFull::kKeepPlace);
     transfer_.Begin(shared_from_this());
     stream_.Read(&bytes_, Then([self = shared_from_this()](bool ok) {
       self->caller_.Guard([&] { self->OnRead(ok); });

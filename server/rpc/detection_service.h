@@ -62,6 +62,8 @@ struct CallEnvironment {
   StreamPlaces& stream_places;
   ConnectionTable& connections;
   std::chrono::seconds max_transfer;
+  // After which a stream is ended; zero = never.
+  std::chrono::seconds max_stream_age;
 };
 
 }  // namespace fovea::server

@@ -2,6 +2,7 @@
 
 #include <google/protobuf/util/time_util.h>
 
+#include <random>
 #include <utility>
 
 #include "server/error_details.h"
@@ -90,7 +91,25 @@ void StreamCall::Open() {
   }
   place_ = environment_.stream_places.Take(caller_.robot());
   environment_.metrics.OnStreams(1);
+  LimitAge();
   Read();
+}
+
+// gRPC ends connections by their age too, but streams in the middle of a frame.
+void StreamCall::LimitAge() {
+  if (environment_.max_stream_age.count() == 0) return;
+  // Streams that began together do not end together.
+  thread_local std::minstd_rand random(std::random_device{}());
+  const auto age = environment_.max_stream_age * std::uniform_real_distribution(0.9, 1.1)(random);
+  const auto end = std::chrono::system_clock::now() +
+                   std::chrono::duration_cast<std::chrono::system_clock::duration>(age);
+  age_.Set(environment_.queue, end, Then([self = shared_from_this()](bool ok) {
+             self->caller_.Guard([&] {
+               const std::lock_guard lock(self->mutex_);
+               self->is_old_ = ok;
+               if (ok) self->Proceed();
+             });
+           }));
 }
 
 void StreamCall::Read() {
@@ -170,6 +189,10 @@ void StreamCall::Proceed() {
     Finish(StatusOfStopping());
   } else if (barred_) {
     Refuse(*barred_, NameOf(barred_->error_code()));
+  } else if (is_old_ && !no_more_) {
+    AddRetryAfter(std::chrono::milliseconds(0), &context_);
+    Finish({grpc::StatusCode::UNAVAILABLE,
+            "the stream has reached its greatest age; open another one"});
   } else if (newest_) {
     TakeTurn();
   } else if (no_more_) {
@@ -237,6 +260,7 @@ void StreamCall::Compute() {
 
 void StreamCall::Finish(const grpc::Status& status) {
   finished_ = true;
+  age_.Cancel();
   stream_.Finish(status, Then([self = shared_from_this()](bool) {}));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <grpcpp/alarm.h>
 #include <grpcpp/server_context.h>
 #include <grpcpp/support/async_stream.h>
 #include <grpcpp/support/byte_buffer.h>
@@ -45,6 +46,7 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   void End();          // by the server
   void Check();        // whether the caller may still call
   void CheckAccess();  // mutex_ is held
+  void LimitAge();
   void Deliver();
   void ComputeOrSayWhyNot();
   void Compute();   // the newest frame into response_
@@ -73,6 +75,8 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   bool busy_ = false;                   // waits for its turn, computes or writes
   bool no_more_ = false;                // the caller sends no more frames
   bool ending_ = false;                 // the server is stopping
+  bool is_old_ = false;                 // the caller is to open another one
+  grpc::Alarm age_;
   bool broken_ = false;                 // an answer could not be sent
   std::optional<grpc::Status> barred_;  // why the caller may not call any more
   bool finished_ = false;

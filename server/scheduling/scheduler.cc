@@ -40,10 +40,10 @@ Scheduler::~Scheduler() {
   changed_.notify_all();
 }
 
-Scheduler::Upload Scheduler::Enter(const RobotId& robot) {
+Scheduler::Upload Scheduler::Enter(const RobotId& robot, IfFull if_full) {
   const std::lock_guard lock(mutex_);
   OnSeen(robot);
-  FindRoom(robot);
+  FindRoom(robot, if_full);
   turned_away_.Prolong(robot, Clock::now() + kLongestUpload);
   places_.Change(robot, &Holding::uploading, +1);
   return {this, [robot](Scheduler* scheduler) {
@@ -100,7 +100,7 @@ void Scheduler::OnSeen(const RobotId& robot) {
   robots_seen_.OnSeen(robot.group + '\n' + robot.name, now);
 }
 
-void Scheduler::FindRoom(const RobotId& robot) {
+void Scheduler::FindRoom(const RobotId& robot, IfFull if_full) {
   const Holding own = places_.Of(robot);
   const int num_own = own.uploading + own.places();
   if (num_own >= limits_.max_per_robot) {
@@ -119,7 +119,8 @@ void Scheduler::FindRoom(const RobotId& robot) {
   const std::chrono::milliseconds retry_after =
       RetryAfter(ahead + static_cast<std::size_t>(num_own));
   // Who has frames here already waits by these.
-  if (num_own == 0) turned_away_.Keep(robot, now + retry_after + kGrace);
+  if (num_own == 0 && if_full == IfFull::kKeepPlace)
+    turned_away_.Keep(robot, now + retry_after + kGrace);
   std::string text = "the queue is full with " + std::to_string(num_taken) + " frames";
   if (ahead > 0) text += " and " + std::to_string(ahead) + " robots in line";
   throw Overloaded("QUEUE_FULL", text, retry_after);

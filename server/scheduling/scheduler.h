@@ -64,6 +64,12 @@ class Scheduler {
     std::function<void(const Overloaded&)> displaced;
   };
 
+  // What becomes of a robot that is turned away.
+  enum class IfFull {
+    kKeepPlace,  // it is to come back when it is told to
+    kForget,     // it asks here while it has a place in line elsewhere
+  };
+
   explicit Scheduler(const SchedulerLimits& limits);
   // Waits for the work that has begun; what still waits never begins.
   ~Scheduler();
@@ -74,7 +80,7 @@ class Scheduler {
   // Lets a frame be uploaded. Throws Overloaded where Submit() would now: where the limits forbid,
   // and where the room left is for robots that were turned away before this one; never while a
   // thread has nothing to do. `this` must outlive what is returned.
-  Upload Enter(const RobotId& robot);
+  Upload Enter(const RobotId& robot, IfFull if_full = IfFull::kKeepPlace);
 
   // Has `work` done when it is the robot's turn, or throws as Enter() does. What this displaces is
   // told so before it returns.
@@ -102,7 +108,7 @@ class Scheduler {
   static constexpr std::size_t kMaxTurnedAway = 1000;  // bounds what robots cost that never return
 
   void OnSeen(const RobotId& robot);
-  void FindRoom(const RobotId& robot);
+  void FindRoom(const RobotId& robot, IfFull if_full = IfFull::kKeepPlace);
   std::optional<Job> Displace(const RobotId& robot);
   std::chrono::milliseconds RetryAfter(std::size_t ahead) const;
   Ticket Enqueue(const RobotId& robot, Work work, bool counted);

@@ -74,16 +74,6 @@ TEST(Retry, DoesNotRepeatWhatIsWrong) {
   EXPECT_EQ(testing::MetricValue(*loopback.server.metrics(), "fovea_frames_received_total"), 1);
 }
 
-TEST(Balancing, SpreadsCallsOverAddresses) {
-  const testing::Loopback a(FindOne), b(FindOne);
-  const Client client("ipv4:" + a.server.Address() + "," + b.server.Address(), Persistent());
-  const auto frames = [](const testing::Loopback& loopback) {
-    return testing::MetricValue(*loopback.server.metrics(), "fovea_frames_received_total");
-  };
-  // The second connection may come up after the first calls.
-  while (frames(a) == 0 || frames(b) == 0) client.Detect(testing::TestRequest());
-}
-
 TEST(ResumingStream, OutlivesItsServerAndCountsWhatWasLost) {
   std::optional<server::Server> server(std::in_place, LoopbackOptions(), FindOne);
   const std::string address = server->Address();

@@ -21,6 +21,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::UnorderedElementsAre;
 
 server::ServerOptions OneThread(int max_waiting, int max_per_robot) {
@@ -180,6 +181,16 @@ TEST(Scheduling, LetsInFirstWhomItTurnedAwayFirst) {
   those_in_line.Join("third");
   held.gate.Let(2);
   EXPECT_THAT(those_in_line.Answered(), ElementsAre("third"));
+}
+
+TEST(Scheduling, KeepsNoPlaceForWhoIsInLineElsewhere) {
+  Held held(OneThread(/*max_waiting=*/0, /*max_per_robot=*/10));
+  Call call(held.loopback, "second");
+  call.context.AddMetadata("fovea-in-line-elsewhere", "1");
+  EXPECT_EQ(call.Run().error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_THAT(RefusalOf(held.loopback, "third"), Not(HasSubstr("in line")));
+  EXPECT_THAT(RefusalOf(held.loopback, "fourth"), HasSubstr("1 robots in line"));
+  held.gate.Let();
 }
 
 TEST(Scheduling, OneRobotCannotTakeAllPlaces) {

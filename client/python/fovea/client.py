@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 import threading
+import time
 from collections.abc import Callable, Generator, Iterable, Iterator
 from contextlib import contextmanager
 from types import TracebackType
-from typing import Any, TypeVar
+from typing import Any
 
 import grpc
 import numpy as np
 import numpy.typing as npt
 
-from fovea.channel import make_channel, make_metadata
+from fovea.channel import make_metadata
 from fovea.detections import Detections, detections_from_proto
-from fovea.errors import Cancelled, Unavailable, error_of_call
+from fovea.errors import Cancelled, DeadlineExceeded, FoveaError, Unavailable, error_of_call
 from fovea.frame import CameraIntrinsics, Frame
 from fovea.frame_feed import FrameFeed
-from fovea.health import Health
 from fovea.options import DetectOptions, RetryOptions, TlsOptions
 from fovea.retry import call_with_retries
 from fovea.server_info import (
@@ -29,10 +29,9 @@ from fovea.server_info import (
     server_info_from_proto,
     statistics_from_proto,
 )
+from fovea.servers import Server, Servers
 from fovea.stream import ResumingStream, StreamAnswer
-from fovea.v1 import detection_service_pb2, detection_service_pb2_grpc
-
-Answer = TypeVar("Answer")
+from fovea.v1 import detection_service_pb2
 
 
 class Client:
@@ -60,8 +59,11 @@ class Client:
     ) -> None:
         """Does not connect yet; check() does.
 
-        address: HOST:PORT or any gRPC target, for example "ipv4:10.0.0.1:50051,10.0.0.2:50051".
-            Calls go to several addresses in turn.
+        address: HOST:PORT (IPv6 in brackets), unix:/PATH, or several of these with commas between
+            them; else InvalidArgument is raised. A name stands for all addresses that it has, and
+            is looked up again when something fails. Of several servers the client stays with one,
+            chosen by chance, asks the others as soon as that refuses or is away, and goes to another
+            one where that takes its calls or promises to be free much sooner.
         timeout: of a call that is given none.
         max_answer_mib: largest answer; the clouds of a 2048x1536 frame are 45 MiB.
         tls: encrypts where it is given.
@@ -72,9 +74,7 @@ class Client:
         self._retry = retry
         self._metadata = make_metadata(token, robot)
         self._closed = threading.Event()
-        self._channel = make_channel(address, tls, max_answer_mib)
-        self._stub: Any = detection_service_pb2_grpc.DetectionServiceStub(self._channel)  # type: ignore[no-untyped-call]
-        self._health = Health(self._channel, self._metadata)
+        self._servers = Servers(address, tls, max_answer_mib, self._metadata)
 
     def __enter__(self) -> Client:
         return self
@@ -90,21 +90,42 @@ class Client:
     def close(self) -> None:
         """Ends all calls, of other threads too: they raise Cancelled."""
         self._closed.set()
-        self._channel.close()
+        self._servers.close()
 
     def wait_until_ready(self, timeout: float | None = None) -> None:
         """Returns once the server says that it serves; raises a FoveaError after `timeout`."""
-        with self._errors():
-            for serving in self._health.watch(self._timeout_of(timeout)):
-                if serving:
-                    return
-        raise Unavailable("UNAVAILABLE", "the server is not ready")
+        deadline = time.monotonic() + self._timeout_of(timeout)
+        problem = ""
+        while (rest := deadline - time.monotonic()) > 0:
+            server: Server | None = None
+            try:
+                for server in self._servers.all(rest):
+                    with self._errors():
+                        if server.health.is_serving(min(1, max(0, deadline - time.monotonic()))):
+                            return
+                    problem = "it does not serve"
+            except (Unavailable, Cancelled, DeadlineExceeded) as error:
+                problem = error.message
+            self._wait(server, min(0.05, max(0, deadline - time.monotonic())))
+        raise DeadlineExceeded("DEADLINE_EXCEEDED", f"the server is not ready: {problem}")
 
     def is_serving(self) -> bool:
         """Asks once. False where the server answers that it does not serve; raises a FoveaError
         where it does not answer."""
-        with self._errors():
-            return self._health.is_serving(self._timeout)
+        error: FoveaError | None = None
+        deadline = time.monotonic() + self._timeout
+        has_answered = False
+        for server in self._servers.all(self._timeout):
+            try:
+                with self._errors():
+                    if server.health.is_serving(deadline - time.monotonic()):
+                        return True
+                has_answered = True
+            except FoveaError as failure:
+                error = failure
+        if error and not has_answered:
+            raise error
+        return False
 
     def check(self, timeout: float | None = None) -> ServerInfo:
         """Waits until the server serves, and sees that it has the version of this library.
@@ -120,17 +141,17 @@ class Client:
     def get_server_info(self) -> ServerInfo:
         """What this server is and what it lets through."""
         request = detection_service_pb2.GetServerInfoRequest()
-        return server_info_from_proto(self._call(self._stub.GetServerInfo, request))
+        return server_info_from_proto(self._call(lambda stub: stub.GetServerInfo, request))
 
     def list_options(self) -> list[Option]:
         """Every option of the server's method, in the order of the pipeline."""
         request = detection_service_pb2.ListOptionsRequest()
-        return options_from_proto(self._call(self._stub.ListOptions, request))
+        return options_from_proto(self._call(lambda stub: stub.ListOptions, request))
 
     def get_statistics(self) -> Statistics:
         """What it has done since it started, over all robots."""
         request = detection_service_pb2.GetStatisticsRequest()
-        return statistics_from_proto(self._call(self._stub.GetStatistics, request))
+        return statistics_from_proto(self._call(lambda stub: stub.GetStatistics, request))
 
     def detect(
         self,
@@ -159,7 +180,8 @@ class Client:
         request = detection_service_pb2.DetectRequest(
             frame=frame.to_proto(), options=options.to_proto()
         )
-        return detections_from_proto(self._call(self._stub.Detect, request, timeout).detections)
+        response = self._call(lambda stub: stub.Detect, request, timeout)
+        return detections_from_proto(response.detections)
 
     def stream(
         self,
@@ -190,31 +212,42 @@ class Client:
         """
         feed = FrameFeed(frames, options.to_proto(), every_frame)
         seconds = self._timeout_of(timeout)
-        return ResumingStream(feed, self._open_stream, self._wait, self._retry, seconds).run()
+        return ResumingStream(
+            feed, self._servers, self._open_stream, self._wait, self._retry, seconds
+        ).run()
 
-    def _open_stream(self, requests: Iterator[detection_service_pb2.DetectStreamRequest]) -> Any:
+    def _open_stream(
+        self, server: Server, requests: Iterator[detection_service_pb2.DetectStreamRequest]
+    ) -> Any:
         with self._errors():
-            return self._stub.DetectStream(requests, metadata=self._metadata)
+            return server.stub.DetectStream(requests, metadata=self._metadata)
 
     def _call(
-        self, method: Callable[..., Answer], request: object, timeout: float | None = None
-    ) -> Answer:
-        def call(seconds_left: float) -> Answer:
+        self, method: Callable[[Any], Any], request: object, timeout: float | None = None
+    ) -> Any:
+        def call(server: Server, seconds_left: float, in_line_elsewhere: bool) -> Any:
+            metadata = list(self._metadata)
+            if in_line_elsewhere:
+                metadata.append(("fovea-in-line-elsewhere", "1"))
             with self._errors():
-                return method(request, timeout=seconds_left, metadata=self._metadata)
+                return method(server.stub)(request, timeout=seconds_left, metadata=metadata)
 
-        return call_with_retries(call, self._timeout_of(timeout), self._retry, self._wait)
+        return call_with_retries(
+            self._servers, call, self._timeout_of(timeout), self._retry, self._wait
+        )
 
-    def _wait(self, seconds: float) -> None:
+    def _wait(self, server: Server | None, seconds: float) -> None:
         """Raises Cancelled when the client is closed."""
 
         def watcher(_: grpc.ChannelConnectivity) -> None:
             """gRPC connects again at once only while somebody looks on, else within 5 s."""
 
-        if not self._closed.is_set():
-            self._channel.subscribe(watcher)
+        if server and not self._closed.is_set():
+            server.channel.subscribe(watcher)
             self._closed.wait(seconds)
-            self._channel.unsubscribe(watcher)
+            server.channel.unsubscribe(watcher)
+        elif not server:
+            self._closed.wait(seconds)
         if self._closed.is_set():
             raise Cancelled("CANCELLED", "the client is closed")
 

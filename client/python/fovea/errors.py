@@ -77,6 +77,9 @@ class Unauthenticated(FoveaError):
 class Unavailable(FoveaError):
     """No server answers there, or it is stopping."""
 
+    # 0: a server that had the stream for long enough asks for another one, wherever.
+    retry_after: float | None = None
+
 
 class DeadlineExceeded(FoveaError, TimeoutError):
     """No answer in time."""
@@ -135,4 +138,12 @@ def error_of_call(call: grpc.RpcError) -> FoveaError:
             retry_after = int(value) / 1000
         if key == "grpc-status-details-bin":
             field = field_of_details(value)
-    return error_of(call.code().value[0], call.details() or "", field, retry_after)
+    error = error_of(call.code().value[0], call.details() or "", field, retry_after)
+    if isinstance(error, Unavailable):
+        error.retry_after = retry_after
+    return error
+
+
+def error_retry_after(error: FoveaError) -> float | None:
+    """Seconds after which the server asks to come back, where it does."""
+    return error.retry_after if isinstance(error, (Overloaded, Unavailable)) else None

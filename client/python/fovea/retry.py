@@ -7,8 +7,9 @@ import time
 from collections.abc import Callable
 from typing import TypeVar
 
-from fovea.errors import Cancelled, FoveaError, Overloaded, Unavailable
+from fovea.errors import Cancelled, DeadlineExceeded, FoveaError, Overloaded, Unavailable
 from fovea.options import RetryOptions
+from fovea.servers import Round, Server, Servers
 
 Answer = TypeVar("Answer")
 
@@ -19,33 +20,62 @@ def is_worth_retrying(error: FoveaError) -> bool:
     return isinstance(error, (Unavailable, Cancelled, Overloaded))
 
 
-def backoff_after(attempt: int, options: RetryOptions, error: FoveaError) -> float:
-    """Seconds to wait before attempt `attempt` + 1 (the first is 1)."""
+def backoff_after(attempt: int, options: RetryOptions, retry_after: float | None) -> float:
+    """Seconds to wait before attempt `attempt` + 1 (the first is 1): as long as the server says,
+    since it keeps a place in line that long, else by the options."""
+    if retry_after:
+        return retry_after
     wait = min(options.backoff * 2.0 ** min(attempt - 1, 16), options.max_backoff)
-    wait *= random.uniform(0.5, 1)
-    return max(wait, error.retry_after) if isinstance(error, Overloaded) else wait
+    return wait * random.uniform(0.5, 1)
 
 
 def call_with_retries(
-    call: Callable[[float], Answer],
+    servers: Servers,
+    call: Callable[[Server, float, bool], Answer],
     timeout: float,
     options: RetryOptions,
-    wait: Callable[[float], None],
+    wait: Callable[[Server | None, float], None],
 ) -> Answer:
-    """Makes call(seconds left), again if need be and while `timeout` allows.
+    """Makes call(server, seconds left, whether there is a place in line elsewhere): around the
+    servers until one answers, and again if need be and while `timeout` allows. A way around is one
+    attempt.
 
-    wait(seconds) waits before the next attempt, or raises where there is to be none. Raises the
-    error of the last attempt where none succeeds.
+    wait(server, seconds) waits before the next attempt, or raises where there is to be none. Raises
+    the error of the last attempt where none succeeds; of refusals the one of the server that it
+    would have waited for.
     """
     deadline = time.monotonic() + timeout
     attempt = 1
     while True:
+        way: Round | None = None
         try:
-            return call(deadline - time.monotonic())
+            way = servers.round(attempt == 1, deadline - time.monotonic())
+            return _go_around(way, call, deadline)
         except FoveaError as error:
-            seconds = backoff_after(attempt, options, error)
+            seconds = backoff_after(attempt, options, way.wait if way else None)
             is_last = attempt >= options.max_attempts or time.monotonic() + seconds >= deadline
             if is_last or not is_worth_retrying(error):
                 raise
-        wait(seconds)
+        wait(way.home if way else None, seconds)
         attempt += 1
+
+
+def _go_around(
+    way: Round, call: Callable[[Server, float, bool], Answer], deadline: float
+) -> Answer:
+    failure: FoveaError = Unavailable("UNAVAILABLE", "there is no server")
+    for server, in_line_elsewhere in way.asks():
+        try:
+            answer = call(server, deadline - time.monotonic(), in_line_elsewhere)
+            way.on_answered()
+            return answer
+        except Overloaded as error:
+            way.on_refused(error.retry_after)
+            failure = failure if in_line_elsewhere else error
+        except FoveaError as error:
+            if is_worth_retrying(error) or isinstance(error, DeadlineExceeded):
+                way.on_away()  # the next call is made to another one
+            if not is_worth_retrying(error):
+                raise
+            failure = failure if in_line_elsewhere else error
+    raise failure

@@ -12,11 +12,12 @@ import grpc
 
 from fovea.answer_reader import AnswerReader
 from fovea.detections import Detections, detections_from_proto
-from fovea.errors import DeadlineExceeded, FoveaError, error_of, error_of_call
+from fovea.errors import DeadlineExceeded, FoveaError, error_of, error_of_call, error_retry_after
 from fovea.frame_feed import FrameFeed
 from fovea.options import RetryOptions
 from fovea.retry import backoff_after, is_worth_retrying
 from fovea.v1 import detection_service_pb2
+from fovea.servers import Server, Servers
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,17 +38,20 @@ class ResumingStream:
     """A stream that is opened again when it breaks. Client.stream makes it and documents it."""
 
     _reader: AnswerReader  # of the connection there is
+    _server: Server  # of that
 
     def __init__(
         self,
         feed: FrameFeed,
-        open_call: Callable[[Iterator[Any]], Any],
-        wait: Callable[[float], None],
+        servers: Servers,
+        open_call: Callable[[Server, Iterator[Any]], Any],
+        wait: Callable[[Server | None, float], None],
         retry: RetryOptions,
         timeout: float,
     ) -> None:
-        """wait(seconds) waits before the stream is opened again, or raises."""
+        """wait(server, seconds) waits before the stream is opened again, or raises."""
         self._feed = feed
+        self._servers = servers
         self._open_call = open_call
         self._wait = wait
         self._retry = retry
@@ -77,7 +81,8 @@ class ResumingStream:
         num_sent, requests = self._feed.connect()
         self._num_lost += num_sent - self._next_expected
         self._next_expected = self._first_of_call = num_sent
-        self._reader = AnswerReader(self._open_call(requests))
+        self._server = self._servers.home(self._timeout)
+        self._reader = AnswerReader(self._open_call(self._server, requests))
 
     def _receive(self) -> StreamAnswer | None:
         while True:
@@ -122,10 +127,25 @@ class ResumingStream:
         promises = is_worth_retrying(error) and not self._feed.has_ended
         if too_late or self._retry.max_attempts <= 1 or not promises:
             raise error
-        self._wait(backoff_after(self._failures, self._retry, error))
+        self._report_end(error)
+        # Also where another server is there: robots that lost the same one should not all come at
+        # once.
+        elsewhere = not self._servers.are_all_away()
+        retry_after = None if elsewhere else error_retry_after(error)
+        seconds = backoff_after(1 if elsewhere else self._failures, self._retry, retry_after)
+        self._wait(self._servers.home(self._timeout), seconds)
         self._open()
 
+    def _report_end(self, error: FoveaError) -> None:
+        retry_after = error_retry_after(error)
+        if retry_after == 0:  # the server has had the stream for long enough
+            self._servers.on_disconnected(self._server)
+        else:
+            self._servers.on_away(self._server, retry_after)
+
     def _answer_of(self, response: Any) -> StreamAnswer:
+        if self._failures:
+            self._servers.on_answered(self._server)
         self._failures = 0
         sequence = response.sequence + self._first_of_call
         self._next_expected = sequence + 1

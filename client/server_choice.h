@@ -1,0 +1,105 @@
+// Which of several servers a client asks. Knows no network and no clock.
+//
+// A client stays with one server, its home, since it has a place in line there. When that refuses,
+// the others are asked once whether they have room at once; the home changes where another one
+// takes its calls twice in a row, or promises to be free much sooner. Servers that are away are
+// left alone for a while that doubles. Without a home, one is chosen by chance.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <optional>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace fovea::client {
+
+// Not thread-safe.
+class ServerChoice {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  explicit ServerChoice(unsigned seed) : random_(seed) {}
+
+  // By names that differ. Where these are others than before, the home is chosen anew.
+  void SetServers(const std::vector<std::string>& names);
+  std::size_t size() const { return servers_.size(); }
+
+  // The home, chosen where there is none or it is away; whoever is back soonest where all are.
+  // There must be a server.
+  const std::string& Home(Clock::time_point now);
+
+  // For `duration`, or a tenth of a second that doubles with each time in a row up to five seconds.
+  void OnAway(const std::string& name, Clock::time_point now,
+              std::optional<std::chrono::milliseconds> duration = std::nullopt);
+  // Its connection ended, for whatever reason: it may be chosen again, like any other.
+  void OnDisconnected(const std::string& name);
+  void OnAnswered(const std::string& name);
+  bool IsAway(const std::string& name, Clock::time_point now) const;
+  bool AreAllAway(Clock::time_point now) const;
+
+ private:
+  friend class ServerRound;
+
+  struct Server {
+    std::string name;
+    Clock::time_point away_until{};
+    int failures = 0;
+  };
+
+  const Server* Find(const std::string& name) const;
+  Server* Find(const std::string& name);
+  // One of those that are not in `except`, at random; rather one that is not away, and only such
+  // ones with `only_there`.
+  std::string Another(const std::set<std::string>& except, bool only_there, Clock::time_point now);
+
+  std::mt19937 random_;
+  std::vector<Server> servers_;
+  std::string home_;       // empty = none
+  int num_elsewhere_ = 0;  // answers in a row that did not come from home
+};
+
+// One call's way around the servers: each is asked once at most, but a server that the home is
+// moved to once more.
+class ServerRound {
+ public:
+  using Clock = ServerChoice::Clock;
+
+  struct Ask {
+    std::string server;
+    bool in_line_elsewhere = false;  // the home has a place for this client
+  };
+
+  // `asks_others`: where the home refuses. Whoever has asked them and waits need not do so again.
+  ServerRound(ServerChoice& choice, bool asks_others)
+      : choice_(choice), asks_others_(asks_others) {}
+
+  // Whom to ask next; none once nobody is left that promises anything. Then one of the following.
+  std::optional<Ask> Next(Clock::time_point now);
+  void OnAnswered();
+  void OnRefused(std::chrono::milliseconds retry_after);
+  void OnAway(Clock::time_point now);
+
+  // When the home says to come back; none where it did not refuse.
+  const std::optional<std::chrono::milliseconds>& wait() const { return wait_; }
+
+ private:
+  std::optional<Ask> AskAnother(Clock::time_point now);
+  std::optional<Ask> Move();
+
+  // The most that one refusal makes others do, however many there are.
+  static constexpr int kMaxOthers = 3;
+
+  ServerChoice& choice_;
+  const bool asks_others_;
+  std::optional<Ask> last_;
+  std::set<std::string> asked_;
+  std::optional<std::chrono::milliseconds> wait_, least_wait_;  // of home; of the others
+  std::string least_;                                           // who said that
+  int num_others_ = 0;
+  bool has_moved_ = false;
+};
+
+}  // namespace fovea::client

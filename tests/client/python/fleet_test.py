@@ -1,0 +1,122 @@
+"""Several servers: which one is asked, and what happens when it goes."""
+
+from __future__ import annotations
+
+import itertools
+
+import pytest
+from conftest import Scene
+from server_process import PATIENCE, ServerProcess
+
+import fovea
+from fovea.addresses import find_targets, parse_addresses
+from fovea.server_choice import Ask, ServerChoice, ServerRound
+
+NOW = 3600.0
+ONCE = fovea.RetryOptions(max_attempts=1)
+
+
+@pytest.fixture
+def choice() -> ServerChoice:
+    choice = ServerChoice(seed=1)
+    choice.set_servers(["a", "b"])
+    return choice
+
+
+def other(name: str) -> str:
+    return "b" if name == "a" else "a"
+
+
+def test_after_a_refusal_the_other_is_asked_and_the_home_waited_for(choice: ServerChoice) -> None:
+    home = choice.home(NOW)
+    way = ServerRound(choice, asks_others=True)
+    assert way.next(NOW) == Ask(home)
+    way.on_refused(0.1)
+    assert way.next(NOW) == Ask(other(home), in_line_elsewhere=True)
+    way.on_refused(0.09)
+    assert way.next(NOW) is None
+    assert (way.wait, choice.home(NOW)) == (0.1, home)
+
+
+def test_moves_to_where_it_is_much_sooner(choice: ServerChoice) -> None:
+    home = choice.home(NOW)
+    way = ServerRound(choice, asks_others=True)
+    way.next(NOW)
+    way.on_refused(0.1)
+    way.next(NOW)
+    way.on_refused(0.079)
+    assert way.next(NOW) == Ask(other(home))  # for a place in line
+    way.on_refused(0.085)
+    assert way.next(NOW) is None
+    assert (way.wait, choice.home(NOW)) == (0.085, other(home))
+
+
+def test_moves_to_whoever_answers_twice_in_a_row(choice: ServerChoice) -> None:
+    home = choice.home(NOW)
+    for _ in range(2):
+        assert choice.home(NOW) == home
+        way = ServerRound(choice, asks_others=True)
+        way.next(NOW)
+        way.on_refused(0.1)
+        way.next(NOW)
+        way.on_answered()
+    assert choice.home(NOW) == other(home)
+
+
+def test_leaves_who_is_away_for_longer_each_time(choice: ServerChoice) -> None:
+    home = choice.home(NOW)
+    way = ServerRound(choice, asks_others=True)
+    way.next(NOW)
+    way.on_away(NOW)
+    assert way.next(NOW) == Ask(other(home))
+    way.on_away(NOW)
+    assert way.next(NOW) is None
+    for seconds in (0.2, 0.4, 0.8, 1.6, 3.2, 5.0, 5.0):
+        choice.on_away(home, NOW)
+        assert choice.is_away(home, NOW + seconds - 0.01)
+        assert not choice.is_away(home, NOW + seconds + 0.01)
+
+
+def test_reads_addresses() -> None:
+    def targets(text: str) -> list[str]:
+        return [each.target for each in find_targets(parse_addresses(text))]
+
+    assert targets("ipv4:10.0.0.1:5,10.0.0.2:6") == ["ipv4:10.0.0.1:5", "ipv4:10.0.0.2:6"]
+    assert targets("[::1]:1,unix:/run/a") == ["ipv6:[::1]:1", "unix:/run/a"]
+    assert "ipv4:127.0.0.1:7" in targets("dns:///localhost:7")
+    for text in (
+        "",
+        "localhost",
+        "a:1,",
+        "a:0",
+        "a:65536",
+        "::1:5",
+        "[x]:5",
+        "http://a:1",
+        "unix:",
+    ):
+        with pytest.raises(fovea.InvalidArgument, match="is not HOST:PORT"):
+            fovea.Client(text)
+    with pytest.raises(fovea.Unavailable, match="cannot look up no-such-host.invalid"):
+        fovea.Client("no-such-host.invalid:7", retry=ONCE).get_server_info()
+
+
+def test_calls_and_streams_go_on_elsewhere(scene: Scene) -> None:
+    one, two = ServerProcess(), ServerProcess()
+    address = f"{one.address},{two.address}"
+    with fovea.Client(address, timeout=PATIENCE, retry=ONCE) as client:
+        client.wait_until_ready()
+        calls = client.detect_frame(scene.frame())
+        one.kill()
+        for _ in range(5):  # one attempt goes around all servers
+            assert len(client.detect_frame(scene.frame()).objects) == len(calls.objects)
+    one = ServerProcess(address=one.address)
+    with fovea.Client(address, timeout=PATIENCE) as client:
+        answers = client.stream((scene.frame() for _ in itertools.count()), every_frame=True)
+        next(answers)
+        with fovea.Client(one.address) as asking:
+            (one if asking.get_statistics().streams else two).kill()
+        assert next(answers).sequence == 1
+        answers.close()
+    one.kill()
+    two.kill()

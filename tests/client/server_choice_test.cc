@@ -1,0 +1,174 @@
+#include "client/server_choice.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+namespace fovea::client {
+namespace {
+
+using std::chrono::milliseconds;
+
+const ServerChoice::Clock::time_point kNow =
+    ServerChoice::Clock::time_point{} + std::chrono::hours(1);
+
+// The one of "a" and "b" that is not `name`.
+std::string Other(const std::string& name) { return name == "a" ? "b" : "a"; }
+
+class TwoServers : public ::testing::Test {
+ protected:
+  TwoServers() { choice_.SetServers({"a", "b"}); }
+
+  ServerRound Round(bool asks_others = true) { return {choice_, asks_others}; }
+  std::string Home() { return choice_.Home(kNow); }
+
+  ServerChoice choice_{1};
+};
+
+TEST_F(TwoServers, AClientStaysWithItsServer) {
+  const std::string home = Home();
+  for (int call = 0; call < 10; ++call) {
+    ServerRound round = Round();
+    EXPECT_EQ(round.Next(kNow)->server, home);
+    round.OnAnswered();
+  }
+}
+
+TEST_F(TwoServers, ClientsAreSpread) {
+  std::set<std::string> homes;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    ServerChoice choice(seed);
+    choice.SetServers({"a", "b"});
+    homes.insert(choice.Home(kNow));
+  }
+  EXPECT_EQ(homes.size(), 2U);
+}
+
+TEST_F(TwoServers, AfterARefusalTheOtherIsAskedAndTheHomeWaitedFor) {
+  const std::string home = Home();
+  ServerRound round = Round();
+  EXPECT_FALSE(round.Next(kNow)->in_line_elsewhere);
+  round.OnRefused(milliseconds(100));
+  const auto aside = round.Next(kNow);
+  EXPECT_EQ(aside->server, Other(home));
+  EXPECT_TRUE(aside->in_line_elsewhere);
+  round.OnRefused(milliseconds(90));
+  EXPECT_FALSE(round.Next(kNow));
+  EXPECT_EQ(round.wait(), milliseconds(100));
+  EXPECT_EQ(Home(), home);
+}
+
+TEST_F(TwoServers, WhoWaitsInLineAsksOnlyThere) {
+  ServerRound round = Round(/*asks_others=*/false);
+  round.Next(kNow);
+  round.OnRefused(milliseconds(100));
+  EXPECT_FALSE(round.Next(kNow));
+}
+
+TEST_F(TwoServers, MovesToWhereItIsMuchSooner) {
+  const std::string home = Home();
+  ServerRound round = Round();
+  round.Next(kNow);
+  round.OnRefused(milliseconds(100));
+  round.Next(kNow);
+  round.OnRefused(milliseconds(79));
+  const auto moved = round.Next(kNow);  // for a place in line
+  EXPECT_EQ(moved->server, Other(home));
+  EXPECT_FALSE(moved->in_line_elsewhere);
+  round.OnRefused(milliseconds(85));
+  EXPECT_FALSE(round.Next(kNow));
+  EXPECT_EQ(round.wait(), milliseconds(85));
+  EXPECT_EQ(Home(), Other(home));
+}
+
+TEST_F(TwoServers, MovesToWhoeverAnswersTwiceInARow) {
+  const std::string home = Home();
+  for (int call = 0; call < 2; ++call) {
+    EXPECT_EQ(Home(), home);
+    ServerRound round = Round();
+    round.Next(kNow);
+    round.OnRefused(milliseconds(100));
+    round.Next(kNow);
+    round.OnAnswered();
+  }
+  EXPECT_EQ(Home(), Other(home));
+}
+
+TEST_F(TwoServers, LeavesWhoIsAwayAndReturnsForAReasonOnly) {
+  const std::string home = Home();
+  ServerRound round = Round();
+  round.Next(kNow);
+  round.OnAway(kNow);
+  const auto next = round.Next(kNow);
+  EXPECT_EQ(next->server, Other(home));
+  EXPECT_FALSE(next->in_line_elsewhere);
+  round.OnAnswered();
+  EXPECT_EQ(choice_.Home(kNow + std::chrono::hours(1)), Other(home));
+}
+
+TEST_F(TwoServers, AsksEachOnceWhereAllAreAway) {
+  ServerRound round = Round();
+  for (int ask = 0; ask < 2; ++ask) {
+    EXPECT_TRUE(round.Next(kNow));
+    round.OnAway(kNow);
+  }
+  EXPECT_FALSE(round.Next(kNow));
+  EXPECT_FALSE(round.wait());
+  EXPECT_TRUE(choice_.AreAllAway(kNow));
+  EXPECT_FALSE(choice_.AreAllAway(kNow + milliseconds(100)));
+  ServerRound again = Round();  // they may be back all the same
+  EXPECT_TRUE(again.Next(kNow));
+}
+
+TEST_F(TwoServers, AsksNobodyAsideWhoIsAway) {
+  choice_.OnAway(Other(Home()), kNow);
+  ServerRound round = Round();
+  round.Next(kNow);
+  round.OnRefused(milliseconds(100));
+  EXPECT_FALSE(round.Next(kNow));
+}
+
+TEST_F(TwoServers, AreAwayForTwiceAsLongEachTime) {
+  for (const int ms : {100, 200, 400, 800, 1600, 3200, 5000, 5000}) {
+    choice_.OnAway("a", kNow);
+    EXPECT_TRUE(choice_.IsAway("a", kNow + milliseconds(ms - 1)));
+    EXPECT_FALSE(choice_.IsAway("a", kNow + milliseconds(ms)));
+  }
+  choice_.OnAnswered("a");
+  EXPECT_FALSE(choice_.IsAway("a", kNow));
+}
+
+TEST_F(TwoServers, ChoosesAnewWhereTheConnectionEndsOrServersChange) {
+  std::set<std::string> homes;
+  for (int times = 0; times < 20; ++times) {
+    homes.insert(Home());
+    choice_.OnDisconnected(Home());
+  }
+  EXPECT_EQ(homes.size(), 2U);
+  const std::string home = Home();
+  choice_.SetServers({"b", "a"});
+  EXPECT_EQ(Home(), home);
+  choice_.SetServers({"c"});
+  EXPECT_EQ(Home(), "c");
+}
+
+TEST(ServerChoice, AsksThreeOthersAtMost) {
+  ServerChoice choice(1);
+  choice.SetServers({"a", "b", "c", "d", "e", "f"});
+  ServerRound round(choice, /*asks_others=*/true);
+  int asked = 0;
+  while (round.Next(kNow)) {
+    ++asked;
+    round.OnRefused(milliseconds(100));
+  }
+  EXPECT_EQ(asked, 4);
+}
+
+TEST(ServerChoice, AsksNobodyWhereThereIsNone) {
+  ServerChoice choice(1);
+  EXPECT_FALSE(ServerRound(choice, /*asks_others=*/true).Next(kNow));
+}
+
+}  // namespace
+}  // namespace fovea::client
