@@ -102,6 +102,14 @@ void AddFlags(CLI::App& app, ServerOptions& options) {
                  "Processor time that one frame may take, 0 to 3600000 ms; more gets "
                  "RESOURCE_EXHAUSTED. 0 = any")
       ->capture_default_str();
+  app.add_option("--client-options", options.client_options,
+                 "What requests may change of the method: none, safe (where to look and what to "
+                 "report) or all")
+      ->capture_default_str();
+  app.add_option(
+      "--option", options.fixed_options,
+      "Options of the method, each NAME=VALUE, that hold for every frame; --list-options "
+      "prints all");
   app.add_option("--hold-s", options.hold_s,
                  "How long to serve on with health NOT_SERVING after SIGTERM or SIGINT, 0 to 3600 "
                  "seconds; a second signal ends it")

@@ -53,7 +53,9 @@ std::size_t LineOf(const std::string& key, const std::string& text) {
 
 std::string ConfigFile::Remedy(const std::string& key) const {
   if (IsOptionOfTheMethod(key)) {
-    return "options of the method come with each request, as by `fovea detect --set NAME=NUMBER`";
+    return "options of the method come with each request, as by `fovea detect --set NAME=NUMBER`, "
+           "or "
+           "hold for all by option = [\"NAME=NUMBER\"]";
   }
   constexpr std::size_t kFewTypos = 2;
   for (const CLI::Option* option : app_.get_options()) {

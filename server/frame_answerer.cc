@@ -31,6 +31,7 @@ double Milliseconds(Clock::duration duration) {
 FrameAnswerer::FrameAnswerer(DetectFunction detect, const ServerOptions& options, Metrics& metrics,
                              Tracer* tracer)
     : detect_(std::move(detect)),
+      policy_(options.client_options, options.fixed_options),
       max_pixels_(static_cast<std::uint64_t>(options.max_pixels)),
       max_compute_(options.max_compute_ms),
       slow_(options.slow_ms),
@@ -107,7 +108,7 @@ Detections FrameAnswerer::DetectInTime(const RgbdFrame& frame, const DetectorOpt
 Detections FrameAnswerer::Compute(const FrameRequest& request, const Caller& caller, Trace* trace,
                                   cv::Size* image) const {
   std::vector<std::string> losses;
-  const DetectorOptions options = FromProto(*request.options);
+  const DetectorOptions options = FromProto(*request.options, policy_);
   const RgbdFrame frame = FromProto(*request.frame, max_pixels_, &losses);
   *image = frame.depth_m.size();
   InField("options.parameters", [&] { RequireNotEmpty(options.region, frame.depth_m.size()); });

@@ -10,6 +10,7 @@
 #include "core/detector.h"
 #include "fovea/v1/detection.pb.h"
 #include "fovea/v1/frame.pb.h"
+#include "server/conversion/option_policy.h"
 #include "server/server_options.h"
 
 namespace fovea::server {
@@ -55,6 +56,7 @@ class FrameAnswerer {
                      cv::Size* image) const;
 
   const DetectFunction detect_;
+  const OptionPolicy policy_;
   const std::uint64_t max_pixels_;
   const std::chrono::milliseconds max_compute_, slow_;
   Metrics& metrics_;

@@ -1,6 +1,7 @@
 #include "server/server.h"
 
 #include <google/protobuf/util/time_util.h>
+#include <grpc/grpc.h>
 #include <grpcpp/ext/proto_server_reflection_plugin.h>
 #include <grpcpp/grpcpp.h>
 #include <grpcpp/health_check_service_interface.h>
@@ -9,11 +10,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <future>
 #include <stdexcept>
 #include <utility>
 
 #include "core/options.h"
 #include "server/build_info.h"
+#include "server/conversion/option_list.h"
 #include "server/rpc/detect_call.h"
 #include "server/rpc/reflection_limit.h"
 #include "server/rpc/stream_call.h"
@@ -135,7 +138,9 @@ Server::Server(const ServerOptions& options, DetectFunction detect)
       gate_keeper_(options_.tokens, credentials_.authority()),
       stream_places_(options_.max_streams, options_.max_streams_per_robot),
       connections_(ConnectionLimitsOf(options_)),
-      service_(InfoOf(options_, limits_), *metrics_, gate_keeper_, connections_),
+      service_(InfoOf(options_, limits_),
+               OptionList({options_.client_options, options_.fixed_options}), *metrics_,
+               gate_keeper_, connections_),
       door_(options_.listen, connections_) {
   AddGauges();
   if (tracer_) AddTraceCounters();
@@ -235,13 +240,21 @@ void Server::StopAdvertising() {
 
 void Server::Stop(int timeout_s) {
   if (!server_) return;
+  const std::chrono::seconds patience(timeout_s);
   StopAdvertising();
   access_watch_.reset();
-  live_calls_.Stop();
-  live_calls_.WaitUntilIdle(std::chrono::steady_clock::now() + std::chrono::seconds(timeout_s));
   door_.Close();
-  // What is left now is late, has just been refused, or only watches the health.
-  server_->Shutdown(std::chrono::system_clock::now() + kLastWords);
+  live_calls_.Stop();
+  // Begun at once, since it has callers turn elsewhere with what they ask next (GOAWAY).
+  const auto shutdown = std::async(std::launch::async, [&] {
+    server_->Shutdown(std::chrono::system_clock::now() + patience + kLastWords);
+  });
+  live_calls_.WaitUntilIdle(std::chrono::steady_clock::now() + patience);
+  // What is left then is late, has just been refused, or only watches the health.
+  if (shutdown.wait_for(kLastWords) == std::future_status::timeout) {
+    grpc_server_cancel_all_calls(server_->c_server());
+  }
+  shutdown.wait();
   server_->Wait();
   live_calls_.WaitUntilNone();
   loop_.reset();

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <thread>
 
+#include "server/conversion/option_policy.h"
 #include "server/tracing/http_post.h"
 
 namespace fovea::server {
@@ -121,6 +122,7 @@ void Validate(const ServerOptions& options) {
   RequireRange("--drain-timeout-s", options.drain_timeout_s, 0, 3600);
   RequireTracing(options);
   RequireRange("--slow-ms", options.slow_ms, 0, 3'600'000);
+  const OptionPolicy policy(options.client_options, options.fixed_options);
   RequireLogLevel(options.log_level);
   RequireLogFormat(options.log_format);
 }

@@ -51,6 +51,10 @@ struct ServerOptions {
   // How much these threads give way to the server's others, which refuse and receive, 0 … 19 steps
   // of niceness. More gives way to other programs of the machine as well.
   int compute_nice = 10;
+  // What requests may change of the method: "none", "safe" (what is looked for and reported) or
+  // "all"; and options, as NAME=VALUE, that hold for every frame whatever it asks for.
+  std::string client_options = "all";
+  std::vector<std::string> fixed_options;
   // Frames that wait beyond those, -1 … 10000; -1 = one per compute thread. More wait longer, fewer
   // are refused sooner. A stream's newest frame is not counted.
   int max_waiting = -1;

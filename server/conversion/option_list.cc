@@ -38,11 +38,16 @@ v1::Option ToProto(const OptionInfo& info) {
 
 }  // namespace
 
-v1::ListOptionsResponse OptionList() {
+v1::ListOptionsResponse OptionList(const OptionPolicy& policy) {
   v1::ListOptionsResponse list;
-  for (const OptionInfo& info : ListOptions()) *list.add_options() = ToProto(info);
+  for (const OptionInfo& info : ListOptions()) {
+    v1::Option& option = *list.add_options();
+    option = ToProto(info);
+    option.set_fixed(!policy.MaySet(info.name));
+  }
   for (const std::string& profile : ProfileNames()) {
-    const std::map<std::string, double> values = OptionValues(OptionsOfProfile(profile));
+    const std::map<std::string, double> values =
+        OptionValues(policy.Applied(OptionsOfProfile(profile)));
     for (v1::Option& option : *list.mutable_options()) {
       (*option.mutable_defaults())[profile] = values.at(option.name());
     }

@@ -57,9 +57,13 @@ std::string WithoutName(const std::string& text, const std::string& name) {
   return text.starts_with(start) ? text.substr(start.size()) : text;
 }
 
-void SetParameter(DetectorOptions& options, const std::string& name, double value) {
+void SetParameter(DetectorOptions& options, const std::string& name, double value,
+                  const OptionPolicy& policy) {
   const std::string path = "options.parameters[" + Shortened(name) + "]";
   RequireField(IsKnown(name), path, "there is no such option; " + Suggestions(name));
+  RequireField(policy.MaySet(name), path,
+               "the operator of this server lets no request set it (fovea options lists what may "
+               "be set)");
   RequireField(std::isfinite(value), path, "must be a finite number");
   try {
     SetOption(options, name, value);
@@ -68,7 +72,9 @@ void SetParameter(DetectorOptions& options, const std::string& name, double valu
   }
 }
 
-DetectorOptions ProfileFromProto(const std::string& name) {
+DetectorOptions ProfileFromProto(const std::string& name, const OptionPolicy& policy) {
+  RequireField(name.empty() || policy.MayChooseProfile(), "options.profile",
+               "the operator of this server lets no request choose one");
   const auto names = ProfileNames();
   const bool known = name.empty() || std::find(names.begin(), names.end(), name) != names.end();
   RequireField(known, "options.profile", Shortened(name) + " is not one of " + Joined(names));
@@ -77,12 +83,12 @@ DetectorOptions ProfileFromProto(const std::string& name) {
 
 }  // namespace
 
-DetectorOptions FromProto(const v1::DetectOptions& options) {
-  DetectorOptions result = ProfileFromProto(options.profile());
+DetectorOptions FromProto(const v1::DetectOptions& options, const OptionPolicy& policy) {
+  DetectorOptions result = policy.Applied(ProfileFromProto(options.profile(), policy));
   // In the order of the names, so that the first error is always the same one.
   const std::map<std::string, double> parameters(options.parameters().begin(),
                                                  options.parameters().end());
-  for (const auto& [name, value] : parameters) SetParameter(result, name, value);
+  for (const auto& [name, value] : parameters) SetParameter(result, name, value, policy);
   InField("options.parameters", [&] { Validate(result); });
   return result;
 }

@@ -2,11 +2,13 @@
 
 #include "core/options.h"
 #include "fovea/v1/detection.pb.h"
+#include "server/conversion/option_policy.h"
 
 namespace fovea::server {
 
-// The profile with the request's changes. Throws std::invalid_argument that starts with
+// The profile with the request's changes, where the policy allows these, and with what it fixes.
+// Throws std::invalid_argument that starts with
 // "options.profile" or "options.parameters[name]".
-DetectorOptions FromProto(const v1::DetectOptions& options);
+DetectorOptions FromProto(const v1::DetectOptions& options, const OptionPolicy& policy = {});
 
 }  // namespace fovea::server

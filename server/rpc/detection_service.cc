@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "server/conversion/option_list.h"
 #include "server/status.h"
 #include "server/watching/statistics.h"
 
@@ -13,9 +12,11 @@ constexpr int kDetect = 0;  // its place in the contract
 
 }  // namespace
 
-DetectionService::DetectionService(v1::GetServerInfoResponse info, const Metrics& metrics,
-                                   const GateKeeper& gate_keeper, ConnectionTable& connections)
+DetectionService::DetectionService(v1::GetServerInfoResponse info, v1::ListOptionsResponse options,
+                                   const Metrics& metrics, const GateKeeper& gate_keeper,
+                                   ConnectionTable& connections)
     : info_(std::move(info)),
+      options_(std::move(options)),
       metrics_(metrics),
       gate_keeper_(gate_keeper),
       connections_(connections) {
@@ -48,7 +49,7 @@ grpc::Status DetectionService::GetStatistics(grpc::ServerContext* context,
 grpc::Status DetectionService::ListOptions(grpc::ServerContext* context,
                                            const v1::ListOptionsRequest* /*request*/,
                                            v1::ListOptionsResponse* response) {
-  return IfAdmitted(*context, [&] { *response = OptionList(); });
+  return IfAdmitted(*context, [&] { *response = options_; });
 }
 
 grpc::Status DetectionService::IfAdmitted(const grpc::ServerContext& context,

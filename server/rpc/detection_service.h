@@ -22,9 +22,10 @@ using AsyncDetectionService =
 // The RPCs that compute nothing; DetectCall and StreamCall are the others.
 class DetectionService final : public AsyncDetectionService {
  public:
-  // `info` is what GetServerInfo answers. The others must outlive it.
-  DetectionService(v1::GetServerInfoResponse info, const Metrics& metrics,
-                   const GateKeeper& gate_keeper, ConnectionTable& connections);
+  // `info` and `options` are what GetServerInfo and ListOptions answer. The others must outlive it.
+  DetectionService(v1::GetServerInfoResponse info, v1::ListOptionsResponse options,
+                   const Metrics& metrics, const GateKeeper& gate_keeper,
+                   ConnectionTable& connections);
 
   // Completes when a call of Detect begins; its message is read thereafter, so that a call can be
   // refused before it uploads its frame.
@@ -44,6 +45,7 @@ class DetectionService final : public AsyncDetectionService {
                           const std::function<void()>& answer) const;
 
   const v1::GetServerInfoResponse info_;
+  const v1::ListOptionsResponse options_;
   const Metrics& metrics_;
   const GateKeeper& gate_keeper_;
   ConnectionTable& connections_;
