@@ -80,7 +80,8 @@ TEST(OptionPolicy, HoldsForCallersWhoCanAskForIt) {
   const grpc::Status refused = StatusOf([&] { loopback.client.Detect(request); });
   EXPECT_EQ(refused.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
   EXPECT_NO_THROW(loopback.client.Detect(TestRequest()));
-  for (const v1::Option& option : loopback.client.ListOptions().options()) {
+  const v1::ListOptionsResponse list = loopback.client.ListOptions();
+  for (const v1::Option& option : list.options()) {
     const bool open =
         option.name().starts_with("region.") || option.name().starts_with("plausibility.") ||
         (option.name().starts_with("objects.") && option.name() != "objects.max_objects");
