@@ -26,6 +26,7 @@ std::uint64_t ReceivedOf(int fd) {
   return info.tcpi_bytes_received - std::min<std::uint64_t>(info.tcpi_bytes_received, waiting);
 }
 
+constexpr int kMaxVainOfHost = 128;
 constexpr std::chrono::seconds kShutOut{5};
 
 // What has come and was not read yet is not read any more, as it would be after shutdown().
@@ -68,6 +69,20 @@ void ConnectionTable::Remove(int watched) {
   const auto by_peer = by_peer_.find(connection.peer);
   if (by_peer != by_peer_.end() && by_peer->second == watched) by_peer_.erase(by_peer);
   connections_.erase(found);
+}
+
+void ConnectionTable::CountVain(const std::string& host, Clock::time_point now) {
+  std::erase_if(vain_, [now](const auto& entry) {
+    return now - entry.second.since > std::chrono::seconds{1};
+  });
+  Vain& vain = vain_.try_emplace(host, Vain{.calls = 0, .since = now}).first->second;
+  if (++vain.calls != kMaxVainOfHost) return;
+  shut_out_[host] = now + kShutOut;
+  for (auto& [fd, connection] : connections_) {
+    if (connection.host != host || connection.ended || connection.account.admitted()) continue;
+    End(connection,
+        "is of a host that made " + std::to_string(vain.calls) + " calls in vain within a second");
+  }
 }
 
 bool ConnectionTable::IsShutOut(const std::string& host, Clock::time_point now) {
@@ -134,9 +149,10 @@ void ConnectionTable::OnNoMessage(const std::string& peer, std::uint64_t owed) {
 void ConnectionTable::OnVain(const std::string& peer) {
   if (IsUnixPeer(peer)) return;
   const std::lock_guard lock(mutex_);
+  const auto now = Clock::now();
+  CountVain(HostOfPeer(peer), now);  // also of connections that are gone before that is noticed
   Connection* connection = Find(peer);
   if (connection == nullptr || connection->ended) return;
-  const auto now = Clock::now();
   connection->account.OnVain(now);
   if (const auto fault = connection->account.Fault(limits_.account, now)) End(*connection, *fault);
 }

@@ -73,6 +73,7 @@ class ConnectionTable {
   };
   using Connections = std::map<int, Connection>;  // by fd
 
+  void CountVain(const std::string& host, Clock::time_point now);
   bool IsShutOut(const std::string& host, Clock::time_point now);
   bool HasPlace(const std::string& host) const;
   void MakePlace(const std::string& host);
@@ -86,6 +87,11 @@ class ConnectionTable {
   Connections connections_;
   std::unordered_map<std::string, int> by_peer_;
   std::map<std::string, int> per_host_;
+  struct Vain {
+    int calls = 0;
+    Clock::time_point since{};
+  };
+  std::map<std::string, Vain> vain_;  // calls of hosts, in the second that began then
   std::map<std::string, Clock::time_point> shut_out_;  // hosts of floods, and until when
   std::size_t num_places_ = 0;                         // of connections_, those that were not ended
   Counts counts_;

@@ -42,6 +42,7 @@ void DetectCall::OnCall() {
   received_ = Clock::now();
   caller_.Begin([self = shared_from_this()] { self->OnGone(); });
   if (!caller_.IsConnected()) {
+    caller_.OnVain();
     stream_.FinishWithError(caller_.StatusOfGone(), Then([self = shared_from_this()](bool) {}));
     return;
   }
