@@ -24,7 +24,7 @@ test: build
 lint: dependencies
 	@deploy/lint.sh $(BUILD)
 
-# Debian packages of the server, the client and the Python client, in $(BUILD)
+# Debian packages of the server, the clients and the libraries, in $(BUILD)
 package: build
 	@cd $(BUILD) && cpack
 

@@ -13,15 +13,15 @@ target_include_directories(
                          $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/fovea>)
 target_compile_features(fovea_client PUBLIC cxx_std_20)
 
-install(TARGETS fovea_client fovea_proto grpc_health_proto EXPORT fovea ARCHIVE COMPONENT client)
+install(TARGETS fovea_client fovea_proto grpc_health_proto EXPORT fovea ARCHIVE COMPONENT dev)
 install(EXPORT fovea NAMESPACE fovea:: FILE fovea-targets.cmake DESTINATION ${FOVEA_CONFIG_DIR}
-        COMPONENT client)
+        COMPONENT dev)
 configure_package_config_file(cmake/fovea-config.cmake.in fovea-config.cmake
                               INSTALL_DESTINATION ${FOVEA_CONFIG_DIR})
 write_basic_package_version_file(fovea-config-version.cmake COMPATIBILITY SameMinorVersion)
 configure_file(cmake/fovea.pc.in fovea.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/fovea-config.cmake
               ${PROJECT_BINARY_DIR}/fovea-config-version.cmake DESTINATION ${FOVEA_CONFIG_DIR}
-        COMPONENT client)
+        COMPONENT dev)
 install(FILES ${PROJECT_BINARY_DIR}/fovea.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
-        COMPONENT client)
+        COMPONENT dev)

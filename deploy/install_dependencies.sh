@@ -12,7 +12,8 @@ libboost-dev
 libopenni2-dev libyaml-cpp-dev
 libgtest-dev libgmock-dev libbenchmark-dev
 python3 python3-grpcio python3-numpy python3-protobuf python3-setuptools
-python3-pil python3-pip python3-pytest python3-zstandard openssl haproxy
+help2man haproxy
+python3-pil python3-pip python3-pytest python3-zstandard openssl
 "
 
 missing=""

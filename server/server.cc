@@ -85,6 +85,9 @@ std::unique_ptr<Tracer> MakeTracer(const ServerOptions& options) {
 // More wait at the client until one of them is done.
 constexpr int kMaxCallsPerConnection = 64;
 
+// Of calls that ask about the server: each takes one, and more of them get RESOURCE_EXHAUSTED.
+constexpr int kMaxThreads = 64;
+
 // For refusals to reach their callers; connections where nothing is left to say close at once.
 constexpr std::chrono::seconds kLastWords{1};
 
@@ -109,6 +112,7 @@ void ConfigureChannel(const ServerOptions& options, grpc::ServerBuilder* builder
   // before.
   grpc::ResourceQuota quota("fovea");
   quota.Resize(static_cast<std::size_t>(options.max_receiving_mib) << 20);
+  quota.SetMaxThreads(kMaxThreads);
   builder->SetResourceQuota(quota);
   // Clients may ping an idle connection this often without being cut off.
   builder->AddChannelArgument(GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS, 10'000);

@@ -17,6 +17,8 @@ constexpr std::uint64_t kMaxLate = 4 * kFirstBytes;
 // Nobody was let in there: enough to ask for the health or to begin some calls.
 constexpr std::uint64_t kMaxOwedByStranger = std::uint64_t{1} << 20;
 constexpr std::chrono::minutes kMaxAgeOfStranger{10};
+// Calls that may come to nothing within a second. Those of robots do when a deadline passes.
+constexpr int kMaxVain = 128, kMaxVainOfStranger = 32;
 
 }  // namespace
 
@@ -52,6 +54,16 @@ void ConnectionAccount::Forgive(std::uint64_t owed) {
   least_ = std::min(least_, owed_);
 }
 
+void ConnectionAccount::OnVain(Clock::time_point now) {
+  if (now - vain_since_ > std::chrono::seconds{1}) {
+    vain_since_ = now;
+    vain_ = 0;
+  }
+  ++vain_;
+}
+
+int ConnectionAccount::MaxVain() const { return admitted_ ? kMaxVain : kMaxVainOfStranger; }
+
 void ConnectionAccount::NoteLeast(Clock::time_point now) {
   if (now - second_ > std::chrono::seconds{1}) {
     second_ = now;
@@ -64,12 +76,19 @@ ConnectionAccount::Clock::duration ConnectionAccount::Owing(Clock::time_point no
   return owing_since_ ? now - *owing_since_ : Clock::duration::zero();
 }
 
+bool ConnectionAccount::IsFlooding() const {
+  return vain_ > MaxVain() || (!admitted_ && owed_ > kMaxOwedByStranger);
+}
+
 std::optional<std::string> ConnectionAccount::Fault(const AccountLimits& limits,
                                                     Clock::time_point now) const {
   const auto bytes = [this] { return std::to_string(owed_) + " bytes that make no message"; };
   if (!admitted_ && owed_ > kMaxOwedByStranger) return "sent " + bytes() + ", with no call let in";
   if (!admitted_ && now - accepted_ > kMaxAgeOfStranger) {
     return "had no call let in for 10 minutes";
+  }
+  if (vain_ > MaxVain()) {
+    return "made " + std::to_string(vain_) + " calls in vain within a second";
   }
   if (owed_ > limits.max_owed) return "sent " + bytes();
   if (Owing(now) > limits.max_transfer) {

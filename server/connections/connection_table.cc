@@ -26,13 +26,23 @@ std::uint64_t ReceivedOf(int fd) {
   return info.tcpi_bytes_received - std::min<std::uint64_t>(info.tcpi_bytes_received, waiting);
 }
 
+constexpr int kMaxVainOfHost = 128;
+constexpr std::chrono::seconds kShutOut{5};
+
+// What has come and was not read yet is not read any more, as it would be after shutdown().
+void Abort(int fd) {
+  const sockaddr none{.sa_family = AF_UNSPEC, .sa_data = {}};
+  if (connect(fd, &none, sizeof none) != 0) shutdown(fd, SHUT_RDWR);  // a UNIX socket
+}
+
 }  // namespace
 
 int ConnectionTable::Add(const std::string& peer, FileDescriptor watched) {
   const std::lock_guard lock(mutex_);
   const std::string host = HostOfPeer(peer);
-  if (!HasPlace(host)) MakePlace(host);
-  if (!HasPlace(host)) {
+  const bool shut_out = IsShutOut(host, Clock::now());
+  if (!shut_out && !HasPlace(host)) MakePlace(host);
+  if (shut_out || !HasPlace(host)) {
     ++counts_.refused;
     return -1;
   }
@@ -59,6 +69,25 @@ void ConnectionTable::Remove(int watched) {
   const auto by_peer = by_peer_.find(connection.peer);
   if (by_peer != by_peer_.end() && by_peer->second == watched) by_peer_.erase(by_peer);
   connections_.erase(found);
+}
+
+void ConnectionTable::CountVain(const std::string& host, Clock::time_point now) {
+  std::erase_if(vain_, [now](const auto& entry) {
+    return now - entry.second.since > std::chrono::seconds{1};
+  });
+  Vain& vain = vain_.try_emplace(host, Vain{.calls = 0, .since = now}).first->second;
+  if (++vain.calls != kMaxVainOfHost) return;
+  shut_out_[host] = now + kShutOut;
+  for (auto& [fd, connection] : connections_) {
+    if (connection.host != host || connection.ended || connection.account.admitted()) continue;
+    End(connection,
+        "is of a host that made " + std::to_string(vain.calls) + " calls in vain within a second");
+  }
+}
+
+bool ConnectionTable::IsShutOut(const std::string& host, Clock::time_point now) {
+  std::erase_if(shut_out_, [now](const auto& entry) { return entry.second < now; });
+  return shut_out_.contains(host);
 }
 
 bool ConnectionTable::HasPlace(const std::string& host) const {
@@ -117,6 +146,24 @@ void ConnectionTable::OnNoMessage(const std::string& peer, std::uint64_t owed) {
   connection->account.Forgive(owed);
 }
 
+void ConnectionTable::OnVain(const std::string& peer) {
+  if (IsUnixPeer(peer)) return;
+  const std::lock_guard lock(mutex_);
+  const auto now = Clock::now();
+  CountVain(HostOfPeer(peer), now);  // also of connections that are gone before that is noticed
+  Connection* connection = Find(peer);
+  if (connection == nullptr || connection->ended) return;
+  connection->account.OnVain(now);
+  if (const auto fault = connection->account.Fault(limits_.account, now)) End(*connection, *fault);
+}
+
+bool ConnectionTable::IsOpen(const std::string& peer) {
+  if (IsUnixPeer(peer)) return true;  // all have one name
+  const std::lock_guard lock(mutex_);
+  const Connection* connection = Find(peer);
+  return connection != nullptr && !connection->ended;
+}
+
 bool ConnectionTable::Inspect() {
   const std::lock_guard lock(mutex_);
   const auto now = Clock::now();
@@ -160,7 +207,8 @@ void ConnectionTable::End(Connection& connection, const std::string& why) {
   connection.ended = true;
   ++counts_.ended;
   GiveBackPlace(connection);
-  shutdown(connection.fd.get(), SHUT_RDWR);  // gRPC closes what is left of it
+  if (connection.account.IsFlooding()) shut_out_[connection.host] = Clock::now() + kShutOut;
+  Abort(connection.fd.get());  // gRPC closes what is left of it
   LogLimited("connection ended", spdlog::level::warn,
              fmt::format("connection of {} ended: it {}", connection.peer, why));
 }

@@ -39,7 +39,8 @@ class ConnectionTable {
 
   // Takes the connection in, and returns the descriptor by which Ended() is told of it; -1 where
   // there is no place. When all places are taken, a connection on which no call was let in makes
-  // room, the oldest one of the host that has most.
+  // room, the oldest one of the host that has most. A host whose connection was ended for a flood
+  // of calls has no place for 5 s: what these left in gRPC is cleared away meanwhile.
   int Add(const std::string& peer, FileDescriptor watched);
   // Both ends have closed it.
   void Remove(int watched);
@@ -50,6 +51,12 @@ class ConnectionTable {
   std::uint64_t OnMessage(const std::string& peer, std::size_t bytes);
   // A call that was let in ended without a message since it owed `owed`.
   void OnNoMessage(const std::string& peer, std::uint64_t owed);
+  // A call came to nothing since its caller gave it up, let in or not, or only asks about the
+  // server. A connection with many of these is ended: calls that are reset as soon as they are made
+  // have no other limit, and gRPC 1.51 keeps each until it is looked at.
+  void OnVain(const std::string& peer);
+  // False once it was ended or closed.
+  bool IsOpen(const std::string& peer);
 
   // Looks at all, and ends those that hold more, or longer, than the limits allow. True where all
   // together hold so much that they had better be looked at again soon.
@@ -66,6 +73,8 @@ class ConnectionTable {
   };
   using Connections = std::map<int, Connection>;  // by fd
 
+  void CountVain(const std::string& host, Clock::time_point now);
+  bool IsShutOut(const std::string& host, Clock::time_point now);
   bool HasPlace(const std::string& host) const;
   void MakePlace(const std::string& host);
   Connection* Find(const std::string& peer);
@@ -78,7 +87,13 @@ class ConnectionTable {
   Connections connections_;
   std::unordered_map<std::string, int> by_peer_;
   std::map<std::string, int> per_host_;
-  std::size_t num_places_ = 0;  // of connections_, those that were not ended
+  struct Vain {
+    int calls = 0;
+    Clock::time_point since{};
+  };
+  std::map<std::string, Vain> vain_;  // calls of hosts, in the second that began then
+  std::map<std::string, Clock::time_point> shut_out_;  // hosts of floods, and until when
+  std::size_t num_places_ = 0;                         // of connections_, those that were not ended
   Counts counts_;
 };
 

@@ -140,8 +140,9 @@ void Door::HandOver(const ListeningSocket& listening, FileDescriptor connection)
     if (!watched) return;  // and so `connection` is closed
     const int fd = connections_.Add(peer, std::move(watched));
     if (fd < 0) {
-      LogLimited("connection refused", spdlog::level::warn,
-                 "connection of " + peer + " refused: there are too many");
+      LogLimited(
+          "connection refused", spdlog::level::warn,
+          "connection of " + peer + " refused: there are too many, or its host sent a flood");
       return;
     }
     Watch(fd, EPOLLET);  // of its end, which is always said

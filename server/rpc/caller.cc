@@ -18,9 +18,12 @@ void Caller::Begin(std::function<void()> on_gone) {
   done_.then = [this, on_gone = std::move(on_gone)](bool) {
     if (!context_->IsCancelled()) return;
     gone_ = true;
+    OnVain();
     Guard(on_gone);
   };
 }
+
+bool Caller::IsConnected() const { return connections_.IsOpen(context_->peer()); }
 
 void Caller::Identify(const GateKeeper& gate_keeper) {
   admission_ = gate_keeper.Admit(*context_);
@@ -36,6 +39,10 @@ void Caller::OnMessage(std::size_t bytes) { owed_ = connections_.OnMessage(peer_
 
 void Caller::OnNoMessage() {
   if (!peer_.empty()) connections_.OnNoMessage(peer_, owed_);
+}
+
+void Caller::OnVain() {
+  Guard([this] { connections_.OnVain(context_->peer()); });
 }
 
 void Caller::End() noexcept {

@@ -27,6 +27,10 @@ class Caller {
   // deadline passes before the answer; it is kept until the call's end and no longer.
   void Begin(std::function<void()> on_gone);
 
+  // Whether the connection is still open: who makes calls only to reset them leaves thousands that
+  // are not worth a look once it is not.
+  bool IsConnected() const;
+
   // Finds out the following four. Throws Unauthenticated where the caller may not call, and
   // std::invalid_argument where the names that it chose will not do.
   void Identify(const GateKeeper& gate_keeper);
@@ -46,6 +50,9 @@ class Caller {
   // connection has sent.
   void OnMessage(std::size_t bytes);
   void OnNoMessage();
+
+  // Nobody has heard the answer.
+  void OnVain();
 
   // A step of the call. Whatever it throws ends this call, of which the caller learns by CANCELLED,
   // and nothing else.

@@ -41,6 +41,11 @@ void DetectCall::Proceed(const std::function<void()>& step) {
 void DetectCall::OnCall() {
   received_ = Clock::now();
   caller_.Begin([self = shared_from_this()] { self->OnGone(); });
+  if (!caller_.IsConnected()) {
+    caller_.OnVain();
+    stream_.FinishWithError(caller_.StatusOfGone(), Then([self = shared_from_this()](bool) {}));
+    return;
+  }
   begun_ = environment_.live_calls.Begin([] {});
   if (!begun_) {
     Refuse(StatusOfStopping());
@@ -117,7 +122,8 @@ void DetectCall::Refuse(const grpc::Status& status, const char* reason) {
                                  reason != nullptr ? reason : NameOf(status.error_code()));
   const bool full = status.error_code() == grpc::StatusCode::RESOURCE_EXHAUSTED;
   stream_.FinishWithError(
-      status, Then([self = shared_from_this(), full](bool) {
+      status, Then([self = shared_from_this(), full](bool heard) {
+        if (!heard) self->caller_.OnVain();
         if (full) self->environment_.metrics.OnTurnedAway(Clock::now() - self->received_);
       }));
 }

@@ -58,6 +58,10 @@ StreamCall::~StreamCall() {
 void StreamCall::OnRequest() {
   caller_.Begin([self = shared_from_this()] { self->OnGone(); });
   const std::lock_guard lock(mutex_);
+  if (!caller_.IsConnected()) {
+    Finish(caller_.StatusOfGone());
+    return;
+  }
   try {
     Open();
   } catch (const Overloaded& full) {
@@ -261,7 +265,9 @@ void StreamCall::Compute() {
 void StreamCall::Finish(const grpc::Status& status) {
   finished_ = true;
   age_.Cancel();
-  stream_.Finish(status, Then([self = shared_from_this()](bool) {}));
+  stream_.Finish(status, Then([self = shared_from_this()](bool heard) {
+                   if (!heard) self->caller_.OnVain();
+                 }));
 }
 
 }  // namespace fovea::server

@@ -25,4 +25,6 @@ def be_an_attacker() -> None:
 
 
 def run_attack(name: str, target: Target, seconds: float) -> Tally:
-    return CATALOGUE[name].run(replace(target, until=time.monotonic() + seconds))
+    network = 1 + list(CATALOGUE).index(name)
+    until = time.monotonic() + seconds
+    return CATALOGUE[name].run(replace(target, until=until, network=network))

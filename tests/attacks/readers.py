@@ -89,9 +89,7 @@ def _open_streams(target: Target, path: str, first: bytes, connections: int = 16
             if tally["rounds"] > connections:
                 break
             with survived:
-                connection = stack.enter_context(
-                    target.connect(source=f"127.0.0.{2 + tally['rounds'] % 16}")
-                )
+                connection = stack.enter_context(target.connect())
                 for _ in range(64):
                     stream = connection.next_stream()
                     connection.send(call(path, stream), frame(Kind.DATA, 0, stream, first))

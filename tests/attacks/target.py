@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import socket
 import ssl
 import time
@@ -12,8 +13,9 @@ from dataclasses import dataclass
 
 from http2 import Connection, Ended
 
-ATTACKER = "127.0.0.2"  # good robots are 127.0.0.1
+HOSTS = 16  # of each attack; good robots are 127.0.0.1
 Tally = Counter[str]
+_next_host = itertools.count()
 
 
 @dataclass(frozen=True)
@@ -26,21 +28,22 @@ class Target:
     setup: str  # open, tokens or tls
     request: bytes
     until: float = 0.0
+    network: int = 1  # of the attack, so that no host is punished for another attack
 
     def goes_on(self) -> bool:
         return time.monotonic() < self.until
 
-    def dial(self, source: str = ATTACKER, port: int | None = None) -> socket.socket:
+    def dial(self, port: int | None = None) -> socket.socket:
+        """From the next one of the attack's hosts."""
+        source = f"127.0.{self.network}.{2 + next(_next_host) % HOSTS}"
         where = ("127.0.0.1", self.port if port is None else port)
         raw = socket.create_connection(where, timeout=5, source_address=(source, 0))
         raw.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         return raw
 
-    def connect(
-        self, settings: bytes = b"", source: str = ATTACKER, patience: float = 2.0
-    ) -> Connection:
+    def connect(self, settings: bytes = b"", patience: float = 2.0) -> Connection:
         try:
-            raw = self.dial(source)
+            raw = self.dial()
             if self.setup == "tls":
                 raw = trusting().wrap_socket(raw)
             return Connection(raw, settings, patience)

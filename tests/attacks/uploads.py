@@ -14,8 +14,8 @@ FEW, MANY = 1, 32
 CALLS = 64  # what a connection may have at once
 
 
-def _begin(target: Target, path: str, calls: int, source: str) -> Connection:
-    connection = target.connect(source=source, patience=0.3)
+def _begin(target: Target, path: str, calls: int) -> Connection:
+    connection = target.connect(patience=0.3)
     streams = [connection.next_stream() for _ in range(calls)]
     connection.send(*(call(path, stream) for stream in streams))
     for stream in streams:
@@ -38,8 +38,7 @@ def _half_messages(target: Target, path: str, connections: int) -> Tally:
             for number in range(connections):
                 try:
                     if number not in held:
-                        source = f"127.0.0.{2 + number % 16}"
-                        held[number] = stack.enter_context(_begin(target, path, CALLS, source))
+                        held[number] = stack.enter_context(_begin(target, path, CALLS))
                         tally["connections"] += 1
                     _push(held[number], CALLS, tally)
                 except (Ended, OSError):
@@ -96,7 +95,7 @@ def dribble(target: Target) -> Tally:
     """64 frames that come byte by byte, in a DATA frame each"""
     tally: Tally = Tally()
     for survived in rounds(target, tally):
-        with survived, _begin(target, DETECT, CALLS, "127.0.0.2") as connection:
+        with survived, _begin(target, DETECT, CALLS) as connection:
             while target.goes_on():
                 for number in range(CALLS):
                     tally["bytes"] += connection.send_data(2 * number + 1, b"x")

@@ -9,7 +9,7 @@ work=$(mktemp -d)
 server_pid=""
 trap '[ -z "$server_pid" ] || kill "$server_pid"; rm -rf "$work"' EXIT
 
-cmake --install "$build" --component client --prefix "$work/prefix" >/dev/null
+cmake --install "$build" --component dev --prefix "$work/prefix" >/dev/null
 cmake -S "$source/client/examples/cpp" -B "$work/examples" -G Ninja \
   -DCMAKE_PREFIX_PATH="$work/prefix" >/dev/null
 cmake --build "$work/examples"

@@ -49,5 +49,29 @@ TEST_F(ConnectionTableTest, RobotsKeepTheirPlaces) {
   EXPECT_FALSE(Comes("10.0.0.3"));
 }
 
+TEST_F(ConnectionTableTest, WhoMakesCallsInVainAgainAndAgainIsEnded) {
+  EXPECT_TRUE(Comes("10.0.0.1"));
+  for (int i = 0; i < 32; ++i) table_.OnVain("ipv4:10.0.0.1:1");
+  EXPECT_TRUE(table_.IsOpen("ipv4:10.0.0.1:1"));
+  table_.OnVain("ipv4:10.0.0.1:1");
+  EXPECT_FALSE(table_.IsOpen("ipv4:10.0.0.1:1"));
+  EXPECT_EQ(table_.counts().ended, 1U);
+  EXPECT_FALSE(Comes("10.0.0.1"));  // nor comes it back at once
+  EXPECT_TRUE(Comes("10.0.0.2"));
+}
+
+TEST_F(ConnectionTableTest, ARobotMayGiveUpMoreCalls) {
+  EXPECT_TRUE(Comes("10.0.0.1"));
+  table_.Admit("ipv4:10.0.0.1:1");
+  for (int i = 0; i < 100; ++i) table_.OnVain("ipv4:10.0.0.1:1");
+  EXPECT_TRUE(table_.IsOpen("ipv4:10.0.0.1:1"));
+}
+
+TEST_F(ConnectionTableTest, CallsInVainOfConnectionsThatAreGoneCountForTheirHost) {
+  for (int port = 1; port <= 128; ++port) table_.OnVain("ipv4:10.0.0.1:" + std::to_string(port));
+  EXPECT_FALSE(Comes("10.0.0.1"));
+  EXPECT_TRUE(Comes("10.0.0.2"));
+}
+
 }  // namespace
 }  // namespace fovea::testing
