@@ -114,10 +114,10 @@ int Run(int argc, char** argv) {
   fovea::server::RaiseFileLimit();
   const fovea::server::SpareMemory spare_memory(std::chrono::minutes{1});
   fovea::server::Server server(*options);
-  spdlog::info("fovea-server {} ({}) serves", fovea::server::Version(), fovea::server::Commit());
-  fovea::server::LogSettings(settings);
   Life life;
   const auto metrics = MakeMetricsEndpoint(*options, server, life);
+  spdlog::info("fovea-server {} ({}) serves", fovea::server::Version(), fovea::server::Commit());
+  fovea::server::LogSettings(settings);
   for (const std::string& address : server.Addresses()) {
     fovea::server::Announce("listening on " + address);
   }

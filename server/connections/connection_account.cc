@@ -18,7 +18,7 @@ constexpr std::uint64_t kMaxLate = 4 * kFirstBytes;
 constexpr std::uint64_t kMaxOwedByStranger = std::uint64_t{1} << 20;
 constexpr std::chrono::minutes kMaxAgeOfStranger{10};
 // Calls that may come to nothing within a second. Those of robots do when a deadline passes.
-constexpr int kMaxVain = 128, kMaxVainOfStranger = 32;
+constexpr int kMaxVain = 1000, kMaxVainOfStranger = 32;
 
 }  // namespace
 

@@ -26,7 +26,7 @@ std::uint64_t ReceivedOf(int fd) {
   return info.tcpi_bytes_received - std::min<std::uint64_t>(info.tcpi_bytes_received, waiting);
 }
 
-constexpr int kMaxVainOfHost = 128;
+constexpr int kMaxVainOfHost = 2000;
 constexpr std::chrono::seconds kShutOut{5};
 
 // What has come and was not read yet is not read any more, as it would be after shutdown().

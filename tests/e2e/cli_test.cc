@@ -63,7 +63,7 @@ class CliTest : public ::testing::Test {
 TEST_F(CliTest, PrintsLimitsAndStatistics) {
   const Finished info = Execute({FOVEA_CLI, "info", "--server", server_.address()});
   EXPECT_EQ(info.exit_code, 0) << info.err;
-  EXPECT_THAT(info.out, HasSubstr("\"maxPixels\": \"2088960\""));
+  EXPECT_THAT(info.out, HasSubstr("\"maxPixels\": \"3145728\""));
   EXPECT_THAT(info.out, HasSubstr("\"uptime\": "));
 }
 
