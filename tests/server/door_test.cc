@@ -172,7 +172,8 @@ TEST(Transfer, OfAnAnswerThatNobodyTakesEndsTheStream) {
   // It answers frame by frame until its answers fill what may be on the way, and is ended then.
   while (stream->Send(request)) {
   }
-  EXPECT_EQ(MetricValue(*loopback.server.metrics(), "fovea_streams"), 0);
+  EXPECT_THROW(while (stream->Receive()){}, client::RpcError);
+  AwaitMetric(*loopback.server.metrics(), "fovea_streams", 0);
 }
 
 TEST(SelfCheck, IsAnsweredThroughTheDoorAlsoWhereNoPlaceIsLeftAndTlsIsAskedFor) {
