@@ -26,9 +26,9 @@ void ConnectionAccount::OnReceived(std::uint64_t total, Clock::time_point now) {
   const double seconds = std::chrono::duration<double>(now - std::max(seen_, accepted_)).count();
   const auto small_talk = static_cast<std::uint64_t>(seconds * kSmallTalk_bytes_s);
   if (small_talk > 0) seen_ = now;  // else what is less than a byte would be lost
-  const std::uint64_t came = total - total_;
+  const std::uint64_t came = total - std::min(total, total_);
   const std::uint64_t late = std::min(came, late_);
-  total_ = total;
+  total_ += came;
   late_ -= late;
   owed_ += came - late;
   owed_ -= std::min(owed_, small_talk);

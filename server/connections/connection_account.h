@@ -26,7 +26,8 @@ class ConnectionAccount {
   explicit ConnectionAccount(Clock::time_point accepted)
       : accepted_(accepted), seen_(accepted), second_(accepted) {}
 
-  // `total` bytes have come over the connection so far.
+  // `total` bytes at least have come over the connection so far. May be less than what was said
+  // before, which holds then.
   void OnReceived(std::uint64_t total, Clock::time_point now);
   // Of these, a message of so many. What was received has to be said before.
   void OnMessage(std::size_t bytes, Clock::time_point now);

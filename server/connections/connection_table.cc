@@ -15,7 +15,8 @@
 namespace fovea::server {
 namespace {
 
-// Bytes that gRPC has read of a connection so far; 0 of UNIX sockets, which do not count them.
+// Bytes that gRPC has read of a connection so far, less those that came while it was asked; 0 of
+// UNIX sockets, which do not count them.
 std::uint64_t ReceivedOf(int fd) {
   tcp_info info{};
   socklen_t size = sizeof info;

@@ -26,6 +26,16 @@ TEST(ConnectionAccount, OwesWhatIsNoMessageYet) {
   EXPECT_GT(account.owed(), kMiB * 9 / 10);  // the frames around a message are not its bytes
 }
 
+TEST(ConnectionAccount, IsNotMisledByACountThatFallsBehind) {
+  ConnectionAccount account(kStart);
+  account.Admit();
+  account.OnReceived(2 * kMiB, kStart);
+  account.OnReceived(kMiB, kStart);
+  EXPECT_EQ(account.owed(), 2 * kMiB);
+  account.OnReceived(3 * kMiB, kStart);
+  EXPECT_EQ(account.owed(), 3 * kMiB);
+}
+
 TEST(ConnectionAccount, OfARobotThatSendsOnAndOnStaysSmall) {
   constexpr int kFrames = 100'000;
   constexpr std::uint64_t kFrame = 1'500'000, kOnTheWire = 1'504'000;  // with TLS and HTTP/2
