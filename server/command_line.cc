@@ -74,6 +74,10 @@ void AddFlags(CLI::App& app, ServerOptions& options) {
   app.add_option("--max-streams-per-robot", options.max_streams_per_robot,
                  "Streams that one robot may have open, 1 to 10000")
       ->capture_default_str();
+  app.add_option("--max-streams-per-host", options.max_streams_per_host,
+                 "Streams that robots without token or certificate may have open from one host, 0 "
+                 "to 10000; 0 = half of all. Never fewer than one robot may")
+      ->capture_default_str();
   app.add_option("--max-message-mib", options.max_message_mib,
                  "Largest request in MiB, 1 to 1024; larger ones get RESOURCE_EXHAUSTED")
       ->capture_default_str();

@@ -63,6 +63,14 @@ ConnectionLimits ConnectionLimitsOf(const ServerOptions& options) {
                       .max_transfer = std::chrono::seconds(options.max_transfer_s)}};
 }
 
+StreamLimits StreamLimitsOf(const ServerOptions& options) {
+  const int per_robot = options.max_streams_per_robot, per_host = options.max_streams_per_host;
+  return {.max_streams = options.max_streams,
+          // A robot that a token names counts as a host of its own.
+          .max_per_host = std::max(per_host > 0 ? per_host : options.max_streams / 2, per_robot),
+          .max_per_robot = per_robot};
+}
+
 v1::GetServerInfoResponse InfoOf(const ServerOptions& options, const SchedulerLimits& limits) {
   v1::GetServerInfoResponse info;
   info.set_version(Version());
@@ -140,7 +148,7 @@ Server::Server(const ServerOptions& options, DetectFunction detect)
       answerer_(std::move(detect), options_, *metrics_, tracer_.get()),
       credentials_(options_),
       gate_keeper_(options_.tokens, credentials_.authority()),
-      stream_places_(options_.max_streams, options_.max_streams_per_robot),
+      stream_places_(StreamLimitsOf(options_)),
       connections_(ConnectionLimitsOf(options_)),
       service_(InfoOf(options_, limits_),
                OptionList({options_.client_options, options_.fixed_options}), *metrics_,

@@ -103,6 +103,7 @@ void Validate(const ServerOptions& options) {
   RequireRange("--tls-reload-s", options.tls_reload_s, 1, 86'400);
   RequireRange("--max-streams", options.max_streams, 1, 10'000);
   RequireRange("--max-streams-per-robot", options.max_streams_per_robot, 1, 10'000);
+  RequireRange("--max-streams-per-host", options.max_streams_per_host, 0, 10'000);
   RequireRange("--max-connections", options.max_connections, 1, 100'000);
   RequireRange("--max-connections-per-host", options.max_connections_per_host, 0, 100'000);
   RequireRange("--max-receiving-mib", options.max_receiving_mib, 16, 65'536);

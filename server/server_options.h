@@ -24,6 +24,9 @@ struct ServerOptions {
   // Streams that are open at once, of all robots and of one, 1 … 10000.
   int max_streams = 1000;
   int max_streams_per_robot = 16;
+  // Of one host where nobody vouches for names, 0 … 10000; 0 = half of them. Never fewer than of
+  // one robot.
+  int max_streams_per_host = 0;
   // Connections that are open at once, 1 … 100000; fewer where the limit of open files asks for it,
   // two of which each takes. Of one host, 0 … 100000; 0 = half of them.
   int max_connections = 1024, max_connections_per_host = 0;

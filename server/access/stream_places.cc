@@ -5,30 +5,46 @@
 #include "server/scheduling/scheduler.h"
 
 namespace fovea::server {
+namespace {
 
-StreamPlaces::Place StreamPlaces::Take(const std::string& robot) {
-  constexpr std::chrono::seconds kRetryAfter{1};
+// Throws where `key` has `max` streams open.
+template <typename Key>
+void RequireFewer(const std::map<Key, int>& counts, const Key& key, int max, const char* reason,
+                  const std::string& who) {
+  const auto found = counts.find(key);
+  if (found == counts.end() || found->second < max) return;
+  throw Overloaded(
+      reason, who + " has " + std::to_string(max) + " streams open, the most that one may have",
+      std::chrono::seconds{1});
+}
+
+template <typename Key>
+void CountDown(std::map<Key, int>& counts, const Key& key) {
+  if (--counts.at(key) == 0) counts.erase(key);
+}
+
+}  // namespace
+
+StreamPlaces::Place StreamPlaces::Take(const RobotId& robot) {
   const std::lock_guard lock(mutex_);
-  if (num_streams_ >= max_streams_) {
-    throw Overloaded("STREAM_LIMIT", "all " + std::to_string(max_streams_) + " streams are open",
-                     kRetryAfter);
+  if (num_streams_ >= limits_.max_streams) {
+    throw Overloaded("STREAM_LIMIT",
+                     "all " + std::to_string(limits_.max_streams) + " streams are open",
+                     std::chrono::seconds{1});
   }
-  const auto of_robot = by_robot_.find(robot);
-  if (of_robot != by_robot_.end() && of_robot->second >= max_per_robot_) {
-    throw Overloaded("ROBOT_STREAM_LIMIT",
-                     "this robot has " + std::to_string(max_per_robot_) +
-                         " streams open, the most that one may have",
-                     kRetryAfter);
-  }
+  RequireFewer(by_robot_, robot, limits_.max_per_robot, "ROBOT_STREAM_LIMIT", "this robot");
+  RequireFewer(by_group_, robot.group, limits_.max_per_host, "HOST_STREAM_LIMIT", "this host");
   ++num_streams_;
+  ++by_group_[robot.group];
   ++by_robot_[robot];
   return {this, [robot](StreamPlaces* places) { places->GiveBack(robot); }};
 }
 
-void StreamPlaces::GiveBack(const std::string& robot) {
+void StreamPlaces::GiveBack(const RobotId& robot) {
   const std::lock_guard lock(mutex_);
   --num_streams_;
-  if (--by_robot_.at(robot) == 0) by_robot_.erase(robot);
+  CountDown(by_group_, robot.group);
+  CountDown(by_robot_, robot);
 }
 
 }  // namespace fovea::server

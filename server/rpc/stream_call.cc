@@ -93,7 +93,7 @@ void StreamCall::Open() {
     Refuse(stopping, NameOf(stopping.error_code()));
     return;
   }
-  place_ = environment_.stream_places.Take(caller_.robot());
+  place_ = environment_.stream_places.Take(caller_.id());
   environment_.metrics.OnStreams(1);
   LimitAge();
   Read();

@@ -22,21 +22,27 @@ using client::Client;
 using client::ClientOptions;
 using ::testing::HasSubstr;
 
+// A stream that has had an answer.
+std::unique_ptr<client::DetectStream> OpenStream(const std::string& address,
+                                                 const std::string& robot) {
+  ClientOptions of_robot = PatientOptions();
+  of_robot.robot = robot;
+  auto stream = Client(address, of_robot).OpenStream(kPatience);
+  v1::DetectStreamRequest request;
+  *request.mutable_frame() = TestFrame();
+  stream->Send(request);
+  stream->Receive();
+  return stream;
+}
+
 TEST(Limits, StreamsAreCountedByRobotAndInAll) {
   server::ServerOptions options = LoopbackOptions();
-  options.max_streams = 3;
+  options.max_streams = options.max_streams_per_host = 3;
   options.max_streams_per_robot = 2;
   const Loopback loopback(FindOne, options);
   std::vector<std::unique_ptr<client::DetectStream>> open;
   const auto open_stream = [&](const std::string& robot) {
-    ClientOptions of_robot = PatientOptions();
-    of_robot.robot = robot;
-    auto stream = Client(loopback.server.Address(), of_robot).OpenStream(kPatience);
-    v1::DetectStreamRequest request;
-    *request.mutable_frame() = TestFrame();
-    stream->Send(request);
-    stream->Receive();
-    open.push_back(std::move(stream));
+    open.push_back(OpenStream(loopback.server.Address(), robot));
   };
   open_stream("a");
   open_stream("a");
@@ -51,6 +57,40 @@ TEST(Limits, StreamsAreCountedByRobotAndInAll) {
   open.clear();
   AwaitMetric(*loopback.server.metrics(), "fovea_streams", 0);
   open_stream("c");
+}
+
+TEST(Limits, ManyNamesOpenNoMoreStreamsThanOneHostMay) {
+  const TemporaryFolder folder;
+  server::ServerOptions options = LoopbackOptions();
+  options.listen.push_back("unix:" + folder.At("s"));
+  options.max_streams = 4;
+  options.max_streams_per_robot = 1;
+  const Loopback loopback(FindOne, options);
+  std::vector<std::unique_ptr<client::DetectStream>> open;
+  const auto open_stream = [&](const std::string& address, const std::string& robot) {
+    open.push_back(OpenStream(address, robot));
+  };
+  const std::string address = loopback.server.Address();
+  open_stream(address, "a");
+  open_stream(address, "b");
+  const grpc::Status full = StatusOf([&] { open_stream(address, "c"); });
+  EXPECT_EQ(full.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_THAT(full.error_message(), HasSubstr("this host has 2 streams open"));
+  const server::Metrics& metrics = *loopback.server.metrics();
+  EXPECT_EQ(MetricValue(metrics, "fovea_refused_total", "HOST_STREAM_LIMIT"), 1);
+  // Another host has its own, for a robot of the same name too.
+  open_stream(options.listen.back(), "a");
+  open_stream(options.listen.back(), "c");
+}
+
+TEST(Limits, ARobotMayHaveAllStreamsWhereTheOperatorSaysSo) {
+  server::ServerOptions options = LoopbackOptions();
+  options.max_streams = options.max_streams_per_robot = 3;
+  const Loopback loopback(FindOne, options);
+  std::vector<std::unique_ptr<client::DetectStream>> open;
+  for (int i = 0; i < 3; ++i) open.push_back(OpenStream(loopback.server.Address(), "a"));
+  EXPECT_EQ(StatusOf([&] { OpenStream(loopback.server.Address(), "b"); }).error_message(),
+            "all 3 streams are open");
 }
 
 TEST(Limits, MessagesAreBounded) {
