@@ -32,9 +32,7 @@ class Scene:
         return fovea.Frame(**(parts | changes))
 
 
-@pytest.fixture(scope="session")
-def scene(tmp_path_factory: pytest.TempPathFactory) -> Scene:
-    folder = tmp_path_factory.mktemp("scene")
+def make_scene(folder: Path) -> Scene:
     command = [os.environ["FOVEA_SCENES"], "--output", str(folder)]
     subprocess.run([*command, "--kind", "tabletop", "--size", "320x240"], check=True)
     color_file, depth_file = folder / "tabletop_1_color.png", folder / "tabletop_1_depth.png"
@@ -44,6 +42,11 @@ def scene(tmp_path_factory: pytest.TempPathFactory) -> Scene:
         np.array(Image.open(color_file)),
         np.array(Image.open(depth_file)).astype(np.uint16),
     )
+
+
+@pytest.fixture(scope="session")
+def scene(tmp_path_factory: pytest.TempPathFactory) -> Scene:
+    return make_scene(tmp_path_factory.mktemp("scene"))
 
 
 @pytest.fixture(scope="session")
