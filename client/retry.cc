@@ -56,7 +56,7 @@ class AttemptMaker {
     PrepareCall(options_,
                 std::chrono::duration_cast<milliseconds>(deadline_ - Servers::Clock::now()),
                 &context);
-    if (ask.in_line_elsewhere) context.AddMetadata("fovea-in-line-elsewhere", "1");
+    if (ask.only_if_room) context.AddMetadata("fovea-only-if-room", "1");
     const grpc::Status status = call_(*ask.server->stub, &context);
     if (status.ok()) {
       attempt->answered = true;
@@ -72,9 +72,7 @@ class AttemptMaker {
                status.error_code() == grpc::StatusCode::DEADLINE_EXCEEDED) {
       round.OnAway();  // the next call is made to another one
     }
-    // Of what others say while the home has a place, nothing matters.
-    const bool is_aside = ask.in_line_elsewhere && attempt->is_worth_another;
-    if (!is_aside) attempt->error.emplace(status, retry_after);
+    attempt->error.emplace(status, retry_after);  // the last one's is of whom the client waits for
   }
 
   Servers& servers_;

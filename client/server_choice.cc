@@ -8,8 +8,6 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kFirstAway{100}, kLongestAway{5000};
-// A move costs a place in line: it has to be worth it, and what servers say is a guess.
-constexpr double kMuchSooner = 0.8;
 constexpr int kAnswersToMove = 2;
 
 }  // namespace
@@ -94,44 +92,43 @@ std::string ServerChoice::Another(const std::set<std::string>& except, bool only
 std::optional<ServerRound::Ask> ServerRound::Next(Clock::time_point now) {
   if (choice_.size() == 0) return std::nullopt;
   if (!last_) {
-    last_ = Ask{choice_.Home(now)};
-  } else if (wait_) {
-    last_ = has_moved_ || !asks_others_ ? std::nullopt : AskAnother(now);
-    if (!last_) return std::nullopt;
+    last_ = AskHome(choice_.Home(now), now);
+  } else if (wait_ || (least_wait_ && !last_->only_if_room)) {
+    return std::nullopt;
+  } else if (least_wait_) {
+    last_ = AskAnother(now);
   } else {  // the home is away
     const std::string next = choice_.Another(asked_, /*only_there=*/false, now);
-    if (next.empty() || has_moved_) return std::nullopt;
-    choice_.home_ = next;
-    last_ = Ask{next};
+    if (next.empty()) return std::nullopt;
+    last_ = AskHome(next, now);
   }
   asked_.insert(last_->server);
   return last_;
 }
 
-std::optional<ServerRound::Ask> ServerRound::AskAnother(Clock::time_point now) {
-  if (num_others_ < kMaxOthers) {
-    const std::string next = choice_.Another(asked_, /*only_there=*/true, now);
-    if (!next.empty()) {
-      ++num_others_;
-      return Ask{next, /*in_line_elsewhere=*/true};
-    }
-  }
-  return Move();
+// For a place in line at once where there is nobody else to ask.
+ServerRound::Ask ServerRound::AskHome(const std::string& home, Clock::time_point now) {
+  choice_.home_ = home;
+  std::set<std::string> asked = asked_;
+  asked.insert(home);
+  const bool has_others = !choice_.Another(asked, /*only_there=*/true, now).empty();
+  return {home, /*only_if_room=*/asks_others_ && has_others};
 }
 
-// Asks for a place in line there.
-std::optional<ServerRound::Ask> ServerRound::Move() {
-  if (!least_wait_ || *least_wait_ >= *wait_ * kMuchSooner) return std::nullopt;
-  has_moved_ = true;
-  wait_.reset();
+// For room; once nobody is left, whoever said the least for a place.
+ServerRound::Ask ServerRound::AskAnother(Clock::time_point now) {
+  if (num_others_++ < kMaxOthers) {
+    const std::string next = choice_.Another(asked_, /*only_there=*/true, now);
+    if (!next.empty()) return {next, /*only_if_room=*/true};
+  }
   choice_.home_ = least_;
-  return Ask{least_};
+  return {least_};
 }
 
 void ServerRound::OnAnswered() { choice_.OnAnswered(last_->server); }
 
 void ServerRound::OnRefused(milliseconds retry_after) {
-  if (!last_->in_line_elsewhere) {
+  if (!last_->only_if_room) {
     wait_ = retry_after;
   } else if (!least_wait_ || retry_after < *least_wait_) {
     least_wait_ = retry_after;

@@ -1,9 +1,11 @@
 // Which of several servers a client asks. Knows no network and no clock.
 //
-// A client stays with one server, its home, since it has a place in line there. When that refuses,
-// the others are asked once whether they have room at once; the home changes where another one
-// takes its calls twice in a row, or promises to be free much sooner. Servers that are away are
-// left alone for a while that doubles. Without a home, one is chosen by chance.
+// A client stays with one server, its home. When that has no room, others are asked for it; where
+// none has any, the client asks for a place in line where the wait is least, and that is its home
+// from then on. Until then nobody keeps a place for it: one that it does not take would hold up
+// those behind it. The home changes as well where another one takes its calls twice in a row.
+// Servers that are away are left alone for a while that doubles. Without a home, one is chosen by
+// chance.
 #pragma once
 
 #include <chrono>
@@ -61,18 +63,19 @@ class ServerChoice {
   int num_elsewhere_ = 0;  // answers in a row that did not come from home
 };
 
-// One call's way around the servers: each is asked once at most, but a server that the home is
-// moved to once more.
+// One call's way around the servers: each is asked once at most for room, then one for a place in
+// line.
 class ServerRound {
  public:
   using Clock = ServerChoice::Clock;
 
   struct Ask {
     std::string server;
-    bool in_line_elsewhere = false;  // the home has a place for this client
+    bool only_if_room = false;  // else it is to keep a place in line
   };
 
-  // `asks_others`: where the home refuses. Whoever has asked them and waits need not do so again.
+  // `asks_others`: where the home has no room. Whoever has asked them and waits in line need not do
+  // so again.
   ServerRound(ServerChoice& choice, bool asks_others)
       : choice_(choice), asks_others_(asks_others) {}
 
@@ -82,12 +85,12 @@ class ServerRound {
   void OnRefused(std::chrono::milliseconds retry_after);
   void OnAway(Clock::time_point now);
 
-  // When the home says to come back; none where it did not refuse.
+  // When whoever keeps a place says to come back; none where nobody does.
   const std::optional<std::chrono::milliseconds>& wait() const { return wait_; }
 
  private:
-  std::optional<Ask> AskAnother(Clock::time_point now);
-  std::optional<Ask> Move();
+  Ask AskHome(const std::string& home, Clock::time_point now);
+  Ask AskAnother(Clock::time_point now);
 
   // The most that one refusal makes others do, however many there are.
   static constexpr int kMaxOthers = 3;
@@ -96,10 +99,9 @@ class ServerRound {
   const bool asks_others_;
   std::optional<Ask> last_;
   std::set<std::string> asked_;
-  std::optional<std::chrono::milliseconds> wait_, least_wait_;  // of home; of the others
+  std::optional<std::chrono::milliseconds> wait_, least_wait_;  // in line; without a place
   std::string least_;                                           // who said that
   int num_others_ = 0;
-  bool has_moved_ = false;
 };
 
 }  // namespace fovea::client

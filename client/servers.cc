@@ -96,8 +96,8 @@ std::optional<Servers::Round::Ask> Servers::Round::Next() {
       round_.OnAway(Clock::now());
       continue;
     }
-    if (!next->in_line_elsewhere) home_ = server;
-    return Ask{std::move(server), next->in_line_elsewhere};
+    if (!next->only_if_room) home_ = server;
+    return Ask{std::move(server), next->only_if_room};
   }
   return std::nullopt;
 }

@@ -52,7 +52,7 @@ class Servers {
    public:
     struct Ask {
       Pointer server;
-      bool in_line_elsewhere = false;
+      bool only_if_room = false;
     };
 
     Round(Servers& servers, bool asks_others, Clock::time_point deadline);

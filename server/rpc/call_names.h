@@ -18,7 +18,7 @@ constexpr const char* kRobotKey = "fovea-robot";
 constexpr const char* kRequestIdKey = "fovea-request-id";
 // Given, with whatever value, where the robot has a place in line at another server and asks
 // whether there is room here at once.
-constexpr const char* kInLineElsewhereKey = "fovea-in-line-elsewhere";
+constexpr const char* kOnlyIfRoomKey = "fovea-only-if-room";
 
 // The name that turns are taken by: `fovea-robot`, else the peer's host, since all connections of
 // one machine are one robot.

@@ -29,7 +29,7 @@ void Caller::Identify(const GateKeeper& gate_keeper) {
   admission_ = gate_keeper.Admit(*context_);
   request_id_ = RequestId(context_->client_metadata());
   trace_ = TraceOf(context_->client_metadata());
-  is_in_line_elsewhere_ = context_->client_metadata().contains(kInLineElsewhereKey);
+  comes_only_if_room_ = context_->client_metadata().contains(kOnlyIfRoomKey);
   context_->AddTrailingMetadata(kRequestIdKey, request_id_);
   peer_ = context_->peer();
   owed_ = connections_.Admit(peer_);

@@ -44,7 +44,7 @@ class Caller {
   // Of the caller, where it sends one.
   const std::optional<TraceContext>& trace() const { return trace_; }
   // Whether it only asks for room here, and will not come back by what it is told.
-  bool is_in_line_elsewhere() const { return is_in_line_elsewhere_; }
+  bool comes_only_if_room() const { return comes_only_if_room_; }
 
   // A message of this call has come; it will have none (any more). Both keep account of what the
   // connection has sent.
@@ -81,7 +81,7 @@ class Caller {
   Admission admission_;
   std::string request_id_;
   std::optional<TraceContext> trace_;
-  bool is_in_line_elsewhere_ = false;
+  bool comes_only_if_room_ = false;
   ConnectionTable& connections_;
   std::string peer_;        // empty until the call is let in
   std::uint64_t owed_ = 0;  // by the connection after the last message, or when the call began

@@ -55,7 +55,7 @@ void DetectCall::OnCall() {
     caller_.Identify(environment_.gate_keeper);
     environment_.metrics.OnReceived(caller_.robot());
     // Else a frame comes whole before it is refused, which takes time of both sides.
-    upload_ = environment_.scheduler.Enter(caller_.id(), caller_.is_in_line_elsewhere()
+    upload_ = environment_.scheduler.Enter(caller_.id(), caller_.comes_only_if_room()
                                                              ? Scheduler::IfFull::kForget
                                                              : Scheduler::IfFull::kKeepPlace);
     transfer_.Begin(shared_from_this());

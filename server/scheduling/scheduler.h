@@ -67,7 +67,7 @@ class Scheduler {
   // What becomes of a robot that is turned away.
   enum class IfFull {
     kKeepPlace,  // it is to come back when it is told to
-    kForget,     // it asks here while it has a place in line elsewhere
+    kForget,     // it asks several servers, and comes to one of them
   };
 
   explicit Scheduler(const SchedulerLimits& limits);

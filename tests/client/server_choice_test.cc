@@ -45,40 +45,47 @@ TEST_F(TwoServers, ClientsAreSpread) {
   EXPECT_EQ(homes.size(), 2U);
 }
 
-TEST_F(TwoServers, AfterARefusalTheOtherIsAskedAndTheHomeWaitedFor) {
+TEST_F(TwoServers, AllAreAskedForRoomBeforeOneKeepsAPlace) {
   const std::string home = Home();
   ServerRound round = Round();
-  EXPECT_FALSE(round.Next(kNow)->in_line_elsewhere);
+  const auto first = round.Next(kNow);
+  EXPECT_EQ(first->server, home);
+  EXPECT_TRUE(first->only_if_room);
   round.OnRefused(milliseconds(100));
-  const auto aside = round.Next(kNow);
-  EXPECT_EQ(aside->server, Other(home));
-  EXPECT_TRUE(aside->in_line_elsewhere);
-  round.OnRefused(milliseconds(90));
+  const auto second = round.Next(kNow);
+  EXPECT_EQ(second->server, Other(home));
+  EXPECT_TRUE(second->only_if_room);
+  round.OnRefused(milliseconds(100));
+  EXPECT_FALSE(round.wait());
+  const auto last = round.Next(kNow);
+  EXPECT_EQ(last->server, home);
+  EXPECT_FALSE(last->only_if_room);
+  round.OnRefused(milliseconds(110));
   EXPECT_FALSE(round.Next(kNow));
-  EXPECT_EQ(round.wait(), milliseconds(100));
+  EXPECT_EQ(round.wait(), milliseconds(110));
   EXPECT_EQ(Home(), home);
 }
 
 TEST_F(TwoServers, WhoWaitsInLineAsksOnlyThere) {
   ServerRound round = Round(/*asks_others=*/false);
-  round.Next(kNow);
+  EXPECT_FALSE(round.Next(kNow)->only_if_room);
   round.OnRefused(milliseconds(100));
   EXPECT_FALSE(round.Next(kNow));
 }
 
-TEST_F(TwoServers, MovesToWhereItIsMuchSooner) {
+TEST_F(TwoServers, MovesToWhereItIsSooner) {
   const std::string home = Home();
   ServerRound round = Round();
   round.Next(kNow);
   round.OnRefused(milliseconds(100));
   round.Next(kNow);
-  round.OnRefused(milliseconds(79));
+  round.OnRefused(milliseconds(99));
   const auto moved = round.Next(kNow);  // for a place in line
   EXPECT_EQ(moved->server, Other(home));
-  EXPECT_FALSE(moved->in_line_elsewhere);
-  round.OnRefused(milliseconds(85));
+  EXPECT_FALSE(moved->only_if_room);
+  round.OnRefused(milliseconds(105));
   EXPECT_FALSE(round.Next(kNow));
-  EXPECT_EQ(round.wait(), milliseconds(85));
+  EXPECT_EQ(round.wait(), milliseconds(105));
   EXPECT_EQ(Home(), Other(home));
 }
 
@@ -102,7 +109,7 @@ TEST_F(TwoServers, LeavesWhoIsAwayAndReturnsForAReasonOnly) {
   round.OnAway(kNow);
   const auto next = round.Next(kNow);
   EXPECT_EQ(next->server, Other(home));
-  EXPECT_FALSE(next->in_line_elsewhere);
+  EXPECT_FALSE(next->only_if_room);  // there is nobody else
   round.OnAnswered();
   EXPECT_EQ(choice_.Home(kNow + std::chrono::hours(1)), Other(home));
 }
@@ -124,7 +131,7 @@ TEST_F(TwoServers, AsksEachOnceWhereAllAreAway) {
 TEST_F(TwoServers, AsksNobodyAsideWhoIsAway) {
   choice_.OnAway(Other(Home()), kNow);
   ServerRound round = Round();
-  round.Next(kNow);
+  EXPECT_FALSE(round.Next(kNow)->only_if_room);
   round.OnRefused(milliseconds(100));
   EXPECT_FALSE(round.Next(kNow));
 }
@@ -157,12 +164,15 @@ TEST(ServerChoice, AsksThreeOthersAtMost) {
   ServerChoice choice(1);
   choice.SetServers({"a", "b", "c", "d", "e", "f"});
   ServerRound round(choice, /*asks_others=*/true);
-  int asked = 0;
-  while (round.Next(kNow)) {
-    ++asked;
+  std::set<std::string> asked;
+  int asks = 0;
+  while (const auto ask = round.Next(kNow)) {
+    ++asks;
+    asked.insert(ask->server);
     round.OnRefused(milliseconds(100));
   }
-  EXPECT_EQ(asked, 4);
+  EXPECT_EQ(asked.size(), 4U);
+  EXPECT_EQ(asks, 5);  // the last one for a place
 }
 
 TEST(ServerChoice, AsksNobodyWhereThereIsNone) {

@@ -28,7 +28,14 @@ using fovea::load::Outcome;
 using fovea::load::RobotPlan;
 
 void AddFlags(CLI::App& app, Flags& flags) {
-  app.add_option("--server", flags.server, "Address of the server")->capture_default_str();
+  app.add_option("--server", flags.server, "Address of the server; several with commas between")
+      ->capture_default_str();
+  app.add_option("--hold", flags.hold,
+                 "So many robots hold to the first server, so many to the second, …; else the "
+                 "client chooses")
+      ->delimiter(',');
+  app.add_flag("--turns", flags.turns,
+               "Robots ask the servers in turns, call by call or, with --stream, one by one");
   app.add_option("--robots", flags.robots, "How many")->check(CLI::Range(1, 1000));
   app.add_option("--seconds", flags.seconds, "How long")->check(CLI::Range(1, 86'400));
   app.add_option("--warm-up", flags.warm_up, "Seconds before that, of which nothing is counted")

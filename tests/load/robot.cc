@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <future>
+#include <memory>
 #include <mutex>
 #include <thread>
 
@@ -11,6 +12,7 @@ namespace fovea::load {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using Clients = std::vector<std::unique_ptr<client::Client>>;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kTimeout{30'000}, kWaitAfterError{1000};
@@ -65,17 +67,18 @@ class Pace {
   Clock::time_point next_ = Clock::now();
 };
 
-Outcome CallOneByOne(const client::Client& client, const RobotPlan& plan,
-                     const std::stop_token& stop) {
+Outcome CallOneByOne(const Clients& clients, const RobotPlan& plan, const std::stop_token& stop) {
   Outcome outcome;
   v1::DetectRequest request;
   *request.mutable_frame() = plan.frame;
   Outcome not_noted;
+  std::size_t turn = 0;
   for (Pace pace(plan.rate_hz, plan.phase); !stop.stop_requested(); pace.Wait()) {
     const Clock::time_point sent = Clock::now();
     Outcome& noted = sent < plan.noted_from ? not_noted : outcome;
     ++noted.sent;
     try {
+      const client::Client& client = *clients[turn++ % clients.size()];
       Note(client.Detect(request, kTimeout).detections(), sent, &noted);
     } catch (const client::RpcError& error) {
       ++noted.errors[CodeName(error)];
@@ -148,12 +151,11 @@ Outcome Stream(const client::Client& client, const RobotPlan& plan, const std::s
   return outcome;
 }
 
-Outcome CallAtOnce(const client::Client& client, const RobotPlan& plan,
-                   const std::stop_token& stop) {
+Outcome CallAtOnce(const Clients& clients, const RobotPlan& plan, const std::stop_token& stop) {
   std::vector<std::future<Outcome>> callers;
   callers.reserve(static_cast<std::size_t>(plan.calls_at_once));
   for (int i = 0; i < plan.calls_at_once; ++i) {
-    callers.push_back(std::async(std::launch::async, CallOneByOne, std::cref(client),
+    callers.push_back(std::async(std::launch::async, CallOneByOne, std::cref(clients),
                                  std::cref(plan), std::cref(stop)));
   }
   std::vector<Outcome> outcomes;
@@ -185,9 +187,13 @@ Outcome RunRobot(const RobotPlan& plan, const std::stop_token& stop) {
   client::ClientOptions options;
   options.robot = plan.name;
   if (!plan.retry) options.retry.max_attempts = 1;  // refusals are to be seen
-  const client::Client client(plan.server, options);
-  client.WaitUntilReady(kTimeout);
-  Outcome outcome = plan.stream ? Stream(client, plan, stop) : CallAtOnce(client, plan, stop);
+  Clients clients;
+  for (const std::string& server : plan.servers) {
+    clients.push_back(std::make_unique<client::Client>(server, options));
+    clients.back()->WaitUntilReady(kTimeout);
+  }
+  Outcome outcome =
+      plan.stream ? Stream(*clients.front(), plan, stop) : CallAtOnce(clients, plan, stop);
   outcome.role = plan.role;
   return outcome;
 }

@@ -13,7 +13,8 @@
 namespace fovea::load {
 
 struct RobotPlan {
-  std::string server, name, role;
+  std::vector<std::string> servers;  // addresses that are asked in turns, a client for each
+  std::string name, role;
   double rate_hz = 0;  // 0 = the next frame as soon as the last one is answered
   double phase = 0;    // of the first frame, as a share of the time between two
   bool stream = false;

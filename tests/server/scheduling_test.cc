@@ -183,10 +183,10 @@ TEST(Scheduling, LetsInFirstWhomItTurnedAwayFirst) {
   EXPECT_THAT(those_in_line.Answered(), ElementsAre("third"));
 }
 
-TEST(Scheduling, KeepsNoPlaceForWhoIsInLineElsewhere) {
+TEST(Scheduling, KeepsNoPlaceForWhoComesOnlyIfThereIsRoom) {
   Held held(OneThread(/*max_waiting=*/0, /*max_per_robot=*/10));
   Call call(held.loopback, "second");
-  call.context.AddMetadata("fovea-in-line-elsewhere", "1");
+  call.context.AddMetadata("fovea-only-if-room", "1");
   EXPECT_EQ(call.Run().error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
   EXPECT_THAT(RefusalOf(held.loopback, "third"), Not(HasSubstr("in line")));
   EXPECT_THAT(RefusalOf(held.loopback, "fourth"), HasSubstr("1 robots in line"));

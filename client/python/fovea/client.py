@@ -62,8 +62,8 @@ class Client:
         address: HOST:PORT (IPv6 in brackets), unix:/PATH, or several of these with commas between
             them; else InvalidArgument is raised. A name stands for all addresses that it has, and
             is looked up again when something fails. Of several servers the client stays with one,
-            chosen by chance, asks the others as soon as that refuses or is away, and goes to another
-            one where that takes its calls or promises to be free much sooner.
+            chosen by chance, asks the others as soon as that has no room or is away, and goes to
+            another one where that takes its calls or promises to be free sooner.
         timeout: of a call that is given none.
         max_answer_mib: largest answer; the clouds of a 2048x1536 frame are 45 MiB.
         tls: encrypts where it is given.
@@ -225,10 +225,10 @@ class Client:
     def _call(
         self, method: Callable[[Any], Any], request: object, timeout: float | None = None
     ) -> Any:
-        def call(server: Server, seconds_left: float, in_line_elsewhere: bool) -> Any:
+        def call(server: Server, seconds_left: float, only_if_room: bool) -> Any:
             metadata = list(self._metadata)
-            if in_line_elsewhere:
-                metadata.append(("fovea-in-line-elsewhere", "1"))
+            if only_if_room:
+                metadata.append(("fovea-only-if-room", "1"))
             with self._errors():
                 return method(server.stub)(request, timeout=seconds_left, metadata=metadata)
 

@@ -36,9 +36,8 @@ def call_with_retries(
     options: RetryOptions,
     wait: Callable[[Server | None, float], None],
 ) -> Answer:
-    """Makes call(server, seconds left, whether there is a place in line elsewhere): around the
-    servers until one answers, and again if need be and while `timeout` allows. A way around is one
-    attempt.
+    """Makes call(server, seconds left, whether to keep no place in line): around the servers until one
+    answers, and again if need be and while `timeout` allows. A way around is one attempt.
 
     wait(server, seconds) waits before the next attempt, or raises where there is to be none. Raises
     the error of the last attempt where none succeeds; of refusals the one of the server that it
@@ -64,18 +63,18 @@ def _go_around(
     way: Round, call: Callable[[Server, float, bool], Answer], deadline: float
 ) -> Answer:
     failure: FoveaError = Unavailable("UNAVAILABLE", "there is no server")
-    for server, in_line_elsewhere in way.asks():
+    for server, only_if_room in way.asks():
         try:
-            answer = call(server, deadline - time.monotonic(), in_line_elsewhere)
+            answer = call(server, deadline - time.monotonic(), only_if_room)
             way.on_answered()
             return answer
         except Overloaded as error:
             way.on_refused(error.retry_after)
-            failure = failure if in_line_elsewhere else error
+            failure = error
         except FoveaError as error:
             if is_worth_retrying(error) or isinstance(error, DeadlineExceeded):
                 way.on_away()  # the next call is made to another one
             if not is_worth_retrying(error):
                 raise
-            failure = failure if in_line_elsewhere else error
-    raise failure
+            failure = error
+    raise failure  # the last one's is of whom the client waits for

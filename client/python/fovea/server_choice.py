@@ -1,9 +1,11 @@
 """Which of several servers a client asks. Knows no network and no clock.
 
-A client stays with one server, its home, since it has a place in line there. When that refuses, the
-others are asked once whether they have room at once; the home changes where another one takes its
-calls twice in a row, or promises to be free much sooner. Servers that are away are left alone for a
-while that doubles. Without a home, one is chosen by chance. The same as client/server_choice.h.
+A client stays with one server, its home. When that has no room, others are asked for it; where none
+has any, the client asks for a place in line where the wait is least, and that is its home from then
+on. Until then nobody keeps a place for it: one that it does not take would hold up those behind it.
+The home changes as well where another one takes its calls twice in a row. Servers that are away are
+left alone for a while that doubles. Without a home, one is chosen by chance. The same as
+client/server_choice.h.
 """
 
 from __future__ import annotations
@@ -13,8 +15,6 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 _FIRST_AWAY, _LONGEST_AWAY = 0.1, 5.0
-# A move costs a place in line: it has to be worth it, and what servers say is a guess.
-_MUCH_SOONER = 0.8
 _ANSWERS_TO_MOVE = 2
 # The most that one refusal makes others do, however many there are.
 _MAX_OTHERS = 3
@@ -29,7 +29,7 @@ class _State:
 @dataclass(frozen=True)
 class Ask:
     server: str
-    in_line_elsewhere: bool = False  # the home has a place for this client
+    only_if_room: bool = False  # else it is to keep a place in line
 
 
 class ServerChoice:
@@ -95,26 +95,27 @@ class ServerChoice:
 
 
 class ServerRound:
-    """One call's way around the servers: each is asked once at most, but a server that the home is
-    moved to once more."""
+    """One call's way around the servers: each is asked once at most for room, then one for a place
+    in line."""
 
     def __init__(self, choice: ServerChoice, asks_others: bool) -> None:
-        """asks_others: where the home refuses."""
-        self.wait: float | None = None  # when the home says to come back
+        """asks_others: where the home has no room."""
+        self.wait: float | None = None  # when whoever keeps a place says to come back
         self._choice = choice
-        self._others_left = _MAX_OTHERS if asks_others else 0
+        self._asks_others = asks_others
+        self._others_left = _MAX_OTHERS
         self._last: Ask | None = None
         self._asked: set[str] = set()
-        self._least: tuple[float, str] | None = None  # of the others
-        self._has_moved = False
+        self._least: tuple[float, str] | None = None  # without a place
 
     def next(self, now: float) -> Ask | None:
         """Whom to ask next; None once nobody is left that promises anything. Then one of the
         following is to be called."""
-        self._last = self._next(now)
-        if self._last:
-            self._asked.add(self._last.server)
-        return self._last
+        ask = self._next(now)
+        if ask:
+            self._last = ask
+            self._asked.add(ask.server)
+        return ask
 
     def on_answered(self) -> None:
         assert self._last
@@ -122,7 +123,7 @@ class ServerRound:
 
     def on_refused(self, retry_after: float) -> None:
         assert self._last
-        if not self._last.in_line_elsewhere:
+        if not self._last.only_if_room:
             self.wait = retry_after
         elif self._least is None or retry_after < self._least[0]:
             self._least = retry_after, self._last.server
@@ -132,26 +133,26 @@ class ServerRound:
         self._choice.on_away(self._last.server, now)
 
     def _next(self, now: float) -> Ask | None:
-        if not self._asked:
-            return Ask(self._choice.home(now))
-        if self._has_moved:
+        if not self._last:
+            return self._ask_home(self._choice.home(now), now)
+        if self.wait is not None or (self._least and not self._last.only_if_room):
             return None
-        if self.wait is None:  # the home is away
-            name = self._choice.another(self._asked, now, only_there=False)
-            if name:
-                self._choice.move(name)
-            return Ask(name) if name else None
+        if self._least:
+            return self._ask_another(self._least[1], now)
+        name = self._choice.another(self._asked, now, only_there=False)  # the home is away
+        return self._ask_home(name, now) if name else None
+
+    def _ask_home(self, name: str, now: float) -> Ask:
+        """For a place in line at once where there is nobody else to ask."""
+        self._choice.move(name)
+        has_others = bool(self._choice.another(self._asked | {name}, now, only_there=True))
+        return Ask(name, only_if_room=self._asks_others and has_others)
+
+    def _ask_another(self, least: str, now: float) -> Ask:
+        """For room; once nobody is left, whoever said the least for a place."""
         if self._others_left:
             self._others_left -= 1
-            name = self._choice.another(self._asked, now, only_there=True)
-            if name:
-                return Ask(name, in_line_elsewhere=True)
-        return self._move()
-
-    def _move(self) -> Ask | None:
-        """Asks for a place in line there."""
-        if self._least is None or self.wait is None or self._least[0] >= self.wait * _MUCH_SOONER:
-            return None
-        self._has_moved, self.wait = True, None
-        self._choice.move(self._least[1])
-        return Ask(self._least[1])
+            if name := self._choice.another(self._asked, now, only_there=True):
+                return Ask(name, only_if_room=True)
+        self._choice.move(least)
+        return Ask(least)

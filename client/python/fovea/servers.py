@@ -159,7 +159,7 @@ class Round:
         self.home: Server | None = None  # whom to wait for
 
     def asks(self) -> Iterator[tuple[Server, bool]]:
-        """Servers, and whether the client has a place in line elsewhere."""
+        """Servers, and whether they are to keep no place in line."""
         while True:
             with self._servers._lock:
                 ask = self._round.next(time.monotonic())
@@ -171,9 +171,9 @@ class Round:
             if not server:  # no longer one of them, by another thread's lookup
                 self.on_away()
                 continue
-            if not ask.in_line_elsewhere:
+            if not ask.only_if_room:
                 self.home = server
-            yield server, ask.in_line_elsewhere
+            yield server, ask.only_if_room
 
     @property
     def wait(self) -> float | None:

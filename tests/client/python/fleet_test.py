@@ -27,28 +27,38 @@ def other(name: str) -> str:
     return "b" if name == "a" else "a"
 
 
-def test_after_a_refusal_the_other_is_asked_and_the_home_waited_for(choice: ServerChoice) -> None:
+def test_all_are_asked_for_room_before_one_keeps_a_place(choice: ServerChoice) -> None:
     home = choice.home(NOW)
     way = ServerRound(choice, asks_others=True)
+    assert way.next(NOW) == Ask(home, only_if_room=True)
+    way.on_refused(0.1)
+    assert way.next(NOW) == Ask(other(home), only_if_room=True)
+    way.on_refused(0.1)
+    assert way.wait is None
     assert way.next(NOW) == Ask(home)
-    way.on_refused(0.1)
-    assert way.next(NOW) == Ask(other(home), in_line_elsewhere=True)
-    way.on_refused(0.09)
+    way.on_refused(0.11)
     assert way.next(NOW) is None
-    assert (way.wait, choice.home(NOW)) == (0.1, home)
+    assert (way.wait, choice.home(NOW)) == (0.11, home)
 
 
-def test_moves_to_where_it_is_much_sooner(choice: ServerChoice) -> None:
+def test_moves_to_where_it_is_sooner(choice: ServerChoice) -> None:
     home = choice.home(NOW)
     way = ServerRound(choice, asks_others=True)
     way.next(NOW)
     way.on_refused(0.1)
     way.next(NOW)
-    way.on_refused(0.079)
+    way.on_refused(0.099)
     assert way.next(NOW) == Ask(other(home))  # for a place in line
-    way.on_refused(0.085)
+    way.on_refused(0.105)
     assert way.next(NOW) is None
-    assert (way.wait, choice.home(NOW)) == (0.085, other(home))
+    assert (way.wait, choice.home(NOW)) == (0.105, other(home))
+
+
+def test_who_waits_in_line_asks_only_there(choice: ServerChoice) -> None:
+    way = ServerRound(choice, asks_others=False)
+    assert way.next(NOW) == Ask(choice.home(NOW))
+    way.on_refused(0.1)
+    assert way.next(NOW) is None
 
 
 def test_moves_to_whoever_answers_twice_in_a_row(choice: ServerChoice) -> None:
