@@ -62,9 +62,10 @@ void WarnOfTokens(const fovea::server::ServerOptions& options,
 
 std::unique_ptr<SelfCheck> MakeSelfCheck(const fovea::server::ServerOptions& options,
                                          fovea::server::Server& server) {
-  if (options.self_check_s == 0) return nullptr;
+  const auto period = fovea::server::CheckPeriod(std::chrono::seconds(options.self_check_s));
+  if (period.count() == 0) return nullptr;
   return std::make_unique<SelfCheck>(
-      server.door(), fovea::server::CheckPeriod(std::chrono::seconds(options.self_check_s)),
+      server.door(), period,
       SelfCheck::Listener{.on_answer = fovea::server::NotifyAlive, .on_failure = GiveUp});
 }
 
@@ -127,7 +128,11 @@ int Run(int argc, char** argv) {
   WarnOfTokens(*options, server);
   life.Watch(MakeSelfCheck(*options, server));
   fovea::server::NotifyReady();
-  while (WaitFor(signals) == SIGHUP) fovea::server::Reload(argc, argv, server, &settings);
+  while (WaitFor(signals) == SIGHUP) {
+    fovea::server::NotifyReloading();
+    fovea::server::Reload(argc, argv, server, &settings);
+    fovea::server::NotifyReady();
+  }
   fovea::server::NotifyStopping();
   life.Watch(nullptr);
   StopGently(server, *options, signals);

@@ -34,8 +34,8 @@ struct ServerOptions {
   int max_receiving_mib = 512;
   // How long a message may take to come, and an answer to be taken, 1 … 3600 s.
   int max_transfer_s = 30;
-  // How often the server asks itself for its health through its own door, 0 … 3600 s; 0 = never.
-  // It ends when it does not answer itself three times in a row.
+  // How often the server asks itself for its health through its own door, 0 … 3600 s; 0 = never,
+  // unless systemd's watchdog asks. It ends when it does not answer itself three times in a row.
   int self_check_s = 10;
   // A connection without a call is closed after this, 1 … 86400 s: gRPC 1.51 does not bound them,
   // and a client that was destroyed while it connected keeps its connection.

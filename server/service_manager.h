@@ -7,11 +7,14 @@
 namespace fovea::server {
 
 void NotifyReady();
+// Until NotifyReady is called again.
+void NotifyReloading();
 void NotifyStopping();
 // Within WatchdogSec of the last time, else systemd restarts the service.
 void NotifyAlive();
 
-// `wanted`, or less where the watchdog asks for it: a third of its time.
+// `wanted`, where 0 = never, or less where the watchdog asks for it: a third of its time, 1 s at
+// least.
 std::chrono::seconds CheckPeriod(std::chrono::seconds wanted);
 
 }  // namespace fovea::server
