@@ -177,6 +177,12 @@ void Server::AddGauges() {
   metrics_->AddCounter("fovea_connections_ended_total",
                        "Connections that held more, or longer, than they may, or made room",
                        [this] { return static_cast<double>(connections_.counts().ended); });
+  if (credentials_.has_tls()) {
+    metrics_->AddGauge(
+        "fovea_certificate_expiry_timestamp_seconds",
+        "When the server's certificate expires, in seconds since 1970",
+        [this] { return static_cast<double>(CertificateExpiry()->time_since_epoch().count()); });
+  }
   metrics_->AddGauge("fovea_compute_threads", "Frames that can be computed at once",
                      [this] { return static_cast<double>(limits_.num_threads); });
 }

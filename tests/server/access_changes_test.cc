@@ -43,6 +43,18 @@ std::unique_ptr<client::DetectStream> OpenStream(const Client& client) {
   return stream;
 }
 
+std::chrono::sys_seconds ExpiryOf(const PemPair& pair) {
+  return server::ExpiryOf(*server::CertificatesOf(pair.certificate).front());
+}
+
+double SecondsOf(std::chrono::sys_seconds time) {
+  return static_cast<double>(time.time_since_epoch().count());
+}
+
+double ExpiryMetric(const Loopback& loopback) {
+  return MetricValue(*loopback.server.metrics(), "fovea_certificate_expiry_timestamp_seconds");
+}
+
 class AccessChanges : public ::testing::Test {
  protected:
   AccessChanges() {
@@ -100,6 +112,8 @@ TEST_F(AccessChanges, ServesTheOldCertificateUntilTheNewKeyIsThere) {
   while (!serves(other)) {
   }
   EXPECT_FALSE(serves(authority_));
+  EXPECT_EQ(loopback.server.CertificateExpiry(), ExpiryOf(pair));
+  EXPECT_EQ(ExpiryMetric(loopback), SecondsOf(ExpiryOf(pair)));
 }
 
 TEST_F(AccessChanges, SaysWhenTheCertificateExpires) {
@@ -110,7 +124,10 @@ TEST_F(AccessChanges, SaysWhenTheCertificateExpires) {
   ASSERT_TRUE(loopback.server.CertificateExpiry());
   EXPECT_LE(*loopback.server.CertificateExpiry(), expiry);
   log.Await("expires soon, at " + server::TextOf(*loopback.server.CertificateExpiry()));
-  EXPECT_FALSE(Loopback(FindOne).server.CertificateExpiry());
+  EXPECT_EQ(ExpiryMetric(loopback), SecondsOf(*loopback.server.CertificateExpiry()));
+  const Loopback plain(FindOne);
+  EXPECT_FALSE(plain.server.CertificateExpiry());
+  EXPECT_EQ(ExpiryMetric(plain), 0) << "there is none without TLS";
 }
 
 TEST_F(AccessChanges, ABadFileChangesNothing) {
