@@ -9,10 +9,14 @@
 #include <array>
 #include <cstddef>
 #include <cstring>
+#include <iterator>
 #include <stdexcept>
+#include <string_view>
 
 namespace fovea::server {
 namespace {
+
+constexpr std::size_t kMappedPrefix = 12;  // bytes before an IPv4 address that is mapped to IPv6
 
 template <typename Address>
 const Address& As(const sockaddr_storage& storage) {
@@ -33,12 +37,29 @@ std::string Text(int family, const void* host) {
 std::string Ipv6Uri(const sockaddr_in6& address) {
   const int port = ntohs(address.sin6_port);
   if (IN6_IS_ADDR_V4MAPPED(&address.sin6_addr)) {  // an IPv4 caller of a socket for both
-    constexpr std::size_t kPrefix = 12;
-    return fmt::format("ipv4:{}:{}", Text(AF_INET, address.sin6_addr.s6_addr + kPrefix), port);
+    return fmt::format("ipv4:{}:{}", Text(AF_INET, address.sin6_addr.s6_addr + kMappedPrefix),
+                       port);
   }
   std::string host = Text(AF_INET6, &address.sin6_addr);
   if (address.sin6_scope_id != 0) host += fmt::format("%25{}", address.sin6_scope_id);
   return fmt::format("ipv6:%5B{}%5D:{}", host, port);
+}
+
+// "ipv6:2001:db8::/64" of "ipv6:%5B2001:db8::7%5D", whether the brackets are escaped or not. What
+// is no address is left as it is, and so is this machine's own.
+std::string NetworkOf(const std::string& uri) {
+  constexpr std::string_view kEscaped = "ipv6:%5B", kPlain = "ipv6:[";
+  const std::size_t begin = uri.starts_with(kEscaped) ? kEscaped.size() : kPlain.size();
+  const std::size_t end = std::min(uri.find_first_of("%]", begin), uri.size());
+  in6_addr address{};
+  const bool known =
+      begin < end && inet_pton(AF_INET6, uri.substr(begin, end - begin).c_str(), &address) == 1;
+  if (!known || IN6_IS_ADDR_LOOPBACK(&address)) return uri;
+  if (IN6_IS_ADDR_V4MAPPED(&address)) {
+    return "ipv4:" + Text(AF_INET, address.s6_addr + kMappedPrefix);
+  }
+  std::fill(address.s6_addr + 8, std::end(address.s6_addr), std::uint8_t{0});
+  return fmt::format("ipv6:{}/64", Text(AF_INET6, &address));
 }
 
 }  // namespace
@@ -114,8 +135,13 @@ SocketAddress UnixSocketAddress(const std::string& path) {
 
 bool IsUnixPeer(const std::string& uri) { return uri.starts_with("unix"); }
 
-std::string HostOfPeer(const std::string& uri) {
+std::string AddressOfPeer(const std::string& uri) {
   return IsUnixPeer(uri) ? "unix" : uri.substr(0, uri.rfind(':'));
+}
+
+std::string HostOfPeer(const std::string& uri) {
+  const std::string address = AddressOfPeer(uri);
+  return address.starts_with("ipv6:") ? NetworkOf(address) : address;
 }
 
 }  // namespace fovea::server

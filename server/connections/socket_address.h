@@ -44,6 +44,11 @@ SocketAddress UnixSocketAddress(const std::string& path);
 bool IsUnixPeer(const std::string& uri);
 
 // "ipv4:10.0.0.7" of "ipv4:10.0.0.7:41234", "unix" of any UNIX peer.
+std::string AddressOfPeer(const std::string& uri);
+
+// By whom it is counted what callers take: the same, but "ipv6:2001:db8::/64" of
+// "ipv6:%5B2001:db8::7%5D:41234", since an IPv6 host may have all addresses of its /64; "ipv4:…" of
+// one that is mapped to IPv6.
 std::string HostOfPeer(const std::string& uri);
 
 }  // namespace fovea::server

@@ -29,7 +29,7 @@ std::optional<std::string> NameGiven(const Metadata& metadata, const char* key) 
 }  // namespace
 
 std::string RobotName(const Metadata& metadata, const std::string& peer) {
-  return NameGiven(metadata, kRobotKey).value_or(HostOfPeer(peer));
+  return NameGiven(metadata, kRobotKey).value_or(AddressOfPeer(peer));
 }
 
 std::optional<TraceContext> TraceOf(const Metadata& metadata) {

@@ -53,8 +53,27 @@ TEST(SocketAddress, IsWrittenAsGrpcDoes) {
   };
   EXPECT_EQ(uri("::1"), "ipv6:%5B::1%5D:1234");
   EXPECT_EQ(uri("::ffff:10.0.0.7"), "ipv4:10.0.0.7:1234");
-  EXPECT_EQ(server::HostOfPeer("ipv4:10.0.0.7:1234"), "ipv4:10.0.0.7");
-  EXPECT_EQ(server::HostOfPeer("unix:"), "unix");
+}
+
+TEST(SocketAddress, OfAPeerIsThatWithoutThePort) {
+  EXPECT_EQ(server::AddressOfPeer("ipv4:10.0.0.7:1234"), "ipv4:10.0.0.7");
+  EXPECT_EQ(server::AddressOfPeer("ipv6:%5B2001:db8::7%5D:1234"), "ipv6:%5B2001:db8::7%5D");
+  EXPECT_EQ(server::AddressOfPeer("unix:"), "unix");
+}
+
+TEST(SocketAddress, HostsAreCountedByWhatOneOfThemHas) {
+  using server::HostOfPeer;
+  EXPECT_EQ(HostOfPeer("ipv4:10.0.0.7:1234"), "ipv4:10.0.0.7");
+  EXPECT_EQ(HostOfPeer("unix:"), "unix");
+  for (const char* same : {"ipv6:%5B2001:db8:1:2::7%5D:1234", "ipv6:[2001:db8:1:2::8]:99",
+                           "ipv6:%5B2001:db8:1:2:ffff:ffff:ffff:ffff%5D:1234"}) {
+    EXPECT_EQ(HostOfPeer(same), "ipv6:2001:db8:1:2::/64") << same;
+  }
+  EXPECT_EQ(HostOfPeer("ipv6:%5B2001:db8:1:3::7%5D:1234"), "ipv6:2001:db8:1:3::/64");
+  EXPECT_EQ(HostOfPeer("ipv6:%5Bfe80::7%252%5D:1234"), "ipv6:fe80::/64");
+  EXPECT_EQ(HostOfPeer("ipv6:%5B::ffff:10.0.0.7%5D:1234"), "ipv4:10.0.0.7");
+  EXPECT_EQ(HostOfPeer("ipv6:%5B::1%5D:1234"), "ipv6:%5B::1%5D");
+  EXPECT_EQ(HostOfPeer("ipv6:"), "ipv6");
 }
 
 TEST(Door, ListensAtSeveralAddresses) {
