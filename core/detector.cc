@@ -81,16 +81,10 @@ cv::Mat LabelsOfMeasured(const VoxelGrid& grid, const std::vector<int>& labels,
   return image;
 }
 
-}  // namespace
-
-Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace* trace,
-                  const std::function<bool()>& should_stop) {
-  Validate(frame);
-  Validate(options);
-  RequireNotEmpty(options.region, frame.depth_m.size());
-  Detections result;
+// The first stage of `clock` has begun.
+void FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* trace,
+                 StageClock& clock, Detections& result) {
   Diagnostics& counts = result.diagnostics;
-  StageClock clock(result.stage_times, should_stop, "depth");
 
   // Section 1: the smoothed depth image and the point cloud.
   const cv::Mat measured = CleanDepth(frame.depth_m);
@@ -181,6 +175,23 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   clock.Finish();
   if (trace != nullptr)
     *trace = {color_saliency, depth_saliency, seeds, grid, colors, refined.segments};
+}
+
+}  // namespace
+
+Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace* trace,
+                  const std::function<bool()>& should_stop) {
+  Validate(frame);
+  Validate(options);
+  RequireNotEmpty(options.region, frame.depth_m.size());
+  Detections result;
+  StageClock clock(result.stage_times, should_stop, "depth");
+  try {
+    FindObjects(frame, options, trace, clock, result);
+  } catch (Cancelled& cancelled) {
+    cancelled.stage_times = clock.TimesUntilNow();
+    throw;
+  }
   return result;
 }
 

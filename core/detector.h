@@ -16,11 +16,11 @@ namespace fovea {
 // The same frame and options give the same answer bit for bit, on any machine and thread; there
 // is no shared state, so any number of calls may run at once. Nothing found is an answer whose
 // diagnostics say why. `trace`, if given, receives the intermediate results; `should_stop`, if
-// given, is asked on this thread after each stage and in the midst of them, every few ms (13 at most
-// as measured on images of 1920x1080).
+// given, is asked on this thread after each stage and in the midst of them, every few ms (13 at
+// most as measured on images of 1920x1080).
 //
 // Throws std::invalid_argument for a frame or options that do not validate, Cancelled, which
-// names the stage, when stopped. Cost: see docs/performance.md.
+// names the stage and what those took so far, when stopped. Cost: see docs/performance.md.
 Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace* trace = nullptr,
                   const std::function<bool()>& should_stop = {});
 

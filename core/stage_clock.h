@@ -26,8 +26,13 @@ class StageClock {
   void Finish();
   void Begin(const std::string& stage);
 
+  // Of the stages that have ended, and of the one that has not.
+  std::vector<StageTime> TimesUntilNow() const;
+
  private:
   using Clock = std::chrono::steady_clock;
+
+  double SinceBegin() const;  // ms
 
   std::vector<StageTime>& times_;
   InterruptionScope scope_;

@@ -43,15 +43,18 @@ grpc::Status FrameAnswerer::Answer(const FrameRequest& request, const Caller& ca
   grpc::Status status;
   Detections detections;
   cv::Size image;
+  std::vector<StageTime> times{{"queue", Milliseconds(request.began - request.received)}};
   try {
     if (caller.IsGone()) throw Cancelled();
     RequireField(request.frame != nullptr, "frame", "is missing");
     Trace trace;
-    detections = Compute(request, caller, &trace, &image);
+    detections = Compute(request, caller, &trace, &image, &times);
+    detections.stage_times = times;
     *answer = ToProto(detections, trace, *request.frame, *request.options);
   } catch (...) {
     status = StatusOfCurrentException(caller.DeadlinePassed());
     detections = {};
+    detections.stage_times = times;
   }
   Record(request, caller, status, detections, image);
   return status;
@@ -91,36 +94,37 @@ void FrameAnswerer::Record(const FrameRequest& request, const Caller& caller,
 }
 
 Detections FrameAnswerer::DetectInTime(const RgbdFrame& frame, const DetectorOptions& options,
-                                       const Caller& caller, Trace* trace) const {
+                                       const Caller& caller, Trace* trace,
+                                       std::vector<StageTime>* times) const {
   const ComputeLimit limit(max_compute_);
   bool passed = false;
   try {
-    return detect_(frame, options, trace, [&] {
+    Detections detections = detect_(frame, options, trace, [&] {
       passed = limit.HasPassed();
       return passed || caller.IsGone();
     });
+    times->insert(times->end(), detections.stage_times.begin(), detections.stage_times.end());
+    return detections;
   } catch (const Cancelled& cancelled) {
+    times->insert(times->end(), cancelled.stage_times.begin(), cancelled.stage_times.end());
     if (passed && !caller.IsGone()) throw ComputeLimitPassed(cancelled.stage, max_compute_);
     throw;
   }
 }
 
 Detections FrameAnswerer::Compute(const FrameRequest& request, const Caller& caller, Trace* trace,
-                                  cv::Size* image) const {
+                                  cv::Size* image, std::vector<StageTime>* times) const {
   std::vector<std::string> losses;
   const DetectorOptions options = FromProto(*request.options, policy_);
   const RgbdFrame frame = FromProto(*request.frame, max_pixels_, &losses);
   *image = frame.depth_m.size();
   InField("options.parameters", [&] { RequireNotEmpty(options.region, frame.depth_m.size()); });
-  const Clock::time_point decoded = Clock::now();
+  times->push_back({"decode", Milliseconds(Clock::now() - request.began)});
   // What the method throws from here on is no longer about the request, TooComplex apart.
   Detections detections =
-      DetectInTime(frame, options, caller, WantsTrace(*request.options) ? trace : nullptr);
+      DetectInTime(frame, options, caller, WantsTrace(*request.options) ? trace : nullptr, times);
   std::vector<std::string>& messages = detections.diagnostics.messages;
   messages.insert(messages.begin(), losses.begin(), losses.end());
-  detections.stage_times.insert(detections.stage_times.begin(),
-                                {{"queue", Milliseconds(request.began - request.received)},
-                                 {"decode", Milliseconds(decoded - request.began)}});
   return detections;
 }
 

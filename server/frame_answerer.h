@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "core/detector.h"
 #include "fovea/v1/detection.pb.h"
@@ -50,10 +51,11 @@ class FrameAnswerer {
   void Record(const FrameRequest& request, const Caller& caller, const grpc::Status& status,
               const Detections& detections, cv::Size image) const noexcept;
   Detections DetectInTime(const RgbdFrame& frame, const DetectorOptions& options,
-                          const Caller& caller, Trace* trace) const;
-  // `image` gets the size of the frame once that is decoded.
+                          const Caller& caller, Trace* trace, std::vector<StageTime>* times) const;
+  // `image` gets the size of the frame once that is decoded, `times` those of the stages that it
+  // came through, whether it throws or not.
   Detections Compute(const FrameRequest& request, const Caller& caller, Trace* trace,
-                     cv::Size* image) const;
+                     cv::Size* image, std::vector<StageTime>* times) const;
 
   const DetectFunction detect_;
   const OptionPolicy policy_;

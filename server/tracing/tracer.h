@@ -20,7 +20,7 @@ struct TracedFrame {
   const std::string& frame_id;
   const std::optional<TraceContext>& parent;  // of the call
   const grpc::Status& status;
-  const Detections& detections;  // empty where the status is not OK
+  const Detections& detections;  // where the status is not OK, only times of stages
   std::chrono::nanoseconds took{};
 };
 

@@ -112,11 +112,11 @@ void Metrics::OnAnswered(const std::string& robot, const grpc::Status& status,
   const char* code = NameOf(status.error_code());
   answered_.Add({{"code", code}}).Increment();
   robots_.OnAnswered(robot, code);
+  if (!status.ok()) return;  // a quick refusal is no quick answer, a stage cut off no quick one
   objects_.Increment(static_cast<double>(detections.objects.size()));
   for (const StageTime& time : detections.stage_times) {
     stages_.Add({{"stage", time.stage}}, Buckets()).Observe(time.duration_ms / 1000);
   }
-  if (!status.ok()) return;  // a quick refusal is no quick answer
   const double seconds = std::chrono::duration<double>(took).count();
   answer_times_.Observe(seconds);
   robots_.OnAnswerTime(robot, seconds);

@@ -38,7 +38,7 @@ class Metrics : public prometheus::Collectable {
   void OnReceived(const std::string& robot);
   void OnReceivedBytes(std::size_t bytes);
   void OnDropped();
-  // Whatever became of it, `took` after it came; `detections` is empty where the status is not OK.
+  // Whatever became of it, `took` after it came; `detections` counts where the status is OK.
   void OnAnswered(const std::string& robot, const grpc::Status& status,
                   const Detections& detections, std::chrono::nanoseconds took);
   // A call or a stream that was not let in, or was given up before its turn. `reason` is one of

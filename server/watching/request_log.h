@@ -17,7 +17,7 @@ struct FrameRecord {
   const std::string& robot;
   const std::string& frame_id;
   const grpc::Status& status;
-  const Detections& detections;      // empty where the status is not OK
+  const Detections& detections;      // where the status is not OK, only times of stages
   const v1::DetectOptions& options;  // as they came
   cv::Size image;                    // empty where it was not decoded
   std::chrono::steady_clock::duration took{};

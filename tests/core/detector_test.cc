@@ -134,8 +134,15 @@ TEST_P(Detector, ReportsStagesAndTrace) {
 
 TEST_P(Detector, StopsBetweenStages) {
   int asked = 0;
-  EXPECT_THROW(Detect(Tabletop(), options_, nullptr, [&] { return ++asked == 3; }), Cancelled);
-  EXPECT_EQ(asked, 3);
+  try {
+    Detect(Tabletop(), options_, nullptr, [&] { return ++asked == 3; });
+    FAIL() << "was not stopped";
+  } catch (const Cancelled& cancelled) {
+    EXPECT_EQ(asked, 3);
+    ASSERT_FALSE(cancelled.stage_times.empty());
+    EXPECT_EQ(cancelled.stage_times.front().stage, "depth");
+    EXPECT_EQ(cancelled.stage_times.back().stage, cancelled.stage);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Profiles, Detector, testing::ValuesIn(ProfileNames()),

@@ -193,6 +193,19 @@ TEST(Tracing, SaysWhatWentWrong) {
   EXPECT_EQ(AttributesOf(spans[0]).at("rpc.grpc.status_code"), "3");
 }
 
+TEST(Tracing, HasTheStagesOfAFrameThatWasCutOff) {
+  Collector collector;
+  const auto cut_off = [](const auto&, const auto&, Trace*, const auto&) -> Detections {
+    Cancelled cancelled("normals");
+    cancelled.stage_times = {{"depth", 2.0}, {"normals", 30.0}};
+    throw cancelled;
+  };
+  const Loopback loopback(cut_off, TracingTo(collector.url()));
+  EXPECT_FALSE(Detect(loopback, Traceparent("01")).ok());
+  EXPECT_THAT(NamesOf(collector.Next()),
+              ElementsAre("fovea.frame", "queue", "decode", "depth", "normals"));
+}
+
 TEST(Tracing, LeavesOutWhatTheCallerDoesNotRecord) {
   Collector collector;
   const Loopback loopback(FindOne, TracingTo(collector.url()));
