@@ -11,6 +11,12 @@
 #include "tests/support/random_scene.h"
 
 namespace fovea::scenes {
+
+// Where gtest looks for it.
+inline void PrintTo(SensorKind kind, std::ostream* out) {
+  *out << (kind == SensorKind::kKinect ? "Kinect" : "RealSense");
+}
+
 namespace {
 
 // A wall at right angles to the optical axis.

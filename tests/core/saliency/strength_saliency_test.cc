@@ -152,6 +152,8 @@ std::optional<cv::Mat> ReadColor(const std::string& name) {
 struct Pattern {
   std::string name;
   Generator generate;
+
+  friend void PrintTo(const Pattern& pattern, std::ostream* out) { *out << pattern.name; }
 };
 
 class StrengthOfPattern : public testing::TestWithParam<Pattern> {};
