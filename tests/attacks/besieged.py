@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import fcntl
 import hashlib
+import mmap
 import os
 import resource
 import subprocess
+import termios
 import threading
+from array import array
 from collections import deque
 from dataclasses import dataclass
 from pathlib import Path
+from typing import IO
 
 from robot import Access
 from target import Target
@@ -29,9 +34,12 @@ class Usage:
 
 
 class Besieged:
-    """fovea-server with its defaults, on loopback; `setup` says whom it lets in."""
+    """fovea-server with its defaults and `flags`, on loopback; `setup` says whom it lets in. Where
+    nobody reads its log, that goes to a pipe of two pages."""
 
-    def __init__(self, binary: Path, setup: str, folder: Path, *flags: str) -> None:
+    def __init__(
+        self, binary: Path, setup: str, folder: Path, *flags: str, reads_log: bool = True
+    ) -> None:
         self.setup = setup
         self._authority = b""
         command = [str(binary), "--listen", "127.0.0.1:0", "--metrics-listen", "127.0.0.1:0"]
@@ -45,7 +53,10 @@ class Besieged:
         )
         self.log_bytes = 0
         self.last_words: deque[str] = deque(maxlen=20)
-        threading.Thread(target=self._read_log, daemon=True).start()
+        if reads_log:
+            threading.Thread(target=self._read_log, daemon=True).start()
+        else:
+            fcntl.fcntl(self._log(), fcntl.F_SETPIPE_SZ, 2 * mmap.PAGESIZE)
         assert self._process.stdout
         self.port = int(self._process.stdout.readline().rpartition(":")[2])
         metrics = self._process.stdout.readline()  # metrics at http://127.0.0.1:9464/metrics
@@ -65,9 +76,18 @@ class Besieged:
         self._authority = certificate.read_bytes()
         return ["--tokens", str(tokens), "--tls-cert", str(certificate), "--tls-key", key]
 
-    def _read_log(self) -> None:
+    def _log(self) -> IO[str]:
         assert self._process.stderr
-        for line in self._process.stderr:
+        return self._process.stderr
+
+    def unread_log_bytes(self) -> int:
+        """What the pipe of a log that nobody reads holds."""
+        count = array("i", [0])
+        fcntl.ioctl(self._log(), termios.FIONREAD, count)
+        return count[0]
+
+    def _read_log(self) -> None:
+        for line in self._log():
             self.log_bytes += len(line)
             self.last_words.append(line.rstrip())
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import struct
 import time
 from collections.abc import Sequence
 
 from http2 import DETECT, HEALTH, INFO, STREAM, Kind, call, message
+from protobuf import field
 from target import Tally, Target, attack, rounds
 
 Header = tuple[str | bytes, str | bytes]
@@ -68,16 +68,10 @@ def bad_text_in_frames(target: Target) -> Tally:
     tally: Tally = Tally()
     for survived in rounds(target, tally):
         for name in BAD_NAMES:
-            field = b"\x0a" + _varint(len(name)) + name  # Frame.id
-            body = b"\x0a" + _varint(len(field)) + field  # DetectRequest.frame
+            body = field(1, field(1, name))  # DetectRequest.frame.id
             with survived:
                 _calls(target, DETECT, [], message(body), tally)
     return tally
-
-
-def _varint(value: int) -> bytes:
-    low = [value >> shift & 0x7F for shift in range(0, max(1, value.bit_length()), 7)]
-    return bytes([each | 0x80 for each in low[:-1]] + [low[-1]])
 
 
 @attack("answered", setups=("tokens", "tls"))
@@ -131,10 +125,3 @@ def nested_messages(target: Target) -> Tally:
                 with survived:
                     _calls(target, path, [], message(body), tally)
     return tally
-
-
-def option(name: str, value: float) -> bytes:
-    """DetectOptions.parameters[name] = value, appended to a DetectRequest."""
-    entry = b"\x0a" + _varint(len(name)) + name.encode() + b"\x11" + struct.pack("<d", value)
-    options = b"\x12" + _varint(len(entry)) + entry
-    return b"\x12" + _varint(len(options)) + options

@@ -11,6 +11,7 @@ import callers  # noqa: F401  each enters its attacks into the catalogue
 import compression  # noqa: F401
 import connecting  # noqa: F401
 import floods  # noqa: F401
+import frames  # noqa: F401
 import readers  # noqa: F401
 import uploads  # noqa: F401
 import watching  # noqa: F401

