@@ -135,6 +135,32 @@ TEST(ServerProcess, TheSampleConfigurationIsValid) {
   EXPECT_EQ(sample.exit_code, 0) << sample.err;
 }
 
+TEST(ServerProcess, TheConfigurationOfTheImageWantsProtection) {
+  const std::vector<std::string> image{FOVEA_SERVER, "--config",
+                                       FOVEA_SOURCE_DIR "/deploy/container/fovea-server.toml"};
+  const Finished open = Execute(image);
+  EXPECT_EQ(open.exit_code, 1);
+  EXPECT_THAT(open.err, StartsWith("fovea-server: --listen: \"0.0.0.0:50051\" is open to other "
+                                   "machines; give --tls-cert, --tls-key and either "
+                                   "--tls-client-ca or --tokens, or --insecure"));
+  std::vector<std::string> insecure = image;
+  insecure.insert(insecure.end(), {"--insecure", "--check-config"});
+  EXPECT_EQ(Execute(insecure).out, "the configuration is valid\n");
+}
+
+TEST(ServerProcess, IsAskedForItsHealthByTheImage) {
+  const std::string check = FOVEA_SOURCE_DIR "/deploy/container/fovea-health";
+  ServerProcess server({"--metrics-listen", "127.0.0.1:0"});
+  const std::string url = server.process().ReadLine();
+  const std::string port = url.substr(url.rfind(':') + 1, url.rfind('/') - url.rfind(':') - 1);
+  const Finished alive = Execute({check, port});
+  EXPECT_EQ(alive.exit_code, 0) << alive.err;
+  EXPECT_EQ(alive.out, "/livez says 200\n");
+  server.process().Signal(SIGTERM);
+  server.process().Wait();
+  EXPECT_NE(Execute({check, port}).exit_code, 0);
+}
+
 // The hold is long: only a second signal ends it before the test's patience does.
 TEST(ServerProcess, HoldsBeforeItStops) {
   ServerProcess server({"--hold-s", "3600"});
