@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "client/better_server.h"
 #include "client/retry.h"
 #include "client/rpc_error.h"
 #include "client/servers.h"
@@ -14,12 +15,15 @@ ResumingStream::ResumingStream(std::shared_ptr<Servers> servers, ClientOptions o
                                std::chrono::milliseconds timeout)
     : servers_(std::move(servers)),
       options_(std::move(options)),
-      deadline_(Clock::now() + timeout) {
+      deadline_(Clock::now() + timeout),
+      better_server_(std::make_unique<BetterServer>(*servers_, options_)) {
   std::string problem;
   server_ = servers_->Home(std::min(deadline_, Clock::now() + options_.timeout), &problem);
   if (!server_) throw RpcError({grpc::StatusCode::UNAVAILABLE, problem});
   stream_ = Open();
 }
+
+ResumingStream::~ResumingStream() = default;
 
 void ResumingStream::Send(const v1::DetectStreamRequest& request) {
   std::shared_ptr<DetectStream> current;
@@ -55,6 +59,7 @@ void ResumingStream::Cancel() {
 }
 
 std::optional<ResumingStream::Answer> ResumingStream::Receive() {
+  MoveIfBetter();
   while (true) {
     const std::shared_ptr<DetectStream> current = stream();
     try {
@@ -80,6 +85,25 @@ ResumingStream::Answer ResumingStream::Account(v1::DetectStreamResponse response
   return {std::move(response), std::exchange(num_lost_, 0)};
 }
 
+void ResumingStream::MoveIfBetter() {
+  std::shared_ptr<Server> better = better_server_->Find(server_);
+  if (!better) return;
+  const std::lock_guard lock(mutex_);
+  if (done_ || canceled_) return;  // what is under way is to be answered
+  servers_->Move(better);
+  stream_->Cancel();
+  GoOn(std::move(better));
+}
+
+void ResumingStream::GoOn(std::shared_ptr<Server> server) {
+  server_ = std::move(server);
+  num_lost_ += num_sent_ - next_expected_;
+  next_expected_ = first_of_stream_ = num_sent_;
+  stream_ = Open();
+  repeat_options_ = true;
+  if (done_) stream_->DoneSending();
+}
+
 void ResumingStream::Resume(const DetectStream& broken) {
   if (failures_++ == 0) broken_since_ = Clock::now();
   const bool is_worth_it = IsWorthRetrying(*broken.status(), broken.context());
@@ -95,12 +119,7 @@ void ResumingStream::Resume(const DetectStream& broken) {
   const std::shared_ptr<Server> next = AwaitConnection();
   std::unique_lock lock(mutex_);
   if (changed_.wait_for(lock, wait, [this] { return canceled_.load(); })) throw;
-  if (next) server_ = next;
-  num_lost_ += num_sent_ - next_expected_;
-  next_expected_ = first_of_stream_ = num_sent_;
-  stream_ = Open();
-  repeat_options_ = true;
-  if (done_) stream_->DoneSending();
+  GoOn(next ? next : server_);
 }
 
 void ResumingStream::ReportEnd(const DetectStream& broken) {

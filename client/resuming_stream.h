@@ -14,12 +14,14 @@
 
 namespace fovea::client {
 
+class BetterServer;
 class Servers;
 struct Server;
 
-// A DetectStream that stays with its server, and is opened again when it breaks: at another one at
-// once where the client has several, else when the server is back; Client::OpenResumingStream makes
-// it. A server that has had the stream for long enough ends it between two answers (its
+// A DetectStream that is opened again when it breaks: at another server at once where the client
+// has several, else when the server is back; Client::OpenResumingStream makes it. Where its server
+// has more to do than it can, and another one would answer it much more often, it goes there. A
+// server that has had the stream for long enough ends it between two answers (its
 // --max-connection-age-s); the stream then goes on at any of them. One thread may send while
 // another receives.
 class ResumingStream {
@@ -27,12 +29,15 @@ class ResumingStream {
   struct Answer {
     // Its `sequence` counts on over all connections, so it is the number of the frame sent.
     v1::DetectStreamResponse response;
-    // Frames since the last answer that were sent into a connection that broke, and get no answer.
+    // Frames since the last answer that were sent into a connection that broke or was left, and get
+    // no answer.
     std::uint64_t lost = 0;
   };
 
   ResumingStream(std::shared_ptr<Servers> servers, ClientOptions options,
                  std::chrono::milliseconds timeout);
+
+  ~ResumingStream();
 
   // While the connection is broken the frame is lost.
   void Send(const v1::DetectStreamRequest& request);
@@ -51,6 +56,10 @@ class ResumingStream {
 
   std::shared_ptr<DetectStream> stream() const;
   Answer Account(v1::DetectStreamResponse response);
+  // To a server with less to do, if there is one.
+  void MoveIfBetter();
+  // Opens the stream there; what was sent and not answered is lost. mutex_ is held.
+  void GoOn(std::shared_ptr<Server> server);
   // Waits and opens a new stream; rethrows the error where that is not worth it.
   void Resume(const DetectStream& broken);
   void ReportEnd(const DetectStream& broken);
@@ -75,6 +84,7 @@ class ResumingStream {
   std::uint64_t num_sent_ = 0, first_of_stream_ = 0;
 
   // Only of the receiving thread.
+  std::unique_ptr<BetterServer> better_server_;
   std::uint64_t next_expected_ = 0;  // number of the first frame whose fate is not known
   std::uint64_t num_lost_ = 0;
   int failures_ = 0;

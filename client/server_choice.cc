@@ -112,7 +112,7 @@ ServerRound::Ask ServerRound::AskHome(const std::string& home, Clock::time_point
   std::set<std::string> asked = asked_;
   asked.insert(home);
   const bool has_others = !choice_.Another(asked, /*only_there=*/true, now).empty();
-  return {home, /*only_if_room=*/asks_others_ && has_others};
+  return {home, /*only_if_room=*/asks_others_ && has_others && !choice_.has_asked_others_};
 }
 
 // For room; once nobody is left, whoever said the least for a place.
@@ -130,6 +130,7 @@ void ServerRound::OnAnswered() { choice_.OnAnswered(last_->server); }
 void ServerRound::OnRefused(milliseconds retry_after) {
   if (!last_->only_if_room) {
     wait_ = retry_after;
+    if (asks_others_) choice_.has_asked_others_ = least_wait_.has_value();
   } else if (!least_wait_ || retry_after < *least_wait_) {
     least_wait_ = retry_after;
     least_ = last_->server;

@@ -36,6 +36,8 @@ class ServerChoice {
   // For `duration`, or a tenth of a second that doubles with each time in a row up to five seconds.
   void OnAway(const std::string& name, Clock::time_point now,
               std::optional<std::chrono::milliseconds> duration = std::nullopt);
+  // It is the home from now on.
+  void Move(const std::string& name) { home_ = name; }
   // Its connection ended, for whatever reason: it may be chosen again, like any other.
   void OnDisconnected(const std::string& name);
   void OnAnswered(const std::string& name);
@@ -59,8 +61,9 @@ class ServerChoice {
 
   std::mt19937 random_;
   std::vector<Server> servers_;
-  std::string home_;       // empty = none
-  int num_elsewhere_ = 0;  // answers in a row that did not come from home
+  std::string home_;               // empty = none
+  int num_elsewhere_ = 0;          // answers in a row that did not come from home
+  bool has_asked_others_ = false;  // when a call got a place in line last
 };
 
 // One call's way around the servers: each is asked once at most for room, then one for a place in
@@ -75,7 +78,7 @@ class ServerRound {
   };
 
   // `asks_others`: where the home has no room. Whoever has asked them and waits in line need not do
-  // so again.
+  // so again, and neither need the next call: it is enough that every second one does.
   ServerRound(ServerChoice& choice, bool asks_others)
       : choice_(choice), asks_others_(asks_others) {}
 

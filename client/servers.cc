@@ -62,6 +62,11 @@ void Servers::OnDisconnected(const Pointer& server) {
   choice_.OnDisconnected(server->name);
 }
 
+void Servers::Move(const Pointer& server) {
+  const std::lock_guard lock(mutex_);
+  choice_.Move(server->name);
+}
+
 void Servers::OnAnswered(const Pointer& server) {
   const std::lock_guard lock(mutex_);
   choice_.OnAnswered(server->name);

@@ -43,6 +43,8 @@ class Servers {
   void OnAway(const Pointer& server,
               std::optional<std::chrono::milliseconds> duration = std::nullopt);
   void OnDisconnected(const Pointer& server);
+  // It is the one to ask first from now on.
+  void Move(const Pointer& server);
   void OnAnswered(const Pointer& server);
   bool AreAllAway();
   std::size_t size();

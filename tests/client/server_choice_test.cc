@@ -73,6 +73,19 @@ TEST_F(TwoServers, WhoWaitsInLineAsksOnlyThere) {
   EXPECT_FALSE(round.Next(kNow));
 }
 
+TEST_F(TwoServers, EverySecondCallThatGetsAPlaceAsksAll) {
+  for (const bool asks_all : {true, false, true, false}) {
+    ServerRound round = Round();
+    EXPECT_EQ(round.Next(kNow)->only_if_room, asks_all);
+    round.OnRefused(milliseconds(100));
+    while (round.Next(kNow)) round.OnRefused(milliseconds(100));
+    EXPECT_TRUE(round.wait());
+    ServerRound again = Round(/*asks_others=*/false);  // changes nothing
+    again.Next(kNow);
+    again.OnRefused(milliseconds(100));
+  }
+}
+
 TEST_F(TwoServers, MovesToWhereItIsSooner) {
   const std::string home = Home();
   ServerRound round = Round();

@@ -55,9 +55,10 @@ void AddFlags(CLI::App& app, Flags& flags) {
       ->check(CLI::Range(0, 1'000'000));
   app.add_flag("--vanish", flags.vanish,
                "One robot more vanishes without a word when half of the time is over");
-  app.add_flag("--retry", flags.retry,
-               "Robots repeat what was refused as the client library does; the latency is that of "
-               "all attempts");
+  app.add_flag(
+      "--retry", flags.retry,
+      "Robots repeat what was refused as the client library does, and their streams resume; the "
+      "latency is that of all attempts");
   app.add_flag("--stream", flags.stream, "Streams instead of single calls");
   app.add_option("--saboteurs", flags.saboteurs,
                  "So many others that send damaged frames, vanish, do not read their answers …")

@@ -59,6 +59,7 @@ std::string Report(const std::vector<Outcome>& outcomes, double seconds) {
                   Percentiles(all.overhead_ms)) +
       fmt::format("dropped    {}\nfairness   {} to {} answers per robot\n", all.dropped, least,
                   most);
+  if (all.lost > 0) text += fmt::format("lost       {}\n", all.lost);
   for (const auto& [code, count] : all.errors) text += fmt::format("{}  {}\n", code, count);
   if (!all.refusal_ms.empty()) text += "refusals   " + Percentiles(all.refusal_ms) + "\n";
   for (const char* role : {"often", "greedy", "slow", "vanishes"}) {

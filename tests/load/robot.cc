@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "client/client.h"
+#include "tests/load/robot_stream.h"
 
 namespace fovea::load {
 namespace {
@@ -121,26 +122,28 @@ class SendTimes {
 Outcome Stream(const client::Client& client, const RobotPlan& plan, const std::stop_token& stop) {
   Outcome outcome, not_noted;
   SendTimes times(plan.noted_from);
-  const auto stream = client.OpenStream(std::chrono::hours(24));
+  RobotStream stream(client, /*resuming=*/plan.retry);
   std::jthread sender([&] {
     v1::DetectStreamRequest request;
     *request.mutable_frame() = plan.frame;
     for (Pace pace(plan.rate_hz > 0 ? plan.rate_hz : 30, plan.phase); !stop.stop_requested();
          pace.Wait()) {
       times.Add();
-      if (!stream->Send(request)) break;
+      if (!stream.Send(request)) break;
     }
-    stream->DoneSending();
+    stream.DoneSending();
   });
   try {
-    while (const auto response = stream->Receive()) {
-      const Clock::time_point sent = times.Take(response->sequence());
+    while (const auto answer = stream.Receive()) {
+      const v1::DetectStreamResponse& response = answer->response;
+      const Clock::time_point sent = times.Take(response.sequence());
       Outcome& noted = sent < plan.noted_from ? not_noted : outcome;
-      noted.dropped += response->dropped();
-      if (response->has_detections()) {
-        Note(response->detections(), sent, &noted);
+      noted.dropped += response.dropped();
+      noted.lost += answer->lost;
+      if (response.has_detections()) {
+        Note(response.detections(), sent, &noted);
       } else {
-        ++noted.errors[std::to_string(response->error().code())];
+        ++noted.errors[std::to_string(response.error().code())];
       }
     }
   } catch (const client::RpcError& error) {
@@ -175,6 +178,7 @@ Outcome Sum(const std::vector<Outcome>& outcomes) {
   for (const Outcome& one : outcomes) {
     all.sent += one.sent;
     all.dropped += one.dropped;
+    all.lost += one.lost;
     Append(one.latency_ms, &all.latency_ms);
     Append(one.overhead_ms, &all.overhead_ms);
     Append(one.refusal_ms, &all.refusal_ms);

@@ -19,7 +19,7 @@ struct RobotPlan {
   double phase = 0;    // of the first frame, as a share of the time between two
   bool stream = false;
   int calls_at_once = 1;  // each repeated as soon as it is answered, or as the server says
-  bool retry = false;     // repeats refused calls as the client library does by default
+  bool retry = false;     // repeats refused calls, and resumes streams, as the library does
   // What was sent earlier is not noted: everybody connects at once, and the server's memory is new.
   std::chrono::steady_clock::time_point noted_from;
   v1::Frame frame;
@@ -27,7 +27,7 @@ struct RobotPlan {
 
 struct Outcome {
   std::string role;  // what is special about it; empty = nothing
-  std::uint64_t sent = 0, dropped = 0;
+  std::uint64_t sent = 0, dropped = 0, lost = 0;
   std::vector<double> latency_ms;               // of each detection
   std::vector<double> overhead_ms;              // what of that is neither queue nor computing
   std::vector<double> refusal_ms;               // until each call that failed did

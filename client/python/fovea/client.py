@@ -201,7 +201,8 @@ class Client:
 
         A stream that breaks, for example because the server was killed and started again, is opened
         again as `retry` says, however often. Frames that were sent and have no answer are lost, and
-        StreamAnswer.lost counts them; with `every_frame` they are sent again. Raises the FoveaError
+        StreamAnswer.lost counts them; with `every_frame` they are sent again. So it is where the
+        stream goes to another server, which has less to do. Raises the FoveaError
         where trying again would bring nothing, where no frame has been answered for `timeout` since
         the stream broke, and at the end where the last frames were lost.
 
@@ -213,7 +214,13 @@ class Client:
         feed = FrameFeed(frames, options.to_proto(), every_frame)
         seconds = self._timeout_of(timeout)
         return ResumingStream(
-            feed, self._servers, self._open_stream, self._wait, self._retry, seconds
+            feed,
+            self._servers,
+            self._open_stream,
+            self._get_statistics,
+            self._wait,
+            self._retry,
+            seconds,
         ).run()
 
     def _open_stream(
@@ -221,6 +228,12 @@ class Client:
     ) -> Any:
         with self._errors():
             return server.stub.DetectStream(requests, metadata=self._metadata)
+
+    def _get_statistics(self, server: Server, timeout: float) -> Statistics:
+        request = detection_service_pb2.GetStatisticsRequest()
+        with self._errors():
+            response = server.stub.GetStatistics(request, timeout=timeout, metadata=self._metadata)
+        return statistics_from_proto(response)
 
     def _call(
         self, method: Callable[[Any], Any], request: object, timeout: float | None = None

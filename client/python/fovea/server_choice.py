@@ -40,6 +40,7 @@ class ServerChoice:
         self._servers: dict[str, _State] = {}
         self._home = ""
         self._num_elsewhere = 0  # answers in a row that did not come from home
+        self.has_asked_others = False  # when a call got a place in line last
 
     def set_servers(self, names: Iterable[str]) -> None:
         """Where these are others than before, the home is chosen anew."""
@@ -99,7 +100,8 @@ class ServerRound:
     in line."""
 
     def __init__(self, choice: ServerChoice, asks_others: bool) -> None:
-        """asks_others: where the home has no room."""
+        """asks_others: where the home has no room; every second call that gets a place in line does
+        so, which is enough."""
         self.wait: float | None = None  # when whoever keeps a place says to come back
         self._choice = choice
         self._asks_others = asks_others
@@ -125,6 +127,8 @@ class ServerRound:
         assert self._last
         if not self._last.only_if_room:
             self.wait = retry_after
+            if self._asks_others:
+                self._choice.has_asked_others = self._least is not None
         elif self._least is None or retry_after < self._least[0]:
             self._least = retry_after, self._last.server
 
@@ -146,7 +150,8 @@ class ServerRound:
         """For a place in line at once where there is nobody else to ask."""
         self._choice.move(name)
         has_others = bool(self._choice.another(self._asked | {name}, now, only_there=True))
-        return Ask(name, only_if_room=self._asks_others and has_others)
+        asks_others = self._asks_others and not self._choice.has_asked_others
+        return Ask(name, only_if_room=asks_others and has_others)
 
     def _ask_another(self, least: str, now: float) -> Ask:
         """For room; once nobody is left, whoever said the least for a place."""

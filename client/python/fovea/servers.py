@@ -106,6 +106,11 @@ class Servers:
         with self._lock:
             self._choice.on_disconnected(server.name)
 
+    def move(self, server: Server) -> None:
+        """It is the one to ask first from now on."""
+        with self._lock:
+            self._choice.move(server.name)
+
     def are_all_away(self) -> bool:
         with self._lock:
             return self._choice.are_all_away(time.monotonic())

@@ -11,13 +11,22 @@ from typing import Any
 import grpc
 
 from fovea.answer_reader import AnswerReader
+from fovea.better_server import BetterServer
 from fovea.detections import Detections, detections_from_proto
-from fovea.errors import DeadlineExceeded, FoveaError, error_of, error_of_call, error_retry_after
+from fovea.errors import (
+    DeadlineExceeded,
+    FoveaError,
+    Unavailable,
+    error_of,
+    error_of_call,
+    error_retry_after,
+)
 from fovea.frame_feed import FrameFeed
 from fovea.options import RetryOptions
 from fovea.retry import backoff_after, is_worth_retrying
-from fovea.v1 import detection_service_pb2
+from fovea.server_info import Statistics
 from fovea.servers import Server, Servers
+from fovea.v1 import detection_service_pb2
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,7 +37,8 @@ class StreamAnswer:
     sequence: int  # its place among the frames sent, from 0, over all connections
     # Frames that came after the last one answered and before this one, and get no answer.
     dropped: int
-    # Frames since the last answer that were sent into a connection that broke, and get no answer.
+    # Frames since the last answer that were sent into a connection that broke or was left, and get
+    # no answer.
     lost: int
     detections: Detections | None
     error: FoveaError | None
@@ -45,17 +55,19 @@ class ResumingStream:
         feed: FrameFeed,
         servers: Servers,
         open_call: Callable[[Server, Iterator[Any]], Any],
+        get_statistics: Callable[[Server, float], Statistics],
         wait: Callable[[Server | None, float], None],
         retry: RetryOptions,
         timeout: float,
     ) -> None:
-        """wait(server, seconds) waits before the stream is opened again, or raises."""
+        """get_statistics(server, timeout); wait(server, seconds) waits before the stream is opened again, or raises."""
         self._feed = feed
         self._servers = servers
         self._open_call = open_call
         self._wait = wait
         self._retry = retry
         self._timeout = timeout
+        self._better_server = BetterServer(lambda: servers.all(timeout), get_statistics)
         self._first_of_call = 0
         self._next_expected = 0  # number of the first frame whose fate is not known
         self._num_lost = 0
@@ -69,6 +81,7 @@ class ResumingStream:
             try:
                 while (answer := self._receive()) is not None:
                     yield answer
+                    self._move_if_better()
                     self._feed.go_on()
             finally:
                 self._reader.close()
@@ -135,6 +148,16 @@ class ResumingStream:
         seconds = backoff_after(1 if elsewhere else self._failures, self._retry, retry_after)
         self._wait(self._servers.home(self._timeout), seconds)
         self._open()
+
+    def _move_if_better(self) -> None:
+        """To a server with less to do, if there is one; what was sent and not answered is lost."""
+        better = self._better_server.find(self._server)
+        if better and not self._feed.has_ended:  # else what is under way is to be answered
+            self._broken_by = Unavailable("UNAVAILABLE", "the stream went to another server")
+            self._reader.close()
+            self._feed.disconnect()
+            self._servers.move(better)
+            self._open()
 
     def _report_end(self, error: FoveaError) -> None:
         retry_after = error_retry_after(error)

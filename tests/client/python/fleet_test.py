@@ -41,6 +41,17 @@ def test_all_are_asked_for_room_before_one_keeps_a_place(choice: ServerChoice) -
     assert (way.wait, choice.home(NOW)) == (0.11, home)
 
 
+def test_every_second_call_that_gets_a_place_asks_all(choice: ServerChoice) -> None:
+    for asks_all in (True, False, True, False):
+        way = ServerRound(choice, asks_others=True)
+        first = way.next(NOW)
+        assert first and first.only_if_room == asks_all
+        way.on_refused(0.1)
+        while way.next(NOW):
+            way.on_refused(0.1)
+        assert way.wait is not None
+
+
 def test_moves_to_where_it_is_sooner(choice: ServerChoice) -> None:
     home = choice.home(NOW)
     way = ServerRound(choice, asks_others=True)
