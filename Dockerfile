@@ -17,7 +17,7 @@ RUN cmake -S /src -B /build -G Ninja -DCMAKE_BUILD_TYPE=Release -DFOVEA_BUILD_TE
 
 FROM ${BASE}
 # By apt: what is in the image stands in dpkg's list, and its licences in /usr/share/doc.
-COPY --from=build /packages/ /packages/
+COPY --from=build /packages/*.deb /packages/
 RUN apt-get update -q \
     && DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends /packages/*.deb \
     && apt-get clean && rm -rf /packages /var/lib/apt/lists/*

@@ -12,7 +12,7 @@ libboost-dev
 libopenni2-dev libyaml-cpp-dev
 libgtest-dev libgmock-dev libbenchmark-dev
 python3 python3-grpcio python3-numpy python3-protobuf python3-setuptools
-help2man haproxy
+help2man file haproxy
 python3-pil python3-pip python3-pytest python3-zstandard openssl
 "
 
