@@ -17,8 +17,8 @@ constexpr std::uint64_t kMaxLate = 4 * kFirstBytes;
 // Nobody was let in there: enough to ask for the health or to begin some calls.
 constexpr std::uint64_t kMaxOwedByStranger = std::uint64_t{1} << 20;
 constexpr std::chrono::minutes kMaxAgeOfStranger{10};
-// Calls that may come to nothing within a second. Those of robots do when a deadline passes.
-constexpr int kMaxVain = 1000, kMaxVainOfStranger = 32;
+// Calls that may begin within a second before one is let in.
+constexpr std::uint64_t kMaxCallsOfStranger = 64;
 
 }  // namespace
 
@@ -54,15 +54,16 @@ void ConnectionAccount::Forgive(std::uint64_t owed) {
   least_ = std::min(least_, owed_);
 }
 
-void ConnectionAccount::OnVain(Clock::time_point now) {
-  if (now - vain_since_ > std::chrono::seconds{1}) {
-    vain_since_ = now;
-    vain_ = 0;
+void ConnectionAccount::OnBegunCalls(std::uint64_t total, std::uint64_t max_calls_s,
+                                     Clock::time_point now) {
+  // Nobody looked meanwhile: how many of them are of the last second is not known.
+  if (now - calls_since_ > std::chrono::seconds{1}) {
+    calls_since_ = now;
+    calls_before_ = total;
   }
-  ++vain_;
+  calls_ = total;
+  floods_ = calls_ - calls_before_ > (admitted_ ? max_calls_s : kMaxCallsOfStranger);
 }
-
-int ConnectionAccount::MaxVain() const { return admitted_ ? kMaxVain : kMaxVainOfStranger; }
 
 void ConnectionAccount::NoteLeast(Clock::time_point now) {
   if (now - second_ > std::chrono::seconds{1}) {
@@ -77,7 +78,7 @@ ConnectionAccount::Clock::duration ConnectionAccount::Owing(Clock::time_point no
 }
 
 bool ConnectionAccount::IsFlooding() const {
-  return vain_ > MaxVain() || (!admitted_ && owed_ > kMaxOwedByStranger);
+  return floods_ || (!admitted_ && owed_ > kMaxOwedByStranger);
 }
 
 std::optional<std::string> ConnectionAccount::Fault(const AccountLimits& limits,
@@ -87,8 +88,8 @@ std::optional<std::string> ConnectionAccount::Fault(const AccountLimits& limits,
   if (!admitted_ && now - accepted_ > kMaxAgeOfStranger) {
     return "had no call let in for 10 minutes";
   }
-  if (vain_ > MaxVain()) {
-    return "made " + std::to_string(vain_) + " calls in vain within a second";
+  if (floods_) {
+    return "began " + std::to_string(calls_ - calls_before_) + " calls within a second";
   }
   if (owed_ > limits.max_owed) return "sent " + bytes();
   if (Owing(now) > limits.max_transfer) {

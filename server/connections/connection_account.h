@@ -24,7 +24,7 @@ class ConnectionAccount {
   using Clock = std::chrono::steady_clock;
 
   explicit ConnectionAccount(Clock::time_point accepted)
-      : accepted_(accepted), seen_(accepted), second_(accepted) {}
+      : accepted_(accepted), seen_(accepted), second_(accepted), calls_since_(accepted) {}
 
   // `total` bytes at least have come over the connection so far. May be less than what was said
   // before, which holds then.
@@ -36,8 +36,8 @@ class ConnectionAccount {
   // A call ended without a message: what came since it owed so much is given back, and so is what
   // its caller sends until it hears of that.
   void Forgive(std::uint64_t owed);
-  // A call came to nothing.
-  void OnVain(Clock::time_point now);
+  // So many calls were begun on it so far; `max_calls_s` may be, once one was let in.
+  void OnBegunCalls(std::uint64_t total, std::uint64_t max_calls_s, Clock::time_point now);
 
   bool admitted() const { return admitted_; }
   Clock::time_point accepted() const { return accepted_; }
@@ -48,15 +48,14 @@ class ConnectionAccount {
   // For how long it has owed more than a call's first bytes, since the last message.
   Clock::duration Owing(Clock::time_point now) const;
 
-  // Whether so many calls came to nothing, or so much came without a call that was let in, that
-  // its host had better stay away for a while.
+  // Whether so many calls were begun, or so much came without a call that was let in, that its host
+  // had better stay away for a while.
   bool IsFlooding() const;
 
   // Why the connection has to go; empty where it may stay.
   std::optional<std::string> Fault(const AccountLimits& limits, Clock::time_point now) const;
 
  private:
-  int MaxVain() const;
   void NoteLeast(Clock::time_point now);
 
   Clock::time_point accepted_;
@@ -67,8 +66,9 @@ class ConnectionAccount {
   std::uint64_t late_ = 0;                      // what may still come of calls that ended
   std::uint64_t least_before_ = 0, least_ = 0;  // of owed_, in the second before and in this one
   Clock::time_point second_;                    // when this one began
-  int vain_ = 0;                                // calls, in the second that began then:
-  Clock::time_point vain_since_{};
+  std::uint64_t calls_ = 0, calls_before_ = 0;  // begun, and those before the second that began
+  Clock::time_point calls_since_;               // then
+  bool floods_ = false;                         // by more calls than may be
   bool admitted_ = false;
 };
 

@@ -27,7 +27,6 @@ std::uint64_t ReceivedOf(int fd) {
   return info.tcpi_bytes_received - std::min<std::uint64_t>(info.tcpi_bytes_received, waiting);
 }
 
-constexpr int kMaxVainOfHost = 2000;
 constexpr std::chrono::seconds kShutOut{5};
 
 // What has come and was not read yet is not read any more, as it would be after shutdown().
@@ -70,20 +69,6 @@ void ConnectionTable::Remove(int watched) {
   const auto by_peer = by_peer_.find(connection.peer);
   if (by_peer != by_peer_.end() && by_peer->second == watched) by_peer_.erase(by_peer);
   connections_.erase(found);
-}
-
-void ConnectionTable::CountVain(const std::string& host, Clock::time_point now) {
-  std::erase_if(vain_, [now](const auto& entry) {
-    return now - entry.second.since > std::chrono::seconds{1};
-  });
-  Vain& vain = vain_.try_emplace(host, Vain{.calls = 0, .since = now}).first->second;
-  if (++vain.calls != kMaxVainOfHost) return;
-  shut_out_[host] = now + kShutOut;
-  for (auto& [fd, connection] : connections_) {
-    if (connection.host != host || connection.ended || connection.account.admitted()) continue;
-    End(connection,
-        "is of a host that made " + std::to_string(vain.calls) + " calls in vain within a second");
-  }
 }
 
 bool ConnectionTable::IsShutOut(const std::string& host, Clock::time_point now) {
@@ -147,15 +132,18 @@ void ConnectionTable::OnNoMessage(const std::string& peer, std::uint64_t owed) {
   connection->account.Forgive(owed);
 }
 
-void ConnectionTable::OnVain(const std::string& peer) {
-  if (IsUnixPeer(peer)) return;
+void ConnectionTable::OnBegunCalls(const std::vector<CallsOfConnection>& calls,
+                                   std::uint64_t max_calls_s) {
   const std::lock_guard lock(mutex_);
   const auto now = Clock::now();
-  CountVain(HostOfPeer(peer), now);  // also of connections that are gone before that is noticed
-  Connection* connection = Find(peer);
-  if (connection == nullptr || connection->ended) return;
-  connection->account.OnVain(now);
-  if (const auto fault = connection->account.Fault(limits_.account, now)) End(*connection, *fault);
+  for (const auto& [peer, begun] : calls) {
+    if (IsUnixPeer(peer)) continue;  // all have one name
+    Connection* connection = Find(peer);
+    if (connection == nullptr || connection->ended) continue;
+    connection->account.OnBegunCalls(begun, max_calls_s, now);
+    const auto fault = connection->account.Fault(limits_.account, now);
+    if (fault) End(*connection, *fault);
+  }
 }
 
 bool ConnectionTable::IsOpen(const std::string& peer) {

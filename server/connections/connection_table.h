@@ -6,7 +6,9 @@
 #include <mutex>
 #include <string>
 #include <unordered_map>
+#include <vector>
 
+#include "server/connections/begun_calls.h"
 #include "server/connections/connection_account.h"
 #include "server/connections/file_descriptor.h"
 
@@ -51,10 +53,9 @@ class ConnectionTable {
   std::uint64_t OnMessage(const std::string& peer, std::size_t bytes);
   // A call that was let in ended without a message since it owed `owed`.
   void OnNoMessage(const std::string& peer, std::uint64_t owed);
-  // A call came to nothing since its caller gave it up, let in or not, or only asks about the
-  // server. A connection with many of these is ended: calls that are reset as soon as they are made
-  // have no other limit, and gRPC 1.51 keeps each until it is looked at.
-  void OnVain(const std::string& peer);
+  // Calls that were begun on connections so far. Ends those that begin more than `max_calls_s`, or
+  // fewer where none was let in.
+  void OnBegunCalls(const std::vector<CallsOfConnection>& calls, std::uint64_t max_calls_s);
   // False once it was ended or closed.
   bool IsOpen(const std::string& peer);
 
@@ -73,7 +74,6 @@ class ConnectionTable {
   };
   using Connections = std::map<int, Connection>;  // by fd
 
-  void CountVain(const std::string& host, Clock::time_point now);
   bool IsShutOut(const std::string& host, Clock::time_point now);
   bool HasPlace(const std::string& host) const;
   void MakePlace(const std::string& host);
@@ -87,11 +87,6 @@ class ConnectionTable {
   Connections connections_;
   std::unordered_map<std::string, int> by_peer_;
   std::map<std::string, int> per_host_;
-  struct Vain {
-    int calls = 0;
-    Clock::time_point since{};
-  };
-  std::map<std::string, Vain> vain_;  // calls of hosts, in the second that began then
   std::map<std::string, Clock::time_point> shut_out_;  // hosts of floods, and until when
   std::size_t num_places_ = 0;                         // of connections_, those that were not ended
   Counts counts_;

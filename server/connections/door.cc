@@ -48,6 +48,8 @@ void RaiseFileLimit() {
 
 Door::Door(const std::vector<std::string>& addresses, ConnectionTable& connections)
     : connections_(connections),
+      flood_guard_(connections),
+      pause_(kInspection),
       epoll_(epoll_create1(EPOLL_CLOEXEC)),
       wake_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)),
       spare_(Spare()) {
@@ -90,11 +92,10 @@ void Door::Watch(int fd, std::uint32_t events) const {
 
 void Door::Run(const std::stop_token& stop) {
   std::array<epoll_event, kBatch> events{};
-  std::chrono::milliseconds pause = kInspection;
-  Clock::time_point next = Clock::now() + pause;
+  Clock::time_point next = Clock::now();
   while (!stop.stop_requested()) {
-    const bool nobody = connections_.counts().open == 0;
-    const int timeout = nobody ? -1 : static_cast<int>(pause.count());
+    const bool nobody = connections_.counts().open == 0 && accepting_;
+    const int timeout = nobody ? -1 : static_cast<int>(pause_.count());
     const int found = epoll_wait(epoll_.get(), events.data(), kBatch, timeout);
     for (int i = 0; i < found; ++i) {
       const int fd = events.at(static_cast<std::size_t>(i)).data.fd;
@@ -108,8 +109,25 @@ void Door::Run(const std::stop_token& stop) {
       }
     }
     if (Clock::now() < next) continue;
-    pause = connections_.Inspect() ? kCloseInspection : kInspection;
-    next = Clock::now() + pause;
+    Inspect();
+    next = Clock::now() + pause_;
+  }
+}
+
+void Door::Inspect() {
+  const bool much = connections_.Inspect();
+  flood_guard_.Inspect(Clock::now());
+  pause_ = much || flood_guard_.IsBusy() ? kCloseInspection : kInspection;
+  SetAccepting(!flood_guard_.IsFlooded());
+}
+
+// Callers stay in line meanwhile.
+void Door::SetAccepting(bool accepting) {
+  if (accepting == accepting_) return;
+  accepting_ = accepting;
+  for (const ListeningSocket& listening : listening_) {
+    epoll_event event{.events = accepting ? EPOLLIN : 0U, .data = {.fd = listening.fd()}};
+    epoll_ctl(epoll_.get(), EPOLL_CTL_MOD, listening.fd(), &event);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <grpcpp/server_builder.h>
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "server/connections/connection_table.h"
+#include "server/connections/flood_guard.h"
 #include "server/connections/listening_socket.h"
 
 namespace fovea::server {
@@ -48,8 +50,13 @@ class Door {
   void TurnAwayWithoutDescriptor(const ListeningSocket& listening);
   bool WasAnnounced(const std::string& peer);
   void Watch(int fd, std::uint32_t events) const;
+  void Inspect();
+  void SetAccepting(bool accepting);
 
   ConnectionTable& connections_;
+  FloodGuard flood_guard_;
+  bool accepting_ = true;
+  std::chrono::milliseconds pause_;  // until the next look at connections
   std::vector<ListeningSocket> listening_;
   FileDescriptor epoll_, wake_;
   FileDescriptor spare_;  // given up to accept, and close, when there are no more

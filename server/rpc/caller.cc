@@ -18,7 +18,6 @@ void Caller::Begin(std::function<void()> on_gone) {
   done_.then = [this, on_gone = std::move(on_gone)](bool) {
     if (!context_->IsCancelled()) return;
     gone_ = true;
-    OnVain();
     Guard(on_gone);
   };
 }
@@ -39,10 +38,6 @@ void Caller::OnMessage(std::size_t bytes) { owed_ = connections_.OnMessage(peer_
 
 void Caller::OnNoMessage() {
   if (!peer_.empty()) connections_.OnNoMessage(peer_, owed_);
-}
-
-void Caller::OnVain() {
-  Guard([this] { connections_.OnVain(context_->peer()); });
 }
 
 void Caller::End() noexcept {

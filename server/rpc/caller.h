@@ -51,9 +51,6 @@ class Caller {
   void OnMessage(std::size_t bytes);
   void OnNoMessage();
 
-  // Nobody has heard the answer.
-  void OnVain();
-
   // A step of the call. Whatever it throws ends this call, of which the caller learns by CANCELLED,
   // and nothing else.
   template <typename Step>

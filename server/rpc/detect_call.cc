@@ -42,7 +42,6 @@ void DetectCall::OnCall() {
   received_ = Clock::now();
   caller_.Begin([self = shared_from_this()] { self->OnGone(); });
   if (!caller_.IsConnected()) {
-    caller_.OnVain();
     stream_.FinishWithError(caller_.StatusOfGone(), Then([self = shared_from_this()](bool) {}));
     return;
   }
@@ -122,8 +121,7 @@ void DetectCall::Refuse(const grpc::Status& status, const char* reason) {
                                  reason != nullptr ? reason : NameOf(status.error_code()));
   const bool full = status.error_code() == grpc::StatusCode::RESOURCE_EXHAUSTED;
   stream_.FinishWithError(
-      status, Then([self = shared_from_this(), full](bool heard) {
-        if (!heard) self->caller_.OnVain();
+      status, Then([self = shared_from_this(), full](bool) {
         if (full) self->environment_.metrics.OnTurnedAway(Clock::now() - self->received_);
       }));
 }

@@ -55,7 +55,6 @@ grpc::Status DetectionService::ListOptions(grpc::ServerContext* context,
 grpc::Status DetectionService::IfAdmitted(const grpc::ServerContext& context,
                                           const std::function<void()>& answer) const {
   try {
-    connections_.OnVain(context.peer());  // few of these are ever needed
     gate_keeper_.Admit(context);
     connections_.Admit(context.peer());
     answer();

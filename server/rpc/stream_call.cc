@@ -265,9 +265,7 @@ void StreamCall::Compute() {
 void StreamCall::Finish(const grpc::Status& status) {
   finished_ = true;
   age_.Cancel();
-  stream_.Finish(status, Then([self = shared_from_this()](bool heard) {
-                   if (!heard) self->caller_.OnVain();
-                 }));
+  stream_.Finish(status, Then([self = shared_from_this()](bool) {}));
 }
 
 }  // namespace fovea::server

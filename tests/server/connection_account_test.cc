@@ -113,6 +113,21 @@ TEST(ConnectionAccount, CallsThatWereRefusedAreGivenBack) {
   EXPECT_EQ(account.owed(), 0U);
 }
 
+TEST(ConnectionAccount, CallsCountWithinASecond) {
+  ConnectionAccount account(kStart);
+  account.Admit();
+  std::uint64_t total = 0;
+  for (int second = 0; second < 60; ++second) {
+    account.OnBegunCalls(total += 1000, 1000, kStart + milliseconds(1001) * second);
+    EXPECT_EQ(account.Fault({}, kStart), std::nullopt) << second;
+  }
+  account.OnBegunCalls(total += 1'000'000, 1000, kStart + minutes(60));  // not looked at before
+  EXPECT_EQ(account.Fault({}, kStart), std::nullopt);
+  account.OnBegunCalls(total + 1001, 1000, kStart + minutes(60) + milliseconds(10));
+  EXPECT_THAT(account.Fault({}, kStart), Optional(HasSubstr("began 1001 calls")));
+  EXPECT_TRUE(account.IsFlooding());
+}
+
 TEST(ConnectionAccount, HoldsWhatItOwesAllTheTime) {
   ConnectionAccount robot(kStart), other(kStart);
   std::uint64_t total = 0;

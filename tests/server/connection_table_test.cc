@@ -49,28 +49,24 @@ TEST_F(ConnectionTableTest, RobotsKeepTheirPlaces) {
   EXPECT_FALSE(Comes("10.0.0.3"));
 }
 
-TEST_F(ConnectionTableTest, WhoMakesCallsInVainAgainAndAgainIsEnded) {
+TEST_F(ConnectionTableTest, AStrangerWithManyCallsIsEnded) {
   EXPECT_TRUE(Comes("10.0.0.1"));
-  for (int i = 0; i < 32; ++i) table_.OnVain("ipv4:10.0.0.1:1");
+  table_.OnBegunCalls({{"ipv4:10.0.0.1:1", 64}}, 1000);
   EXPECT_TRUE(table_.IsOpen("ipv4:10.0.0.1:1"));
-  table_.OnVain("ipv4:10.0.0.1:1");
+  table_.OnBegunCalls({{"ipv4:10.0.0.1:1", 65}}, 1000);
   EXPECT_FALSE(table_.IsOpen("ipv4:10.0.0.1:1"));
   EXPECT_EQ(table_.counts().ended, 1U);
   EXPECT_FALSE(Comes("10.0.0.1"));  // nor comes it back at once
   EXPECT_TRUE(Comes("10.0.0.2"));
 }
 
-TEST_F(ConnectionTableTest, ARobotMayGiveUpMoreCalls) {
+TEST_F(ConnectionTableTest, ARobotMayBeginMore) {
   EXPECT_TRUE(Comes("10.0.0.1"));
   table_.Admit("ipv4:10.0.0.1:1");
-  for (int i = 0; i < 100; ++i) table_.OnVain("ipv4:10.0.0.1:1");
+  table_.OnBegunCalls({{"ipv4:10.0.0.1:1", 1000}}, 1000);
   EXPECT_TRUE(table_.IsOpen("ipv4:10.0.0.1:1"));
-}
-
-TEST_F(ConnectionTableTest, CallsInVainOfConnectionsThatAreGoneCountForTheirHost) {
-  for (int port = 1; port <= 2000; ++port) table_.OnVain("ipv4:10.0.0.1:" + std::to_string(port));
-  EXPECT_FALSE(Comes("10.0.0.1"));
-  EXPECT_TRUE(Comes("10.0.0.2"));
+  table_.OnBegunCalls({{"ipv4:10.0.0.1:1", 1001}}, 1000);
+  EXPECT_FALSE(table_.IsOpen("ipv4:10.0.0.1:1"));
 }
 
 }  // namespace

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+#include "server/connections/connection_table.h"
+
+namespace fovea::server {
+
+// Sees to it that gRPC does not queue more calls than there is memory for: who begins calls only to
+// reset them (CVE-2023-44487) has no other limit. Not thread-safe.
+class FloodGuard {
+ public:
+  using Clock = ConnectionTable::Clock;
+
+  explicit FloodGuard(ConnectionTable& connections);
+
+  // Looks at what was begun since the last time, and has the table end connections that began too
+  // many. To be called every 100 ms at least.
+  void Inspect(Clock::time_point now);
+
+  // Many calls come: it had better be called again soon.
+  bool IsBusy() const { return busy_; }
+  // More came than can be looked at: nobody should be let in before that has passed, a second or
+  // so.
+  bool IsFlooded() const { return budget_ < 0; }
+
+ private:
+  ConnectionTable& connections_;
+  Clock::time_point looked_;
+  std::uint64_t begun_;  // by then
+  double budget_;        // calls that may come now
+  bool busy_ = false;
+};
+
+}  // namespace fovea::server
