@@ -65,9 +65,9 @@ std::vector<CallsOfConnection> BegunCallsByConnection() {
       char* text = grpc_channelz_get_socket(static_cast<std::intptr_t>(Number(socket, "socketId")));
       if (text == nullptr) continue;  // it has just been closed
       const json told = Channelz(text);
-      calls.push_back({.peer = name.substr(name.rfind(' ') + 1),
-                       .begun = Number(told["socket"].value("data", json::object()),
-                                       "streamsStarted")});
+      calls.push_back(
+          {.peer = name.substr(name.rfind(' ') + 1),
+           .begun = Number(told["socket"].value("data", json::object()), "streamsStarted")});
     }
   }
   return calls;

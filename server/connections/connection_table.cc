@@ -29,6 +29,13 @@ std::uint64_t ReceivedOf(int fd) {
 
 constexpr std::chrono::seconds kShutOut{5};
 
+// So much may come at once before a call is let in: what gRPC reads in one go can hold thousands.
+constexpr int kWindowOfStranger = 32 << 10, kWindow = 64 << 20;
+
+void SetWindow(int fd, int bytes) {
+  setsockopt(fd, IPPROTO_TCP, TCP_WINDOW_CLAMP, &bytes, sizeof bytes);
+}
+
 // What has come and was not read yet is not read any more, as it would be after shutdown().
 void Abort(int fd) {
   const sockaddr none{.sa_family = AF_UNSPEC, .sa_data = {}};
@@ -57,6 +64,7 @@ int ConnectionTable::Add(const std::string& peer, FileDescriptor watched) {
                          .first;
   if (IsUnixPeer(peer))
     added->second.account.Admit();  // all have one name, and are of this machine
+  SetWindow(fd, kWindowOfStranger);
   return fd;
 }
 
@@ -110,6 +118,7 @@ std::uint64_t ConnectionTable::Admit(const std::string& peer) {
   const std::lock_guard lock(mutex_);
   Connection* connection = Find(peer);
   if (connection == nullptr) return 0;
+  if (!connection->account.admitted()) SetWindow(connection->fd.get(), kWindow);
   connection->account.Admit();
   return connection->account.owed();
 }

@@ -22,9 +22,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// So often connections are looked at, and when much is on its way: what comes in between is not
-// bounded.
-constexpr std::chrono::milliseconds kInspection{100}, kCloseInspection{10};
+// So often calls are counted, and what connections hold is looked at unless much is on its way:
+// what comes in between is not bounded.
+constexpr std::chrono::milliseconds kLook{10}, kInspection{100};
 // Accepted in one go before the others are heard.
 constexpr int kBatch = 64;
 constexpr std::chrono::milliseconds kRest{10};
@@ -49,7 +49,6 @@ void RaiseFileLimit() {
 Door::Door(const std::vector<std::string>& addresses, ConnectionTable& connections)
     : connections_(connections),
       flood_guard_(connections),
-      pause_(kInspection),
       epoll_(epoll_create1(EPOLL_CLOEXEC)),
       wake_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)),
       spare_(Spare()) {
@@ -95,7 +94,7 @@ void Door::Run(const std::stop_token& stop) {
   Clock::time_point next = Clock::now();
   while (!stop.stop_requested()) {
     const bool nobody = connections_.counts().open == 0 && accepting_;
-    const int timeout = nobody ? -1 : static_cast<int>(pause_.count());
+    const int timeout = nobody ? -1 : static_cast<int>(kLook.count());
     const int found = epoll_wait(epoll_.get(), events.data(), kBatch, timeout);
     for (int i = 0; i < found; ++i) {
       const int fd = events.at(static_cast<std::size_t>(i)).data.fd;
@@ -110,14 +109,16 @@ void Door::Run(const std::stop_token& stop) {
     }
     if (Clock::now() < next) continue;
     Inspect();
-    next = Clock::now() + pause_;
+    next = Clock::now() + kLook;
   }
 }
 
 void Door::Inspect() {
-  const bool much = connections_.Inspect();
-  flood_guard_.Inspect(Clock::now());
-  pause_ = much || flood_guard_.IsBusy() ? kCloseInspection : kInspection;
+  const auto now = Clock::now();
+  if (now >= next_inspection_) {
+    next_inspection_ = now + (connections_.Inspect() ? kLook : kInspection);
+  }
+  flood_guard_.Inspect(now);
   SetAccepting(!flood_guard_.IsFlooded());
 }
 

@@ -56,7 +56,7 @@ class Door {
   ConnectionTable& connections_;
   FloodGuard flood_guard_;
   bool accepting_ = true;
-  std::chrono::milliseconds pause_;  // until the next look at connections
+  ConnectionTable::Clock::time_point next_inspection_{};  // of what connections hold
   std::vector<ListeningSocket> listening_;
   FileDescriptor epoll_, wake_;
   FileDescriptor spare_;  // given up to accept, and close, when there are no more

@@ -18,7 +18,7 @@ constexpr double kMaxBudget = 2 * kCalls_s, kMinBudget = -kCalls_s;
 // begin again when its deadlines pass, be these of some milliseconds.
 constexpr std::uint64_t kMaxCalls_s = 4000, kMaxCallsInFlood_s = 500;
 // What is less is not looked at by connection.
-constexpr double kQuiet_s = 1000;
+constexpr double kQuiet_s = 1000, kFew = 32;
 
 }  // namespace
 
@@ -36,8 +36,7 @@ void FloodGuard::Inspect(Clock::time_point now) {
     begun_ = begun;
     looked_ = now;
     budget_ = std::clamp(budget_ + seconds * kCalls_s - more, kMinBudget, kMaxBudget);
-    busy_ = more > seconds * kQuiet_s;
-    if (busy_) {
+    if (more > std::max(seconds * kQuiet_s, kFew)) {
       connections_.OnBegunCalls(BegunCallsByConnection(),
                                 IsFlooded() ? kMaxCallsInFlood_s : kMaxCalls_s);
     }

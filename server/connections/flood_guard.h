@@ -16,11 +16,9 @@ class FloodGuard {
   explicit FloodGuard(ConnectionTable& connections);
 
   // Looks at what was begun since the last time, and has the table end connections that began too
-  // many. To be called every 100 ms at least.
+  // many. What comes between two looks is not bounded.
   void Inspect(Clock::time_point now);
 
-  // Many calls come: it had better be called again soon.
-  bool IsBusy() const { return busy_; }
   // More came than can be looked at: nobody should be let in before that has passed, a second or
   // so.
   bool IsFlooded() const { return budget_ < 0; }
@@ -30,7 +28,6 @@ class FloodGuard {
   Clock::time_point looked_;
   std::uint64_t begun_;  // by then
   double budget_;        // calls that may come now
-  bool busy_ = false;
 };
 
 }  // namespace fovea::server
