@@ -72,10 +72,10 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   std::uint64_t num_received_ = 0;
   std::uint64_t num_dropped_ = 0;  // since the last frame that was taken
   Scheduler::Ticket ticket_ = 0;
-  bool busy_ = false;                   // waits for its turn, computes or writes
-  bool no_more_ = false;                // the caller sends no more frames
-  bool ending_ = false;                 // the server is stopping
-  bool is_old_ = false;                 // the caller is to open another one
+  bool busy_ = false;     // waits for its turn, computes or writes
+  bool no_more_ = false;  // the caller sends no more frames
+  bool ending_ = false;   // the server is stopping
+  bool is_old_ = false;   // the caller is to open another one
   grpc::Alarm age_;
   bool broken_ = false;                 // an answer could not be sent
   std::optional<grpc::Status> barred_;  // why the caller may not call any more
