@@ -11,6 +11,9 @@ if(FOVEA_SANITIZE)
   add_compile_options(-fsanitize=${FOVEA_SANITIZE} -fno-omit-frame-pointer
                       -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${FOVEA_SANITIZE})
+  if(FOVEA_SANITIZE MATCHES thread)
+    add_compile_options(-Wno-tsan) # fences in Boost.Asio, beside locks that it does see
+  endif()
   # GCC 12 warns falsely about std::regex when it is instrumented (GCC bug 105562).
   add_compile_options(-Wno-maybe-uninitialized)
 endif()

@@ -179,7 +179,8 @@ void Door::TurnAwayWithoutDescriptor(const ListeningSocket& listening) {
       fmt::format("connection refused: {} (raise the limit of open files)", std::strerror(errno)));
   if (!spare_) std::this_thread::sleep_for(kRest);
   spare_.Close();
-  FileDescriptor(accept4(listening.fd(), nullptr, nullptr, SOCK_CLOEXEC));
+  FileDescriptor refused(accept4(listening.fd(), nullptr, nullptr, SOCK_CLOEXEC));
+  refused.Close();
   spare_ = Spare();
 }
 
