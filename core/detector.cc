@@ -6,9 +6,13 @@
 
 #include "core/depth/back_projection.h"
 #include "core/depth/flying_pixels.h"
+#include "core/depth/measured_depth.h"
 #include "core/explanation.h"
+#include "core/paper/detect_as_paper.h"
 #include "core/refinement.h"
+#include "core/saliency/mean_saliency.h"
 #include "core/scene/background.h"
+#include "core/seeds/salient_positions.h"
 #include "core/segmentation/alpha_expansion.h"
 #include "core/segmentation/contraction.h"
 #include "core/segmentation/labels.h"
@@ -18,31 +22,6 @@
 
 namespace fovea {
 namespace {
-
-std::size_t CountMeasured(const cv::Mat& depth) {
-  return static_cast<std::size_t>(cv::countNonZero(depth == depth));  // false for NaN
-}
-
-cv::Mat ChannelZ(const cv::Mat& points) {
-  cv::Mat z;
-  cv::extractChannel(points, z, 2);
-  return z;
-}
-
-// Depth that the stages can rely on: every value that no camera measures is NaN.
-cv::Mat CleanDepth(const cv::Mat& depth_m) {
-  constexpr double kNearest_m = 1e-3, kFarthest_m = 1e4;
-  cv::Mat clean = depth_m.clone();
-  const cv::Mat reliable = (depth_m >= kNearest_m) & (depth_m <= kFarthest_m);
-  clean.setTo(std::numeric_limits<float>::quiet_NaN(), ~reliable);
-  return clean;
-}
-
-Gravity FindGravity(const RgbdFrame& frame, const NormalMap& normals,
-                    const GravityOptions& options) {
-  if (frame.gravity) return {frame.gravity->normalized(), Gravity::Source::kGiven};
-  return {EstimateGravity(normals.vectors, options), Gravity::Source::kEstimated};
-}
 
 void AddWalls(const std::vector<char>& on_wall, std::vector<char>& is_background) {
   for (std::size_t v = 0; v < on_wall.size(); ++v) is_background[v] |= on_wall[v];
@@ -60,34 +39,13 @@ std::vector<int> LabelVoxels(const PottsEnergy& energy, const MrfOptions& option
   return ImproveByAlphaExpansion(energy, labels, {options.max_sweeps - 1, options.only_owners});
 }
 
-// Both maps, each scaled to a maximum of 1, count the same.
-cv::Mat MeanSaliency(const cv::Mat& color_saliency, const cv::Mat& depth_saliency) {
-  const auto scale = [](const cv::Mat& map) {
-    InterruptionPoint();
-    double max = 0;
-    cv::minMaxLoc(map, nullptr, &max);
-    return max > 0 ? 0.5 / max : 0.0;
-  };
-  return color_saliency * scale(color_saliency) + depth_saliency * scale(depth_saliency);
-}
-
-// Labels only where the sensor measured depth: filled holes help to segment, but nobody has seen
-// what is there.
-cv::Mat LabelsOfMeasured(const VoxelGrid& grid, const std::vector<int>& labels,
-                         const cv::Mat& measured_depth) {
-  cv::Mat image = LabelImage(grid, labels);
-  InterruptionPoint();
-  image.setTo(0, ~(measured_depth == measured_depth));  // NaN
-  return image;
-}
-
 // The first stage of `clock` has begun.
 void FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* trace,
                  StageClock& clock, Detections& result) {
   Diagnostics& counts = result.diagnostics;
 
   // Section 1: the smoothed depth image and the point cloud.
-  const cv::Mat measured = CleanDepth(frame.depth_m);
+  const cv::Mat measured = MeasuredDepth(frame.depth_m);
   const cv::Mat depth =
       FillDepthHoles(RemoveFlyingPixels(measured, frame.intrinsics.fx_px, frame.intrinsics.fy_px,
                                         options.flying_pixels),
@@ -110,35 +68,22 @@ void FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* 
   clock.Begin("seeds");
 
   // Section 3.2: seeds at salient positions, except on the dominating support surface.
-  SeedCandidates from_color;
-  if (options.seeds.from_color) {
-    from_color = FindSeeds(color_saliency, points, Seed::Source::kColorSaliency, options.seeds,
-                           options.color_saliency.downscale);
-  }
-  SeedCandidates from_depth;
-  if (options.seeds.from_depth) {
-    from_depth = FindSeeds(depth_saliency, points, Seed::Source::kDepthSaliency, options.seeds,
-                           options.depth_saliency.downscale);
-  }
-  counts.seeds_from_color = from_color.seeds.size() + from_color.without_depth;
-  counts.seeds_from_depth = from_depth.seeds.size() + from_depth.without_depth;
-  counts.seeds_without_depth = from_color.without_depth + from_depth.without_depth;
+  SalientPositions salient =
+      FindSalientPositions(color_saliency, options.color_saliency.downscale, depth_saliency,
+                           options.depth_saliency.downscale, points, options.seeds, counts);
   clock.Begin("support");
 
   NormalMap wide_normals;
   if (!frame.gravity || options.support.wide_normals) {
     wide_normals = EstimateNormals(points, frame.intrinsics, options.gravity.normals);
   }
-  result.gravity = FindGravity(frame, wide_normals, options.gravity);
+  result.gravity = FindGravity(frame.gravity, wide_normals.vectors, options.gravity);
   const std::vector<Support> supports =
       FindSupports(points, options.support.wide_normals ? wide_normals : normals,
                    result.gravity.direction, options.support);
   if (!supports.empty()) result.support = supports.front().surface;
-  std::vector<Seed> seeds = from_color.seeds;
-  seeds.insert(seeds.end(), from_depth.seeds.begin(), from_depth.seeds.end());
-  const std::size_t num_candidates = seeds.size();
-  seeds = SeedsAbove(supports, seeds, options.support);
-  counts.seeds_on_support = num_candidates - seeds.size();
+  std::vector<Seed> seeds = SeedsAbove(supports, salient.seeds, options.support, salient.removed);
+  counts.seeds_on_support = salient.seeds.size() - seeds.size();
   clock.Begin("voxels");
 
   // Section 3: the scene as voxels, labelled by a Markov random field.
@@ -159,10 +104,9 @@ void FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* 
   clock.Begin("refinement");
 
   // Section 3.3: segments that look alike are one object.
-  const RefinedScene refined =
-      Refine({grid, labels, points, frame.color_rgb, colors, frame.intrinsics,
-              -result.gravity.direction, supports, on_wall},
-             options);
+  const RefinedScene refined = Refine({grid, labels, points, colors, frame.intrinsics,
+                                       -result.gravity.direction, supports, on_wall},
+                                      options);
   counts.num_segments = refined.num_segments;
   counts.num_merged = refined.num_merged;
   counts.segments_implausible = refined.num_implausible;
@@ -173,8 +117,19 @@ void FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* 
                   options.objects, result);
   counts.messages = ExplainLosses(result);
   clock.Finish();
-  if (trace != nullptr)
-    *trace = {color_saliency, depth_saliency, seeds, grid, colors, refined.segments};
+  if (trace != nullptr) {
+    *trace = {depth,
+              color_saliency,
+              depth_saliency,
+              seeds,
+              salient.removed,
+              options.mrf.data.gamma_per_m2,
+              grid,
+              colors,
+              labels,
+              refined.segments,
+              refined.merged};
+  }
 }
 
 }  // namespace
@@ -183,11 +138,15 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
                   const std::function<bool()>& should_stop) {
   Validate(frame);
   Validate(options);
-  RequireNotEmpty(options.region, frame.depth_m.size());
+  RequireNotEmpty(options.paper ? options.paper->region : options.region, frame.depth_m.size());
   Detections result;
   StageClock clock(result.stage_times, should_stop, "depth");
   try {
-    FindObjects(frame, options, trace, clock, result);
+    if (options.paper) {
+      paper::FindObjects(frame, *options.paper, trace, clock, result);
+    } else {
+      FindObjects(frame, options, trace, clock, result);
+    }
   } catch (Cancelled& cancelled) {
     cancelled.stage_times = clock.TimesUntilNow();
     throw;

@@ -1,8 +1,10 @@
 #include "core/options.h"
 
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <type_traits>
 #include <variant>
 
 #include "core/options_table.h"
@@ -10,10 +12,18 @@
 namespace fovea {
 namespace {
 
-double Get(const OptionEntry& entry, const DetectorOptions& options) {
+template <typename T>
+constexpr bool kIsValue = !std::is_same_v<std::decay_t<T>, std::monostate>;
+
+// None where the profile of the options does not read it.
+std::optional<double> Get(const OptionEntry& entry, const DetectorOptions& options) {
   // The table locates members of mutable options; reading does not change them.
-  return std::visit([](const auto* value) { return static_cast<double>(*value); },
-                    entry.locate(const_cast<DetectorOptions&>(options)));
+  return std::visit(
+      [](auto value) -> std::optional<double> {
+        if constexpr (kIsValue<decltype(value)>) return static_cast<double>(*value);
+        return std::nullopt;
+      },
+      entry.locate(const_cast<DetectorOptions&>(options)));
 }
 
 void Check(const OptionInfo& info, double value) {
@@ -25,11 +35,12 @@ void Check(const OptionInfo& info, double value) {
   throw std::invalid_argument(message.str());
 }
 
-const OptionEntry& EntryOf(std::string_view name) {
+// Null where there is no option of this name.
+const OptionEntry* FindEntry(std::string_view name) {
   for (const OptionEntry& entry : OptionTable()) {
-    if (entry.info.name == name) return entry;
+    if (entry.info.name == name) return &entry;
   }
-  throw std::invalid_argument(std::string(name) + ": there is no option of this name");
+  return nullptr;
 }
 
 }  // namespace
@@ -42,22 +53,42 @@ std::vector<OptionInfo> ListOptions() {
 
 std::map<std::string, double> OptionValues(const DetectorOptions& options) {
   std::map<std::string, double> values;
-  for (const OptionEntry& entry : OptionTable()) values[entry.info.name] = Get(entry, options);
+  for (const OptionEntry& entry : OptionTable()) {
+    if (const auto value = Get(entry, options)) values[entry.info.name] = *value;
+  }
   return values;
 }
 
+bool IsOption(std::string_view name) { return FindEntry(name) != nullptr; }
+
+bool HasOption(const DetectorOptions& options, std::string_view name) {
+  const OptionEntry* entry = FindEntry(name);
+  return entry != nullptr && Get(*entry, options).has_value();
+}
+
 void SetOption(DetectorOptions& options, std::string_view name, double value) {
-  const OptionEntry& entry = EntryOf(name);
-  Check(entry.info, value);
+  const OptionEntry* entry = FindEntry(name);
+  if (entry == nullptr) {
+    throw std::invalid_argument(std::string(name) + ": there is no option of this name");
+  }
+  if (!HasOption(options, name)) {
+    throw std::invalid_argument(std::string(name) + ": profile \"" +
+                                (options.paper ? "paper" : "default") + "\" does not read it");
+  }
+  Check(entry->info, value);
   std::visit(
-      [value](auto* member) {
-        *member = static_cast<std::remove_reference_t<decltype(*member)>>(value);
+      [value](auto member) {
+        if constexpr (kIsValue<decltype(member)>) {
+          *member = static_cast<std::remove_pointer_t<decltype(member)>>(value);
+        }
       },
-      entry.locate(options));
+      entry->locate(options));
 }
 
 void Validate(const DetectorOptions& options) {
-  for (const OptionEntry& entry : OptionTable()) Check(entry.info, Get(entry, options));
+  for (const OptionEntry& entry : OptionTable()) {
+    if (const auto value = Get(entry, options)) Check(entry.info, *value);
+  }
 }
 
 }  // namespace fovea

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "core/objects/continuation.h"
 #include "core/objects/describe_objects.h"
 #include "core/objects/plausibility.h"
+#include "core/paper/paper_options.h"
 #include "core/saliency/depth_saliency.h"
 #include "core/saliency/strength_saliency.h"
 #include "core/scene/gravity.h"
@@ -20,7 +22,6 @@
 #include "core/scene/walls.h"
 #include "core/seeds/covering_seeds.h"
 #include "core/seeds/saliency_seeds.h"
-#include "core/segmentation/color_merge.h"
 #include "core/segmentation/hollow_fill.h"
 #include "core/segmentation/mrf_energy.h"
 #include "core/segmentation/occlusion_merge.h"
@@ -32,6 +33,9 @@ namespace fovea {
 
 // In the order of the pipeline. Units, meanings and sources stand with each stage's options.
 struct DetectorOptions {
+  // Set: the paper's method runs, with these, and reads nothing else here.
+  std::optional<paper::PaperOptions> paper;
+
   double max_depth_m = 10;  // points farther away are left out
   RegionOptions region;
   FlyingPixelOptions flying_pixels;
@@ -46,7 +50,6 @@ struct DetectorOptions {
   WallOptions walls;
   CoverOptions cover;
   MrfOptions mrf;
-  ColorMergeOptions color_merge;
   PartMergeOptions part_merge;
   HollowFillOptions hollow_fill;
   OcclusionMergeOptions occlusion_merge;
@@ -56,8 +59,8 @@ struct DetectorOptions {
   ObjectOptions objects;
 };
 
-// "paper": the method as Bao et al. describe it. "default": the best settings of the same code.
-// An empty name means "default". Throws std::invalid_argument for any other name.
+// "paper": the method as Bao et al. describe it. "default": what goes beyond it. An empty name
+// means "default". Throws std::invalid_argument for any other name.
 DetectorOptions OptionsOfProfile(std::string_view profile);
 
 // The names of all profiles, the default one first.
@@ -72,14 +75,18 @@ struct OptionInfo {
   std::string description;  // what it does, its unit and its source
 };
 
-// Every option, in the order of the pipeline.
+// Every option of any profile, in the order of the pipeline.
 std::vector<OptionInfo> ListOptions();
 
-// The value of each option by name.
+// The value by name of each option that the profile of these reads.
 std::map<std::string, double> OptionValues(const DetectorOptions& options);
 
+// Whether there is an option of this name, and whether the profile of these reads it.
+bool IsOption(std::string_view name);
+bool HasOption(const DetectorOptions& options, std::string_view name);
+
 // Sets one option. Throws std::invalid_argument, naming option, value and range, for a name that
-// does not exist or a value out of its range.
+// does not exist or that the profile does not read, or a value out of its range.
 void SetOption(DetectorOptions& options, std::string_view name, double value);
 
 // Checks every option against its range; throws like SetOption.

@@ -9,10 +9,12 @@
 
 namespace fovea {
 
+// Where the value of an option lives; std::monostate: the profile does not read it.
+using OptionValue = std::variant<std::monostate, double*, int*, bool*>;
+
 struct OptionEntry {
   OptionInfo info;
-  // Where the value lives.
-  std::function<std::variant<double*, int*, bool*>(DetectorOptions&)> locate;
+  std::function<OptionValue(DetectorOptions&)> locate;
 };
 
 // Every option with its range, in the order of the pipeline.

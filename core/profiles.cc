@@ -5,8 +5,11 @@
 namespace fovea {
 namespace {
 
-// The initial values of the options' structs are the paper's.
-DetectorOptions Paper() { return {}; }
+DetectorOptions Paper() {
+  DetectorOptions options;
+  options.paper.emplace();
+  return options;
+}
 
 DetectorOptions Default() {
   DetectorOptions options;
@@ -55,18 +58,13 @@ DetectorOptions Default() {
   options.voxels.size_m = 0.01;
   options.voxels.neighbor_axes = 1;
   options.voxels.normal_smoothing = 1;
-  options.mrf.gamma_per_m2 = 30;
-  options.mrf.lambda = 6;
-  options.mrf.reach_m = 0.15;
   options.mrf.max_sweeps = 2;
   options.mrf.only_owners = true;
   options.mrf.cluster_voxels = 16;
   options.mrf.cluster_min_share = 0.6;
-  options.mrf.concave_angle_deg = 12;
   options.mrf.step_weight = 0.6;
   options.mrf.color_floor = 0.35;
   // Shape, colour and size together tell the parts of an object; textures would part them.
-  options.color_merge.min_correlation = 1;
   options.part_merge.min_probability = 0.5;
   options.hollow_fill.max_radius_m = 0.2;
   options.occlusion_merge.min_shared_surface = 0.3;

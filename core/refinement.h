@@ -15,7 +15,6 @@ struct LabelledScene {
   const VoxelGrid& grid;
   const std::vector<int>& labels;        // one entry a voxel, 0 = background
   const cv::Mat& points;                 // CV_32FC3 in the camera frame, NaN = none
-  const cv::Mat& color_rgb;              // CV_8UC3 of the same size
   const std::vector<MeanColor>& colors;  // one entry a voxel
   const CameraIntrinsics& intrinsics;
   Eigen::Vector3f up;  // unit vector
@@ -25,6 +24,7 @@ struct LabelledScene {
 
 struct RefinedScene {
   std::vector<int> segments;  // one entry a voxel, before parts are joined; 0 = background
+  std::vector<int> merged;    // likewise, after
   std::vector<int> objects;   // likewise, what was joined and may be an object: 1 … n
   std::size_t num_segments = 0;
   std::size_t num_merged = 0;       // segments that were joined to another

@@ -11,12 +11,18 @@
 namespace fovea {
 
 struct Trace {
-  cv::Mat color_saliency;   // CV_32FC1 in [0, 1], frame size
-  cv::Mat depth_saliency;   // CV_32FC1 in [0, 1], frame size
-  std::vector<Seed> seeds;  // those that became object hypotheses
+  cv::Mat depth_m;                   // CV_32FC1 after hole filling, NaN = none, frame size
+  cv::Mat color_saliency;            // CV_32FC1 in [0, 1], frame size
+  cv::Mat depth_saliency;            // CV_32FC1 in [0, 1], frame size
+  std::vector<Seed> seeds;           // those that became object hypotheses
+  std::vector<RemovedSeed> removed;  // the other salient positions
+  double gamma_per_m2 = 0;           // Eq. 5: how fast the hypotheses fade with distance
   VoxelGrid voxels;
-  std::vector<MeanColor> colors;  // of the voxels
-  std::vector<int> segments;      // one entry a voxel, before parts are joined; 0 = background
+  std::vector<MeanColor> colors;  // of the voxels; empty where only shape counts
+  // One entry a voxel, 0 = background.
+  std::vector<int> labels;    // after the graph cut: k of the hypothesis of seeds[k - 1]
+  std::vector<int> segments;  // connected parts of them, before those of one object are joined
+  std::vector<int> merged;    // after that, before what can be no object is dropped
 };
 
 }  // namespace fovea

@@ -41,6 +41,9 @@ cv::Mat StrengthSaliency(const cv::Mat& color_rgb, const StrengthSaliencyOptions
   const cv::Mat lab = LabOf(ReduceByBlocks(color_rgb, options.downscale));
   std::vector<cv::Mat> channels;
   cv::split(lab, channels);
+  if (options.stretch) {
+    for (cv::Mat& channel : channels) cv::normalize(channel, channel, 0, 255, cv::NORM_MINMAX);
+  }
 
   cv::Mat saliency = cv::Mat::zeros(lab.size(), CV_32F);
   for (int scale = 1; scale <= options.num_scales; ++scale) {

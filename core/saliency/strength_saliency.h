@@ -11,6 +11,9 @@ struct StrengthSaliencyOptions {
   // The image is reduced by this factor (area average) first and the map enlarged afterwards
   // (nearest neighbour, which keeps plateaus flat); 1 … 8. Paper: 1.
   int downscale = 1;
+  // MaxDist of Eq. 3, "the maximum distance between any two feature vectors in the feature space":
+  // false: of the 8-bit channel, 255; true: of the values that the image has in it.
+  bool stretch = false;
 };
 
 // The strength S of each pixel of one feature channel at one scale: pixels within `scale` of an

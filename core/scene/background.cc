@@ -1,7 +1,6 @@
 #include "core/scene/background.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "core/types/interruption.h"
 
@@ -16,10 +15,15 @@ bool MayBeObject(const std::vector<Support>& supports, const Eigen::Vector3f& po
 }  // namespace
 
 std::vector<Seed> SeedsAbove(const std::vector<Support>& supports, const std::vector<Seed>& seeds,
-                             const SupportOptions& options) {
+                             const SupportOptions& options, std::vector<RemovedSeed>& removed) {
   std::vector<Seed> above;
-  std::copy_if(seeds.begin(), seeds.end(), std::back_inserter(above),
-               [&](const Seed& seed) { return MayBeObject(supports, seed.position, options); });
+  for (const Seed& seed : seeds) {
+    if (MayBeObject(supports, seed.position, options)) {
+      above.push_back(seed);
+    } else {
+      removed.push_back({seed.pixel, seed.source, RemovedSeed::Reason::kOnSupport});
+    }
+  }
   return above;
 }
 

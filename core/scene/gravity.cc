@@ -140,4 +140,10 @@ Eigen::Vector3f EstimateGravity(const cv::Mat& normals, const GravityOptions& op
   return directions[static_cast<std::size_t>(best - explained.begin())].cast<float>();
 }
 
+Gravity FindGravity(const std::optional<Eigen::Vector3f>& given, const cv::Mat& normals,
+                    const GravityOptions& options) {
+  if (given) return {given->normalized(), Gravity::Source::kGiven};
+  return {EstimateGravity(normals, options), Gravity::Source::kEstimated};
+}
+
 }  // namespace fovea

@@ -4,8 +4,10 @@
 
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>
+#include <optional>
 
 #include "core/depth/normals.h"
+#include "core/types/detections.h"
 
 namespace fovea {
 
@@ -32,5 +34,9 @@ struct GravityOptions {
 // camera frame that points down (its y is that of the start's sign); the start where no normal
 // counts.
 Eigen::Vector3f EstimateGravity(const cv::Mat& normals, const GravityOptions& options = {});
+
+// `given` where the frame tells it, else the estimate from `normals`.
+Gravity FindGravity(const std::optional<Eigen::Vector3f>& given, const cv::Mat& normals,
+                    const GravityOptions& options = {});
 
 }  // namespace fovea

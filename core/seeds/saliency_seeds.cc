@@ -89,9 +89,8 @@ std::optional<cv::Point> NearestMeasured(const std::vector<cv::Point>& pixels,
   return nearest;
 }
 
-std::optional<cv::Point> PixelOfPeak(const std::vector<cv::Point>& pixels, const cv::Mat& points,
-                                     bool on_peak) {
-  const cv::Point center = Centroid(pixels);
+std::optional<cv::Point> PixelOfPeak(const std::vector<cv::Point>& pixels, const cv::Point& center,
+                                     const cv::Mat& points, bool on_peak) {
   if (on_peak) return NearestMeasured(pixels, center, points);
   if (HasPoint(points, center)) return center;
   return std::nullopt;
@@ -107,9 +106,10 @@ SeedCandidates FindSeeds(const cv::Mat& saliency, const cv::Mat& points, Seed::S
   LongLoop loop;
   for (const std::vector<cv::Point>& peak : PixelsOfPeaks(peaks)) {
     loop.Turn();
-    const std::optional<cv::Point> pixel = PixelOfPeak(peak, points, options.on_peak);
+    const cv::Point center = Centroid(peak);
+    const std::optional<cv::Point> pixel = PixelOfPeak(peak, center, points, options.on_peak);
     if (!pixel) {
-      ++candidates.without_depth;
+      candidates.without_depth.push_back(center);
       continue;
     }
     const cv::Vec3f& p = points.at<cv::Vec3f>(*pixel);

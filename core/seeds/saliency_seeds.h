@@ -22,8 +22,8 @@ struct SeedOptions {
 };
 
 struct SeedCandidates {
-  std::vector<Seed> seeds;        // in row-major order of their peaks
-  std::size_t without_depth = 0;  // peaks that gave no seed, as there was no depth
+  std::vector<Seed> seeds;               // in row-major order of their peaks
+  std::vector<cv::Point> without_depth;  // centroids of peaks that gave no seed for want of depth
 };
 
 // Opening by reconstruction with a disk, regional maxima, one seed for each flat peak.

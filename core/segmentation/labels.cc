@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "core/types/interruption.h"
+#include "core/types/too_complex.h"
 
 namespace fovea {
 std::vector<int> Renumbered(std::vector<int> labels) {
@@ -40,6 +42,12 @@ std::vector<int> Renumbered(const std::vector<int>& labels, DisjointSets& sets) 
   return Renumbered(std::move(joined));
 }
 
+void RequireFewSegments(const std::vector<int>& segments) {
+  constexpr std::size_t kMax = std::numeric_limits<std::uint16_t>::max();
+  if (CountLabels(segments) <= kMax) return;
+  throw TooComplex("segments: more than 65535, depth is mostly noise; raise voxels.size_m");
+}
+
 cv::Mat LabelImage(const VoxelGrid& grid, const std::vector<int>& labels) {
   InterruptionPoint();
   std::vector<std::uint16_t> label_of(labels.size() + 1, 0);  // the first for "no voxel"
@@ -50,6 +58,14 @@ cv::Mat LabelImage(const VoxelGrid& grid, const std::vector<int>& labels) {
     auto* label = image.ptr<std::uint16_t>(row);
     for (int col = 0; col < image.cols; ++col) label[col] = label_of[voxel[col] + 1];
   }
+  return image;
+}
+
+cv::Mat LabelsOfMeasured(const VoxelGrid& grid, const std::vector<int>& labels,
+                         const cv::Mat& measured_depth) {
+  cv::Mat image = LabelImage(grid, labels);
+  InterruptionPoint();
+  image.setTo(0, ~(measured_depth == measured_depth));  // NaN
   return image;
 }
 

@@ -72,6 +72,14 @@ struct Seed {
   Source source = Source::kColorSaliency;
 };
 
+// A salient position that did not become a seed.
+struct RemovedSeed {
+  enum class Reason { kWithoutDepth, kOnSupport };  // on or below the support surface, or beside it
+  cv::Point pixel;
+  Seed::Source source = Seed::Source::kColorSaliency;
+  Reason reason = Reason::kOnSupport;
+};
+
 // How much was left after each step: says why there are few objects, or none.
 struct Diagnostics {
   std::size_t num_pixels = 0;

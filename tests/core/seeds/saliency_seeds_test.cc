@@ -53,7 +53,7 @@ TEST(FindSeeds, MovesToTheNearestMeasuredPixelOfThePeakIfAsked) {
   EXPECT_EQ(moved.seeds[0].pixel, cv::Point(310, 100));
   const auto lost = FindSeeds(map, points, kColor, {.on_peak = false});
   EXPECT_TRUE(lost.seeds.empty());
-  EXPECT_EQ(lost.without_depth, 1U);
+  EXPECT_EQ(lost.without_depth.size(), 1U);
 }
 
 TEST(FindSeeds, ScalesTheDiskWithTheWidth) {
@@ -86,7 +86,7 @@ TEST(FindSeeds, FindsNothingInAConstantMap) {
   const cv::Mat map(50, 640, CV_32FC1, cv::Scalar(0.5F));
   const auto found = FindSeeds(map, FlatPoints(map.size()), kColor);
   EXPECT_TRUE(found.seeds.empty());
-  EXPECT_EQ(found.without_depth, 0U);
+  EXPECT_TRUE(found.without_depth.empty());
 }
 
 }  // namespace

@@ -29,88 +29,8 @@ Scene RandomScene(unsigned seed, double voxel_m = 0.05) {
   return scene;
 }
 
-// Eq. 2 as printed: the mean over the voxel's points of −ln p(label | x).
-double LiteralCost(const Scene& scene, int voxel, int label, const MrfOptions& options) {
-  double sum = 0;
-  int count = 0;
-  for (int row = 0; row < scene.points.rows; ++row) {
-    for (int col = 0; col < scene.points.cols; ++col) {
-      if (scene.grid.voxel_of_pixel.at<int>(row, col) != voxel) continue;
-      const cv::Vec3f& p = scene.points.at<cv::Vec3f>(row, col);
-      const auto probability = [&](int c) {  // Eq. 5
-        const Eigen::Vector3d d =
-            Eigen::Vector3d(p[0], p[1], p[2]) - scene.seeds[c].position.cast<double>();
-        return std::exp(-options.gamma_per_m2 * d.squaredNorm());
-      };
-      double value = 0;
-      if (label > 0) {
-        value = probability(label - 1);
-      } else {  // Eq. 6
-        double least = 1;
-        for (int c = 0; c < 3; ++c) least = std::min(least, 1 - probability(c));
-        value = options.alpha * std::max(least, options.min_probability);
-      }
-      sum -= std::log(value);
-      ++count;
-    }
-  }
-  return sum / count;
-}
-
-TEST(BuildEnergy, HasTheDataTermAsPrinted) {
-  const Scene scene = RandomScene(11);
-  const MrfOptions options;
-  const std::vector<char> none(scene.grid.voxels.size(), 0);
-  const PottsEnergy energy = BuildEnergy(scene.grid, scene.points, {}, none, scene.seeds, options);
-  ASSERT_EQ(energy.choices.size(), 4U);
-  for (int label = 0; label < 4; ++label) {
-    ASSERT_EQ(energy.choices[label].size(), scene.grid.voxels.size());
-    for (const auto& choice : energy.choices[label]) {
-      EXPECT_NEAR(choice.cost, LiteralCost(scene, choice.node, label, options), 2e-3)
-          << "voxel " << choice.node << " label " << label;
-    }
-  }
-}
-
-// Their only point is as far from the nearest seed as their mean: rounding must not lose that seed.
-TEST(BuildEnergy, BackgroundOfSinglePointsKnowsTheirNearestSeed) {
-  const Scene scene = RandomScene(12, 1e-4);
-  ASSERT_EQ(scene.grid.voxels.size(), scene.points.total());
-  const MrfOptions options;
-  const std::vector<char> none(scene.grid.voxels.size(), 0);
-  const PottsEnergy energy = BuildEnergy(scene.grid, scene.points, {}, none, scene.seeds, options);
-  for (const auto& choice : energy.choices[0]) {
-    EXPECT_NEAR(choice.cost, LiteralCost(scene, choice.node, 0, options), 2e-3) << choice.node;
-  }
-}
-
-TEST(BuildEnergy, OffersNothingOnTheSupportAndBeyondReach) {
-  Scene scene = RandomScene(12);
-  scene.seeds[2].position.z() = 3.0F;  // two metres off: Eq. 5 is below min_probability
-  std::vector<char> is_background(scene.grid.voxels.size(), 0);
-  is_background[0] = 1;
-  const PottsEnergy energy = BuildEnergy(scene.grid, scene.points, {}, is_background, scene.seeds);
-  EXPECT_EQ(energy.choices[0].size(), scene.grid.voxels.size());
-  EXPECT_EQ(energy.choices[1].size(), scene.grid.voxels.size() - 1);
-  EXPECT_EQ(energy.choices[1].front().node, 1);
-  EXPECT_TRUE(energy.choices[3].empty());
-}
-
 Voxel At(float x, const Eigen::Vector3f& normal) {
   return {.mean = {x, 0, 1}, .normal = normal.normalized(), .num_points = 1};
-}
-
-TEST(PairwiseWeight, IsEquation7) {
-  const MrfOptions options{.lambda = 4, .epsilon = 0.1, .normal_constant = 0.1};
-  const Eigen::Vector3f left(-1, 0, -1);
-  const Eigen::Vector3f right(1, 0, -1);
-  const double distance = std::sqrt(2.0) + 0.1;  // of the two unit normals, plus the constant
-  // Normals that part are an edge seen from outside: convex, expensive to cut.
-  EXPECT_NEAR(PairwiseWeight(At(0, left), At(0.01F, right), options), 4 / distance * 1.1, 1e-5);
-  // Normals that meet are a groove: concave, cheap.
-  EXPECT_NEAR(PairwiseWeight(At(0, right), At(0.01F, left), options), 4 / distance * 0.1, 1e-5);
-  // Equal normals: the sign of Eq. 8 is not above 0.
-  EXPECT_NEAR(PairwiseWeight(At(0, left), At(0.01F, left), options), 4 / 0.1 * 0.1, 1e-5);
 }
 
 TEST(PairwiseWeight, FallsWithGroovesAndSteps) {

@@ -1,10 +1,10 @@
-#include "core/segmentation/color_merge.h"
+#include "core/paper/color_merge.h"
 
 #include <gtest/gtest.h>
 
 #include "tests/core/segmentation/voxel_chain.h"
 
-namespace fovea {
+namespace fovea::paper {
 namespace {
 
 cv::Mat Colors(const std::vector<cv::Vec3b>& colors) { return cv::Mat(colors, true).reshape(3, 1); }
@@ -47,4 +47,4 @@ TEST(MergeByColor, AcceptsNoSegments) {
 }
 
 }  // namespace
-}  // namespace fovea
+}  // namespace fovea::paper

@@ -1,4 +1,4 @@
-#include "core/segmentation/color_merge.h"
+#include "core/paper/color_merge.h"
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
@@ -9,7 +9,7 @@
 #include "core/segmentation/labels.h"
 #include "core/types/interruption.h"
 
-namespace fovea {
+namespace fovea::paper {
 namespace {
 
 // The bins of a histogram that count anything: of noise there are too many segments for a whole
@@ -58,11 +58,8 @@ std::set<std::pair<int, int>> NeighboringLabels(const VoxelGrid& grid,
   return pairs;
 }
 
-}  // namespace
-
-std::vector<int> MergeByColor(const VoxelGrid& grid, const std::vector<int>& labels,
-                              const cv::Mat& color_rgb, const ColorMergeOptions& options) {
-  if (options.min_correlation >= 1) return labels;
+std::vector<int> MergeOnce(const VoxelGrid& grid, const std::vector<int>& labels,
+                           const cv::Mat& color_rgb, const ColorMergeOptions& options) {
   const int num_labels = static_cast<int>(CountLabels(labels));
   const std::vector<SparseHistogram> histograms =
       ColorHistograms(grid, labels, num_labels, color_rgb, options.bins);
@@ -81,4 +78,24 @@ std::vector<int> MergeByColor(const VoxelGrid& grid, const std::vector<int>& lab
   return Renumbered(labels, objects);
 }
 
-}  // namespace fovea
+}  // namespace
+
+std::vector<int> SegmentsOf(const VoxelGrid& grid, const std::vector<int>& labels,
+                            const ColorMergeOptions& options) {
+  std::vector<int> segments = options.split ? SplitIntoSegments(grid, labels) : Renumbered(labels);
+  RequireFewSegments(segments);
+  return segments;
+}
+
+std::vector<int> MergeByColor(const VoxelGrid& grid, const std::vector<int>& labels,
+                              const cv::Mat& color_rgb, const ColorMergeOptions& options) {
+  if (options.min_correlation >= 1) return labels;
+  std::vector<int> merged = MergeOnce(grid, labels, color_rgb, options);
+  for (std::size_t before = CountLabels(labels); options.iterate && CountLabels(merged) < before;) {
+    before = CountLabels(merged);
+    merged = MergeOnce(grid, merged, color_rgb, options);
+  }
+  return merged;
+}
+
+}  // namespace fovea::paper

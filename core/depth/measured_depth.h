@@ -1,0 +1,19 @@
+// The depth of a frame as the stages rely on it.
+#pragma once
+
+#include <cstddef>
+#include <opencv2/core/mat.hpp>
+
+namespace fovea {
+
+// A copy in which every value that no camera measures (below 1 mm, beyond 10 km, infinite) is NaN.
+// `depth_m`: CV_32FC1, metres.
+cv::Mat MeasuredDepth(const cv::Mat& depth_m);
+
+// Number of values that are not NaN. `depth_m`: CV_32FC1.
+std::size_t CountMeasured(const cv::Mat& depth_m);
+
+// The z coordinates of CV_32FC3 points.
+cv::Mat ChannelZ(const cv::Mat& points);
+
+}  // namespace fovea
