@@ -14,7 +14,10 @@ std::string Row(const OptionInfo& option,
                 const std::vector<std::map<std::string, double>>& profiles) {
   std::string row = fmt::format("| `{}` | {} … {}{} |", option.name, option.minimum, option.maximum,
                                 option.integral ? ", whole" : "");
-  for (const auto& values : profiles) row += fmt::format(" {} |", values.at(option.name));
+  for (const auto& values : profiles) {
+    const auto value = values.find(option.name);
+    row += value == values.end() ? " – |" : fmt::format(" {} |", value->second);
+  }
   return row + " " + option.description + " |\n";
 }
 

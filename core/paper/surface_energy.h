@@ -12,7 +12,7 @@
 namespace fovea::paper {
 
 struct SurfaceEnergyOptions {
-  DataTermOptions data;
+  DataTermOptions data{};
   // Eq. 7, both unstated in the paper: weight of the pairwise term, and the share of it that is
   // left at transitions that are not convex.
   double lambda = 7;

@@ -49,7 +49,8 @@ v1::ListOptionsResponse OptionList(const OptionPolicy& policy) {
     const std::map<std::string, double> values =
         OptionValues(policy.Applied(OptionsOfProfile(profile)));
     for (v1::Option& option : *list.mutable_options()) {
-      (*option.mutable_defaults())[profile] = values.at(option.name());
+      const auto value = values.find(option.name());
+      if (value != values.end()) (*option.mutable_defaults())[profile] = value->second;
     }
   }
   return list;

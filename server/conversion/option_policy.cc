@@ -51,7 +51,10 @@ bool OptionPolicy::MaySet(const std::string& name) const {
 }
 
 DetectorOptions OptionPolicy::Applied(DetectorOptions options) const {
-  for (const auto& [name, value] : fixed_) SetOption(options, name, value);
+  for (const auto& [name, value] : fixed_) {
+    // Profiles read different ones; what none reads is an error.
+    if (HasOption(options, name) || !IsOption(name)) SetOption(options, name, value);
+  }
   return options;
 }
 

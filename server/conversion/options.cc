@@ -45,12 +45,6 @@ std::string Suggestions(const std::string& name) {
   return "known names start with " + Joined(groups);
 }
 
-bool IsKnown(const std::string& name) {
-  const auto options = ListOptions();
-  return std::any_of(options.begin(), options.end(),
-                     [&](const OptionInfo& option) { return option.name == name; });
-}
-
 // The core starts its texts with the option's name, which is in the path already.
 std::string WithoutName(const std::string& text, const std::string& name) {
   const std::string start = name + ": ";
@@ -60,7 +54,7 @@ std::string WithoutName(const std::string& text, const std::string& name) {
 void SetParameter(DetectorOptions& options, const std::string& name, double value,
                   const OptionPolicy& policy) {
   const std::string path = "options.parameters[" + Shortened(name) + "]";
-  RequireField(IsKnown(name), path, "there is no such option; " + Suggestions(name));
+  RequireField(IsOption(name), path, "there is no such option; " + Suggestions(name));
   RequireField(policy.MaySet(name), path,
                "the operator of this server lets no request set it (fovea options lists what may "
                "be set)");

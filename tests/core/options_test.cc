@@ -22,12 +22,15 @@ TEST(Options, TheEmptyProfileIsTheDefaultOne) {
 }
 
 TEST(Options, PaperHasThePapersValues) {
-  const DetectorOptions paper = OptionsOfProfile("paper");
-  EXPECT_EQ(paper.mrf.gamma_per_m2, 180);
-  EXPECT_EQ(paper.mrf.alpha, 0.1);
+  const DetectorOptions options = OptionsOfProfile("paper");
+  ASSERT_TRUE(options.paper.has_value());
+  const paper::PaperOptions& paper = *options.paper;
+  EXPECT_EQ(paper.mrf.data.gamma_per_m2, 180);
+  EXPECT_EQ(paper.mrf.data.alpha, 0.1);
   EXPECT_EQ(paper.color_merge.min_correlation, 0.5);
   EXPECT_EQ(paper.color_merge.bins, 20);
   EXPECT_EQ(paper.color_saliency.num_scales, 4);
+  EXPECT_EQ(paper.seeds.disk_radius_px, 10);  // 20 pixels across
 }
 
 TEST(Options, UnknownProfilesAreNamed) {
@@ -35,19 +38,35 @@ TEST(Options, UnknownProfilesAreNamed) {
               ThrowsMessage<std::invalid_argument>(HasSubstr("\"fast\"")));
 }
 
-TEST(Options, EachNameIsThereOnceAndSetsItsOwnValue) {
-  const auto defaults = OptionValues(DetectorOptions{});
-  EXPECT_EQ(defaults.size(), ListOptions().size());
-  for (const OptionInfo& info : ListOptions()) {
-    EXPECT_FALSE(info.description.empty()) << info.name;
-    DetectorOptions options;
-    const double other = defaults.at(info.name) == info.minimum ? info.maximum : info.minimum;
-    SetOption(options, info.name, other);
-    const auto values = OptionValues(options);
-    for (const auto& [name, value] : values) {
-      EXPECT_EQ(value, name == info.name ? other : defaults.at(name)) << info.name << " " << name;
+TEST(Options, EachNameIsReadBySomeProfileAndSetsItsOwnValue) {
+  std::set<std::string> read;
+  for (const std::string& profile : ProfileNames()) {
+    const auto defaults = OptionValues(OptionsOfProfile(profile));
+    for (const OptionInfo& info : ListOptions()) {
+      EXPECT_FALSE(info.description.empty()) << info.name;
+      if (!defaults.contains(info.name)) continue;
+      read.insert(info.name);
+      DetectorOptions options = OptionsOfProfile(profile);
+      const double other = defaults.at(info.name) == info.minimum ? info.maximum : info.minimum;
+      SetOption(options, info.name, other);
+      for (const auto& [name, value] : OptionValues(options)) {
+        EXPECT_EQ(value, name == info.name ? other : defaults.at(name)) << info.name << " " << name;
+      }
     }
   }
+  EXPECT_EQ(read.size(), ListOptions().size());
+}
+
+TEST(Options, WhatAProfileDoesNotReadCannotBeSetThere) {
+  DetectorOptions paper = OptionsOfProfile("paper");
+  EXPECT_FALSE(HasOption(paper, "mrf.concave_angle_deg"));
+  EXPECT_THAT([&] { SetOption(paper, "mrf.concave_angle_deg", 12); },
+              ThrowsMessage<std::invalid_argument>(
+                  testing::AllOf(HasSubstr("mrf.concave_angle_deg"), HasSubstr("\"paper\""))));
+  DetectorOptions options = OptionsOfProfile("default");
+  EXPECT_TRUE(IsOption("mrf.epsilon"));
+  EXPECT_THAT([&] { SetOption(options, "mrf.epsilon", 0.1); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("\"default\"")));
 }
 
 TEST(Options, ValuesOutOfRangeAreNamedWithTheirRange) {

@@ -64,10 +64,19 @@ TEST(OptionPolicy, FixesOptionsForEveryProfile) {
   for (const std::string profile : {"default", "paper"}) {
     v1::DetectOptions options;
     options.set_profile(profile);
-    EXPECT_EQ(server::FromProto(options, policy).mrf.lambda, 7) << profile;
+    EXPECT_EQ(OptionValues(server::FromProto(options, policy)).at("mrf.lambda"), 7) << profile;
   }
   EXPECT_FALSE(StatusWith(policy, "mrf.lambda", 8).ok());
-  EXPECT_TRUE(StatusWith(policy, "mrf.epsilon", 0.1).ok());
+  EXPECT_TRUE(StatusWith(policy, "mrf.max_sweeps", 3).ok());
+}
+
+TEST(OptionPolicy, FixesWhatOneProfileAloneReads) {
+  const OptionPolicy policy("all", {"mrf.epsilon=0.3"});
+  v1::DetectOptions paper;
+  paper.set_profile("paper");
+  EXPECT_EQ(OptionValues(server::FromProto(paper, policy)).at("mrf.epsilon"), 0.3);
+  EXPECT_NO_THROW(server::FromProto({}, policy));
+  EXPECT_THROW(OptionPolicy("all", {"mrf.beta=1"}), std::invalid_argument);
 }
 
 TEST(OptionPolicy, HoldsForCallersWhoCanAskForIt) {
