@@ -50,6 +50,9 @@ void AddDetectionCommand(CLI::App& app) {
                  "A row of scores for each of these, on top of the scenes: " + EffectTexts())
       ->excludes(methods)
       ->excludes(sweep);
+  command->add_flag("--true-seeds", flags->true_seeds,
+                    "One seed on each true object instead of the salient positions: how far the "
+                    "segmentation is from its limit; profile paper");
   command->add_option("--threads", flags->num_threads, "Scenes detected at a time")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();

@@ -14,6 +14,7 @@
 #include "tests/evaluation/reliability_report.h"
 #include "tests/evaluation/report.h"
 #include "tests/evaluation/score_charts.h"
+#include "tests/evaluation/true_seeds.h"
 
 namespace fovea::evaluation {
 namespace {
@@ -52,9 +53,13 @@ std::vector<SceneResult> Evaluate(const DetectionFlags& flags, const std::vector
                       });
 }
 
+DetectFunction OurDetector(const DetectionFlags& flags, const DetectorOptions& options) {
+  return flags.true_seeds ? DetectFromTrueSeeds(options) : DetectWith(options);
+}
+
 void RunOnce(const DetectionFlags& flags, const std::vector<Scene>& scenes,
              const DetectorOptions& options) {
-  const std::vector<SceneResult> results = Evaluate(flags, scenes, DetectWith(options));
+  const std::vector<SceneResult> results = Evaluate(flags, scenes, OurDetector(flags, options));
   const Summary summary = Summarize(results, flags.num_folds);
   if (flags.print_scenes) PrintScenes(std::cout, results);
   PrintSummaryHeader(std::cout);
@@ -83,7 +88,7 @@ void RunSweeps(const DetectionFlags& flags, const std::vector<Scene>& scenes,
       DetectorOptions changed = options;
       SetOption(changed, name, value);
       const Summary summary =
-          Summarize(Evaluate(flags, scenes, DetectWith(changed)), flags.num_folds);
+          Summarize(Evaluate(flags, scenes, OurDetector(flags, changed)), flags.num_folds);
       std::ostringstream title;
       title << name << '=' << value;
       PrintSummaryRow(std::cout, title.str(), summary);
@@ -117,7 +122,7 @@ void CompareMethods(const DetectionFlags& flags, const std::vector<Scene>& scene
   PrintSummaryHeader(std::cout);
   for (const std::string& method : flags.methods) {
     const DetectFunction detect =
-        IsPeer(method) ? DetectWithPeer(method) : DetectWith(Options(flags, method));
+        IsPeer(method) ? DetectWithPeer(method) : OurDetector(flags, Options(flags, method));
     const std::vector<SceneResult> results = Evaluate(flags, scenes, detect);
     const Summary summary = Summarize(results, flags.num_folds);
     PrintSummaryRow(std::cout, method, summary);
@@ -146,7 +151,8 @@ void RunEffects(const DetectionFlags& flags, const std::vector<Scene>& scenes,
   std::vector<std::string> names;
   std::vector<Summary> summaries;
   const auto run = [&](const std::string& name, const std::vector<Scene>& seen) {
-    const Summary summary = Summarize(Evaluate(flags, seen, DetectWith(options)), flags.num_folds);
+    const Summary summary =
+        Summarize(Evaluate(flags, seen, OurDetector(flags, options)), flags.num_folds);
     PrintSummaryRow(std::cout, name, summary);
     rows.push_back({{"effect", name}, {"summary", ToJson(summary)}});
     names.push_back(name);

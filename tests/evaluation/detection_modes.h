@@ -16,6 +16,7 @@ struct DetectionFlags {
   std::vector<std::string> settings;  // name=value
   std::vector<std::string> sweeps;    // name=value,value…
   std::vector<std::string> methods;   // profiles and peers
+  bool true_seeds = false;            // instead of salient positions
   bool with_effects = false;          // of other cameras
   int num_threads = 1;
   int num_folds = 5;

@@ -79,13 +79,13 @@ void AddFolds(Summary& summary, const std::vector<SceneResult>& results, int num
 }  // namespace
 
 DetectFunction DetectWith(const DetectorOptions& options) {
-  return [options](const RgbdFrame& frame) { return Detect(frame, options); };
+  return [options](const Scene& scene) { return Detect(scene.frame, options); };
 }
 
 DetectFunction DetectWithPeer(const std::string& name) {
-  return [name](const RgbdFrame& frame) {
+  return [name](const Scene& scene) {
     Detections detections;
-    detections.labels = SegmentWithPeer(name, frame);
+    detections.labels = SegmentWithPeer(name, scene.frame);
     return detections;
   };
 }
@@ -97,7 +97,7 @@ std::vector<SceneResult> RunDetection(const std::vector<Scene>& scenes,
   std::mutex mutex;  // guards done
   ForEachIndex(scenes.size(), num_threads, [&](std::size_t i) {
     const auto start = std::chrono::steady_clock::now();
-    const Detections detections = detect(scenes[i].frame);
+    const Detections detections = detect(scenes[i]);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
     const SceneScores scores = ScoreScene(scenes[i].truth, detections.labels, scenes[i].valid);
     results[i] = {scenes[i].name, scores, time.count(), detections.stage_times,

@@ -23,7 +23,7 @@ struct SceneResult {
 // Called once per scene, one call at a time, from the thread that ran it.
 using SceneDone = std::function<void(const Scene&, const Detections&)>;
 
-using DetectFunction = std::function<Detections(const RgbdFrame&)>;
+using DetectFunction = std::function<Detections(const Scene&)>;
 
 // Our detector.
 DetectFunction DetectWith(const DetectorOptions& options);
