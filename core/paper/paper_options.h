@@ -39,10 +39,10 @@ struct PaperOptions {
   DepthFillOptions depth_fill;
   NormalOptions normals;
   StrengthSaliencyOptions color_saliency;
-  DepthSaliencyOptions depth_saliency{.superpixels_per_diagonal = 0};
-  SeedOptions seeds{.disk_radius_px = 10};
+  DepthSaliencyOptions depth_saliency{.superpixels_per_diagonal = 0, .center_prior = true};
+  SeedOptions seeds{.disk_radius_px = 10, .on_peak = false};
   GravityOptions gravity;
-  SupportOptions support;
+  SupportOptions support{.plane_fits = 0};  // exactly perpendicular to gravity
   SupportReading support_reading;
   VoxelOptions voxels{.size_m = 0.015};
   SurfaceEnergyOptions mrf;

@@ -41,6 +41,21 @@ TEST(MergeByColor, ComparesTheCorrelationWithItsThreshold) {
             (std::vector<int>{1, 1, 2, 2}));
 }
 
+// Red and blue with red beside it, then blue: which is like both together, and not like its
+// neighbour.
+TEST(MergeByColor, ComparesAgainWhatWasJoinedIfAsked) {
+  const cv::Mat colors = Colors({kBlue, kBlue, kBlue, kRed, kRed, kRed, kBlue});
+  const std::vector<int> segments = {1, 1, 1, 1, 1, 2, 3};
+  EXPECT_EQ(MergeByColor(Chain(7), segments, colors), (std::vector<int>{1, 1, 1, 1, 1, 1, 2}));
+  EXPECT_EQ(MergeByColor(Chain(7), segments, colors, {.iterate = true}),
+            (std::vector<int>{1, 1, 1, 1, 1, 1, 1}));
+}
+
+TEST(SegmentsOf, AreLabelsOrTheirConnectedParts) {
+  EXPECT_EQ(SegmentsOf(Chain(4), {3, 0, 3, 5}, {.split = false}), (std::vector<int>{1, 0, 1, 2}));
+  EXPECT_EQ(SegmentsOf(Chain(4), {3, 0, 3, 5}, {.split = true}), (std::vector<int>{1, 0, 2, 3}));
+}
+
 TEST(MergeByColor, AcceptsNoSegments) {
   EXPECT_EQ(MergeByColor(Chain(2), {0, 0}, Colors({kRed, kRed})), (std::vector<int>{0, 0}));
   EXPECT_TRUE(MergeByColor(VoxelGrid{}, {}, cv::Mat()).empty());
