@@ -10,6 +10,7 @@
 #include "server/conversion/field_error.h"
 #include "server/conversion/frame.h"
 #include "server/conversion/options.h"
+#include "server/conversion/trace.h"
 #include "server/log_exception.h"
 #include "server/rpc/caller.h"
 #include "server/status.h"

@@ -50,7 +50,8 @@ OutputPaths OutputsOf(const std::string& name, const fs::path& output) {
           .json = (output / (name + ".json")).string(),
           .overlay = (output / (name + "_overlay.png")).string(),
           .cloud = {},
-          .saliency_prefix = {}};
+          .saliency_prefix = {},
+          .steps = {}};
 }
 
 v1::Detections DetectFrame(const client::Client& client, const FrameFiles& files,

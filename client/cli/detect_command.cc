@@ -47,7 +47,9 @@ std::chrono::milliseconds TimeoutOf(const DetectFlags& flags) {
 }
 
 bool WantsSingleOutputs(const OutputPaths& paths) {
-  return !(paths.labels + paths.json + paths.overlay + paths.cloud + paths.saliency_prefix).empty();
+  return !(paths.labels + paths.json + paths.overlay + paths.cloud + paths.saliency_prefix +
+           paths.steps)
+              .empty();
 }
 
 // "learn0" of "frames/learn0_color.png".
@@ -134,6 +136,10 @@ void AddFrameFlags(CLI::App& command, DetectFlags& flags) {
       ->group(group);
   AddFlag(command, "--saliency", outputs.saliency_prefix, "PREFIX",
           "Write the saliency maps to PREFIX_color.png and PREFIX_depth.png")
+      ->group(group);
+  AddFlag(command, "--explain", outputs.steps, "FOLDER",
+          "Write a picture of every step, from depth and saliency over seeds and hypotheses to the "
+          "objects, and index.html, which shows them; made where it is missing")
       ->group(group);
 }
 

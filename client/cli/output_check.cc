@@ -49,6 +49,14 @@ void RequireImageFormat(const std::string& flag, const std::string& path) {
   if (!cv::haveImageWriter(path)) Fail(flag, path, "unknown image format " + extension);
 }
 
+// Makes it where it is missing.
+void MakeFolder(const std::string& flag, const std::string& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) Fail(flag, path, error.message());
+  RequireWritableFolder(flag, path, path);
+}
+
 }  // namespace
 
 void CheckOutputs(const OutputPaths& paths, const FrameFiles& files) {
@@ -62,6 +70,7 @@ void CheckOutputs(const OutputPaths& paths, const FrameFiles& files) {
   check("--json", paths.json, false);
   check("--overlay", paths.overlay, true);
   check("--cloud", paths.cloud, false);
+  if (!paths.steps.empty()) MakeFolder("--explain", paths.steps);
   if (paths.saliency_prefix.empty()) return;
   for (const char* map : {"_color.png", "_depth.png"}) {
     check("--saliency", paths.saliency_prefix + map, true);
@@ -75,9 +84,7 @@ void PrepareFolder(const std::string& input, const std::string& output) {
                                 " is the folder of --input, whose files NAME.png and NAME.json "
                                 "would be overwritten; give another one");
   }
-  fs::create_directories(output, error);
-  if (error) Fail("--output", output, error.message());
-  RequireWritableFolder("--output", output, output);
+  MakeFolder("--output", output);
 }
 
 }  // namespace fovea::cli

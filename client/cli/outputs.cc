@@ -8,6 +8,7 @@
 #include "client/cli/files.h"
 #include "client/cli/labels.h"
 #include "client/cli/overlay.h"
+#include "client/cli/steps.h"
 
 namespace fovea::cli {
 namespace {
@@ -36,11 +37,12 @@ std::string ToJson(const v1::Detections& detections) {
 }
 
 void RequestFor(const OutputPaths& paths, v1::DetectOptions* options) {
-  const bool draws = !paths.overlay.empty();
-  options->set_return_masks(draws || !paths.labels.empty() || !paths.cloud.empty() ||
+  const bool draws = !paths.overlay.empty(), explains = !paths.steps.empty();
+  options->set_return_masks(draws || explains || !paths.labels.empty() || !paths.cloud.empty() ||
                             !paths.json.empty());
   options->set_return_seeds(draws || !paths.json.empty());
-  options->set_return_saliency_maps(!paths.saliency_prefix.empty());
+  options->set_return_saliency_maps(explains || !paths.saliency_prefix.empty());
+  options->set_return_trace(explains);
 }
 
 void WriteOutputs(const OutputPaths& paths, const FrameFiles& files, const FrameSettings& settings,
@@ -50,16 +52,19 @@ void WriteOutputs(const OutputPaths& paths, const FrameFiles& files, const Frame
   if (!paths.json.empty()) {
     v1::Detections answer = detections;
     answer.clear_saliency_maps();  // they have files of their own
+    answer.clear_trace();
     WriteFile(paths.json, ToJson(answer));
   }
-  if (paths.overlay.empty() && paths.cloud.empty()) return;
+  if (paths.overlay.empty() && paths.cloud.empty() && paths.steps.empty()) return;
 
   const cv::Mat color = DecodeColor(request.frame().color().data(), files.color_path);
   if (!paths.overlay.empty()) {
     WriteImage(paths.overlay, DrawOverlay(color, settings.intrinsics, detections));
   }
+  if (paths.cloud.empty() && paths.steps.empty()) return;
+  const cv::Mat depth = DecodeDepth(request.frame().depth().data(), files.depth_path);
+  if (!paths.steps.empty()) WriteSteps(paths.steps, color, depth, settings, detections);
   if (!paths.cloud.empty()) {
-    const cv::Mat depth = DecodeDepth(request.frame().depth().data(), files.depth_path);
     WriteFile(paths.cloud,
               MakePly(color, PointsInColor(depth, settings, color.size()), LabelImage(detections)));
   }

@@ -8,7 +8,7 @@ namespace fovea::cli {
 
 // Where to write what; empty = not wanted.
 struct OutputPaths {
-  std::string labels, json, overlay, cloud, saliency_prefix;
+  std::string labels, json, overlay, cloud, saliency_prefix, steps;  // steps: a folder
 };
 
 // The whole answer as the command line writes it.

@@ -1,12 +1,12 @@
 #include "server/conversion/detections.h"
 
 #include <cmath>
-#include <opencv2/core.hpp>
 
 #include "server/build_info.h"
 #include "server/conversion/geometry.h"
 #include "server/conversion/mask.h"
 #include "server/conversion/object.h"
+#include "server/conversion/trace.h"
 
 namespace fovea::server {
 namespace {
@@ -46,38 +46,6 @@ v1::Diagnostics DiagnosticsToProto(const Diagnostics& diagnostics) {
   return proto;
 }
 
-v1::SeedSource SourceToProto(Seed::Source source) {
-  switch (source) {
-    case Seed::Source::kColorSaliency:
-      return v1::SEED_SOURCE_COLOR_SALIENCY;
-    case Seed::Source::kDepthSaliency:
-      return v1::SEED_SOURCE_DEPTH_SALIENCY;
-    case Seed::Source::kUnexplainedRegion:
-      return v1::SEED_SOURCE_UNEXPLAINED_REGION;
-  }
-  return v1::SEED_SOURCE_UNSPECIFIED;
-}
-
-v1::Seed SeedToProto(const Seed& seed) {
-  v1::Seed proto;
-  proto.set_x(static_cast<std::uint32_t>(seed.pixel.x));
-  proto.set_y(static_cast<std::uint32_t>(seed.pixel.y));
-  *proto.mutable_position() = ToProto(seed.position);
-  proto.set_source(SourceToProto(seed.source));
-  return proto;
-}
-
-v1::SaliencyMap SaliencyToProto(const char* name, const cv::Mat& saliency) {
-  cv::Mat bytes;
-  cv::normalize(saliency, bytes, 0, 255, cv::NORM_MINMAX, CV_8U);
-  v1::SaliencyMap proto;
-  proto.set_name(name);
-  proto.set_width(static_cast<std::uint32_t>(bytes.cols));
-  proto.set_height(static_cast<std::uint32_t>(bytes.rows));
-  proto.set_data(bytes.data, bytes.total());
-  return proto;
-}
-
 void AddObjects(const Detections& detections, const v1::Frame& frame,
                 const v1::DetectOptions& options, v1::Detections* proto) {
   std::optional<Eigen::Isometry3d> reference_from_camera;
@@ -94,26 +62,7 @@ void AddObjects(const Detections& detections, const v1::Frame& frame,
   }
 }
 
-void AddTrace(const Trace& trace, const v1::DetectOptions& options, v1::Detections* proto) {
-  if (options.return_saliency_maps()) {
-    // A frame without anything to look at has no maps.
-    if (!trace.color_saliency.empty()) {
-      *proto->add_saliency_maps() = SaliencyToProto("color", trace.color_saliency);
-    }
-    if (!trace.depth_saliency.empty()) {
-      *proto->add_saliency_maps() = SaliencyToProto("depth", trace.depth_saliency);
-    }
-  }
-  if (options.return_seeds()) {
-    for (const Seed& seed : trace.seeds) *proto->add_seeds() = SeedToProto(seed);
-  }
-}
-
 }  // namespace
-
-bool WantsTrace(const v1::DetectOptions& options) {
-  return options.return_saliency_maps() || options.return_seeds();
-}
 
 v1::StageTime ToProto(const StageTime& time) {
   constexpr std::int64_t kNanosPerSecond = 1'000'000'000;

@@ -7,9 +7,6 @@
 
 namespace fovea::server {
 
-// Whether the answer needs the detector's intermediate results.
-bool WantsTrace(const v1::DetectOptions& options);
-
 // The answer to `frame`, with what `options` asks for. Masks, clouds and the pose in the
 // reference frame follow the request; `trace` may be empty where WantsTrace is false.
 v1::Detections ToProto(const Detections& detections, const Trace& trace, const v1::Frame& frame,
