@@ -86,6 +86,35 @@ TEST_F(CliTest, WritesEveryOutputOfAFrame) {
   EXPECT_EQ(bytes.size() - bytes.find("end_header\n") - 11, num_points * 15);
 }
 
+TEST_F(CliTest, ExplainsEveryStep) {
+  const cv::Size frame(kWidth, kHeight);
+  for (const std::string profile : {"default", "paper"}) {
+    const fs::path steps = folder_ / "steps" / profile;
+    const Finished finished =
+        DetectFrame({"--explain", steps.string(), "--profile", profile, "--labels", At("l.png")});
+    ASSERT_EQ(finished.exit_code, 0) << finished.err;
+    for (const char* name :
+         {"01_color", "02_depth", "03_depth_filled", "04_color_saliency", "05_depth_saliency",
+          "06_seeds", "08_hypothesis_labels", "09_segments", "10_merged"}) {
+      EXPECT_EQ(cv::imread((steps / (std::string(name) + ".png")).string()).size(), frame) << name;
+    }
+    EXPECT_FALSE(cv::imread((steps / "07_hypotheses.png").string()).empty());
+    EXPECT_FALSE(cv::imread((steps / "11_objects.png").string()).empty());
+    EXPECT_GT(fs::file_size(steps / "12_cloud.ply"), 15U * kWidth);
+    std::ifstream page(steps / "index.html");
+    const std::string html{std::istreambuf_iterator<char>(page), {}};
+    EXPECT_THAT(html, HasSubstr("profile " + profile));
+    EXPECT_THAT(html, HasSubstr("src=\"11_objects.png\""));
+    // Black is where nothing was measured.
+    const cv::Mat depth = cv::imread((steps / "02_depth.png").string(), cv::IMREAD_GRAYSCALE);
+    EXPECT_EQ(cv::countNonZero((depth == 0) != (TestDepth() == 0)), 0);
+  }
+  Write(At("taken"), "");
+  ExpectOneLineError(DetectFrame({"--explain", At("taken")}), "--explain: cannot write");
+  ExpectOneLineError(Detect({"--input", At(""), "--output", At("o"), "--explain", At("s")}),
+                     "a single frame");
+}
+
 TEST_F(CliTest, SendsJpegAsItIs) {
   Write(At("a.jpg"), JpegOf(TestColor()));
   const Finished finished = Detect({"--color", At("a.jpg"), "--depth", At("a_depth.png")});

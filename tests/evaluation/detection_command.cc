@@ -57,6 +57,11 @@ void AddDetectionCommand(CLI::App& app) {
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
   command
+      ->add_option("--repeat", flags->num_repeats,
+                   "Detect each scene so often; the shortest times count")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command
       ->add_option(
           "--folds", flags->num_folds,
           "Groups of scenes: for the spread of box F1, and to calibrate confidence on others")

@@ -44,13 +44,15 @@ std::vector<Scene> LoadScenes(const DetectionFlags& flags) {
 std::vector<SceneResult> Evaluate(const DetectionFlags& flags, const std::vector<Scene>& scenes,
                                   const DetectFunction& detect) {
   std::size_t done = 0;
-  return RunDetection(scenes, detect, flags.num_threads,
-                      [&](const Scene& scene, const Detections& detections) {
-                        ShowProgress("detecting", ++done, scenes.size());
-                        if (flags.overlays.empty()) return;
-                        cv::imwrite(flags.overlays + "/" + scene.name + "_overlay.png",
-                                    DrawOverlay(scene, detections.labels));
-                      });
+  return RunDetection(
+      scenes, detect, flags.num_threads,
+      [&](const Scene& scene, const Detections& detections) {
+        ShowProgress("detecting", ++done, scenes.size());
+        if (flags.overlays.empty()) return;
+        cv::imwrite(flags.overlays + "/" + scene.name + "_overlay.png",
+                    DrawOverlay(scene, detections.labels));
+      },
+      flags.num_repeats);
 }
 
 DetectFunction OurDetector(const DetectionFlags& flags, const DetectorOptions& options) {
@@ -64,6 +66,7 @@ void RunOnce(const DetectionFlags& flags, const std::vector<Scene>& scenes,
   if (flags.print_scenes) PrintScenes(std::cout, results);
   PrintSummaryHeader(std::cout);
   PrintSummaryRow(std::cout, std::to_string(results.size()) + " scenes", summary);
+  PrintMeanOverImages(std::cout, summary);
   PrintStages(std::cout, summary);
   const ReliabilityReport reliability =
       ReportReliability(PredictionsOfFolds(results, flags.num_folds));

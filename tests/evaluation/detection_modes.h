@@ -19,6 +19,7 @@ struct DetectionFlags {
   bool true_seeds = false;            // instead of salient positions
   bool with_effects = false;          // of other cameras
   int num_threads = 1;
+  int num_repeats = 1;
   int num_folds = 5;
   bool print_scenes = false;
   std::string json;

@@ -5,6 +5,7 @@
 #include <map>
 #include <mutex>
 #include <span>
+#include <utility>
 
 #include "tests/evaluation/parallel.h"
 #include "tests/evaluation/peers/peer.h"
@@ -30,6 +31,16 @@ Score BoxScore(const ObjectCounts& counts) {
   return MakeScore(counts.matched_boxes, counts.predicted, counts.matched_boxes, counts.truth);
 }
 
+Score MeanBoxScore(const std::vector<SceneResult>& results) {
+  Score mean;
+  for (const SceneResult& result : results) {
+    AddShare(mean, BoxScore(result.scores.counts), results.size());
+  }
+  const double sum = mean.precision + mean.recall;
+  mean.f = sum > 0 ? 2 * mean.precision * mean.recall / sum : 0;
+  return mean;
+}
+
 std::vector<StageTime> MedianStages(const std::vector<SceneResult>& results) {
   std::vector<std::string> order;
   std::map<std::string, std::vector<double>> times;
@@ -49,6 +60,26 @@ std::vector<StageTime> MedianStages(const std::vector<SceneResult>& results) {
 std::span<const SceneResult> Fold(const std::vector<SceneResult>& results, int k, int folds) {
   const std::size_t begin = results.size() * k / folds, end = results.size() * (k + 1) / folds;
   return std::span(results).subspan(begin, end - begin);
+}
+
+struct Timed {
+  Detections detections;  // each stage's time is its shortest
+  double total_ms = 0;    // likewise
+};
+
+Timed DetectTimed(const DetectFunction& detect, const Scene& scene, int num_repeats) {
+  Timed best;
+  for (int k = 0; k < num_repeats; ++k) {
+    const auto start = std::chrono::steady_clock::now();
+    Detections detections = detect(scene);
+    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+    for (std::size_t i = 0; i < best.detections.stage_times.size(); ++i) {
+      double& duration_ms = detections.stage_times.at(i).duration_ms;
+      duration_ms = std::min(duration_ms, best.detections.stage_times[i].duration_ms);
+    }
+    best = {std::move(detections), k == 0 ? time.count() : std::min(best.total_ms, time.count())};
+  }
+  return best;
 }
 
 std::vector<Prediction> Judge(const Detections& detections, const SceneScores& scores) {
@@ -92,18 +123,17 @@ DetectFunction DetectWithPeer(const std::string& name) {
 
 std::vector<SceneResult> RunDetection(const std::vector<Scene>& scenes,
                                       const DetectFunction& detect, int num_threads,
-                                      const SceneDone& done) {
+                                      const SceneDone& done, int num_repeats) {
   std::vector<SceneResult> results(scenes.size());
   std::mutex mutex;  // guards done
   ForEachIndex(scenes.size(), num_threads, [&](std::size_t i) {
-    const auto start = std::chrono::steady_clock::now();
-    const Detections detections = detect(scenes[i]);
-    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-    const SceneScores scores = ScoreScene(scenes[i].truth, detections.labels, scenes[i].valid);
-    results[i] = {scenes[i].name, scores, time.count(), detections.stage_times,
-                  Judge(detections, scores)};
+    const Timed timed = DetectTimed(detect, scenes[i], num_repeats);
+    const SceneScores scores =
+        ScoreScene(scenes[i].truth, timed.detections.labels, scenes[i].valid);
+    results[i] = {scenes[i].name, scores, timed.total_ms, timed.detections.stage_times,
+                  Judge(timed.detections, scores)};
     const std::scoped_lock lock(mutex);
-    if (done) done(scenes[i], detections);
+    if (done) done(scenes[i], timed.detections);
   });
   return results;
 }
@@ -130,6 +160,7 @@ Summary Summarize(const std::vector<SceneResult>& results, int num_folds) {
     times.push_back(result.total_ms);
   }
   summary.boxes = BoxScore(summary.counts);
+  summary.boxes_by_image = MeanBoxScore(results);
   const ObjectCounts& counts = summary.counts;
   summary.share_75 = counts.truth > 0 ? double(counts.matched_75) / counts.truth : 1.0;
   summary.median_ms = Median(times);

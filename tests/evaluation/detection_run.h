@@ -32,14 +32,18 @@ DetectFunction DetectWith(const DetectorOptions& options);
 DetectFunction DetectWithPeer(const std::string& name);
 
 // Detects in every scene, `num_threads` scenes at a time, and scores the answers. Results come in
-// the order of `scenes`. Throws what `detect` throws.
+// the order of `scenes`. Each scene is detected `num_repeats` times (at least once), of which the
+// shortest times count. Throws what `detect` throws.
 std::vector<SceneResult> RunDetection(const std::vector<Scene>& scenes,
                                       const DetectFunction& detect, int num_threads,
-                                      const SceneDone& done = {});
+                                      const SceneDone& done = {}, int num_repeats = 1);
 
 struct Summary {
   ObjectCounts counts;
-  Score boxes;          // over all objects of all scenes
+  Score boxes;  // over all objects of all scenes
+  // Mean precision and recall over the scenes, as MakeScore has them where a scene has no objects
+  // or predictions, and F1 of the two.
+  Score boxes_by_image;
   Score overlap;        // mean over the scenes
   Score boundary;       // mean over the scenes
   double share_75 = 0;  // of all true objects

@@ -35,6 +35,16 @@ TEST(Summarize, PoolsObjectsAndAveragesScenes) {
   EXPECT_DOUBLE_EQ(summary.median_stage_ms[1].duration_ms, 5);
 }
 
+// Precision 1, 0.5, 1 (nothing predicted) and recall 0.5, 1, 0.
+TEST(Summarize, AveragesBoxScoresOverImages) {
+  const Score boxes =
+      Summarize({Result(4, 2, 2, 0, 1), Result(1, 2, 1, 0, 1), Result(5, 0, 0, 0, 1)})
+          .boxes_by_image;
+  EXPECT_DOUBLE_EQ(boxes.precision, 2.5 / 3);
+  EXPECT_DOUBLE_EQ(boxes.recall, 0.5);
+  EXPECT_DOUBLE_EQ(boxes.f, 2 * (2.5 / 3) * 0.5 / (2.5 / 3 + 0.5));
+}
+
 TEST(Summarize, FoldsAreGroupsOfConsecutiveScenes) {
   const std::vector<SceneResult> results = {Result(1, 1, 1, 1, 1), Result(1, 1, 1, 1, 1),
                                             Result(1, 1, 0, 1, 1), Result(1, 1, 1, 1, 1)};
@@ -93,6 +103,23 @@ TEST(RunDetection, PassesFailuresOn) {
   std::vector<Scene> scenes = TwoScenes();
   scenes[1].frame.intrinsics.fx_px = -1;
   EXPECT_THROW(RunDetection(scenes, DetectWith(OptionsOfProfile("")), 2), std::invalid_argument);
+}
+
+// The shortest of each stage, whichever run it is of.
+TEST(RunDetection, TakesTheShortestTimesOfItsRepeats) {
+  int runs = 0;
+  const auto detect = [&](const Scene& scene) {
+    Detections detections;
+    detections.labels = cv::Mat::zeros(scene.frame.depth_m.size(), CV_16UC1);
+    const double k = ++runs;
+    detections.stage_times = {{"normals", 10 + k}, {"seeds", 20 - k}};
+    return detections;
+  };
+  const std::vector<Scene> scenes = {TwoScenes().front()};
+  const SceneResult result = RunDetection(scenes, detect, 1, {}, 3).front();
+  EXPECT_EQ(runs, 3);
+  EXPECT_EQ(result.stage_times[0].duration_ms, 11);
+  EXPECT_EQ(result.stage_times[1].duration_ms, 17);
 }
 
 }  // namespace

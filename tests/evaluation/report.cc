@@ -60,6 +60,12 @@ void PrintSummaryRow(std::ostream& out, const std::string& title, const Summary&
       << std::flush;
 }
 
+void PrintMeanOverImages(std::ostream& out, const Summary& summary) {
+  const Score& boxes = summary.boxes_by_image;
+  out << fmt::sprintf("%-28s %6.1f %6.1f %6.1f\n", "  boxes, mean over images",
+                      100 * boxes.precision, 100 * boxes.recall, 100 * boxes.f);
+}
+
 void PrintStages(std::ostream& out, const Summary& summary) {
   const std::set<std::string> fixation_stages = {"color_saliency", "depth_saliency", "seeds"};
   double fixation_ms = 0, segmentation_ms = 0;
@@ -78,6 +84,7 @@ nlohmann::json ToJson(const Summary& summary) {
           {"predictions", summary.counts.predicted},
           {"matched_boxes", summary.counts.matched_boxes},
           {"boxes", ToJson(summary.boxes)},
+          {"boxes_by_image", ToJson(summary.boxes_by_image)},
           {"overlap", ToJson(summary.overlap)},
           {"boundary", ToJson(summary.boundary)},
           {"share_75", summary.share_75},

@@ -20,6 +20,9 @@ void PrintSummaryRow(std::ostream& out, const std::string& title, const Summary&
 
 // Median milliseconds of each stage, in the order of the pipeline, and of the two parts of the
 // paper's Table 5.
+// A row under that of PrintSummaryRow: Summary::boxes_by_image.
+void PrintMeanOverImages(std::ostream& out, const Summary& summary);
+
 void PrintStages(std::ostream& out, const Summary& summary);
 
 nlohmann::json ToJson(const Summary& summary);

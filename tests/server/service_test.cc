@@ -71,6 +71,7 @@ TEST(Detect, ReturnsOnlyWhatWasAskedFor) {
   EXPECT_FALSE(bare.objects(0).has_cloud());
   EXPECT_FALSE(bare.objects(0).has_pose_in_reference());
   EXPECT_EQ(bare.saliency_maps_size() + bare.seeds_size(), 0);
+  EXPECT_FALSE(bare.has_trace());
 
   v1::DetectRequest request = TestRequest();
   request.mutable_options()->set_return_masks(true);

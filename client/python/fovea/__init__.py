@@ -11,7 +11,15 @@ Positions are in metres in the camera's optical frame: x right, y down, z forwar
 """
 
 from fovea.client import Client
-from fovea.detections import Detections, Diagnostics, Gravity, Seed, SupportSurface
+from fovea.detections import (
+    Detections,
+    Diagnostics,
+    Gravity,
+    RemovedSeed,
+    Seed,
+    SupportSurface,
+    Trace,
+)
 from fovea.errors import (
     Cancelled,
     DeadlineExceeded,
@@ -51,6 +59,7 @@ __all__ = [
     "OrientedBox",
     "Overloaded",
     "PointCloud",
+    "RemovedSeed",
     "ResourceExhausted",
     "RetryOptions",
     "Seed",
@@ -60,6 +69,7 @@ __all__ = [
     "StreamAnswer",
     "SupportSurface",
     "TlsOptions",
+    "Trace",
     "Unauthenticated",
     "Unavailable",
     "VersionMismatch",

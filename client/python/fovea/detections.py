@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,7 +10,7 @@ import numpy.typing as npt
 
 from fovea.geometry import FloatArray, vector_from_proto
 from fovea.objects import Object, object_from_proto
-from fovea.v1 import detection_pb2
+from fovea.v1 import detection_pb2, frame_pb2
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,6 +36,30 @@ class Seed:
     y: int
     position: FloatArray
     source: str  # "color_saliency", "depth_saliency" or "unexplained_region"
+
+
+@dataclass(frozen=True)
+class RemovedSeed:
+    """A salient position that did not become an object hypothesis."""
+
+    x: int
+    y: int
+    source: str  # as of Seed
+    reason: str  # "without_depth" or "on_support": on a support surface, or where none is below
+
+
+@dataclass(frozen=True, eq=False)
+class Trace:
+    """The steps between a frame and its objects. All images are HxW, as the colour image is."""
+
+    filled_depth: npt.NDArray[np.uint16]  # millimetres after hole filling; 0 = none
+    gamma_per_m2: float  # how fast the hypotheses fade with the distance from their seeds
+    seeds: list[Seed]  # hypothesis k is that of seeds[k - 1]
+    removed_seeds: list[RemovedSeed]
+    # 0 = background.
+    hypotheses: npt.NDArray[np.uint16]  # after the graph cut: k where hypothesis k won
+    segments: npt.NDArray[np.uint16]  # before those of one object are joined
+    merged: npt.NDArray[np.uint16]  # after, before what can be no object is dropped
 
 
 @dataclass(frozen=True)
@@ -76,6 +101,7 @@ class Detections:
     # What made this answer: version and commit of the server.
     server_version: str
     server_build: str
+    trace: Trace | None = None  # unless asked for
 
     def label_image(self) -> npt.NDArray[np.uint16]:
         """HxW: 0 = background, k = the object with label k. Needs masks."""
@@ -114,6 +140,7 @@ def detections_from_proto(proto: detection_pb2.Detections) -> Detections:
         seeds=[_seed(seed) for seed in proto.seeds],
         server_version=proto.server_version,
         server_build=proto.server_build,
+        trace=_trace(proto.trace) if proto.HasField("trace") else None,
     )
 
 
@@ -121,7 +148,7 @@ def _name_of(enum: type, number: int) -> str:
     """ "estimated" for GRAVITY_SOURCE_ESTIMATED; the number where a newer server sends more."""
     for name, value in enum.items():  # type: ignore[attr-defined]
         if value == number:
-            return str(name).split("_SOURCE_", 1)[1].lower()
+            return re.split("_SOURCE_|_REMOVAL_", str(name), maxsplit=1)[1].lower()
     return str(number)
 
 
@@ -142,4 +169,30 @@ def _diagnostics(proto: detection_pb2.Diagnostics) -> Diagnostics:
     names = [name for name in Diagnostics.__dataclass_fields__ if name != "messages"]
     return Diagnostics(
         messages=list(proto.messages), **{name: getattr(proto, name) for name in names}
+    )
+
+
+def _image(
+    proto: detection_pb2.LabelImage | frame_pb2.DepthImage,
+) -> npt.NDArray[np.uint16]:
+    return np.frombuffer(proto.data, dtype="<u2").reshape(proto.height, proto.width)
+
+
+def _trace(proto: detection_pb2.Trace) -> Trace:
+    return Trace(
+        filled_depth=_image(proto.filled_depth),
+        gamma_per_m2=proto.gamma_per_m2,
+        seeds=[_seed(seed) for seed in proto.seeds],
+        removed_seeds=[
+            RemovedSeed(
+                x=each.x,
+                y=each.y,
+                source=_name_of(detection_pb2.SeedSource, each.source),
+                reason=_name_of(detection_pb2.SeedRemoval, each.reason),
+            )
+            for each in proto.removed_seeds
+        ],
+        hypotheses=_image(proto.hypotheses),
+        segments=_image(proto.segments),
+        merged=_image(proto.merged),
     )

@@ -44,6 +44,8 @@ class DetectOptions:
     return_clouds: bool = False
     return_saliency_maps: bool = False
     return_seeds: bool = False
+    # Detections.trace and the saliency maps: what each step made of the frame.
+    return_trace: bool = False
 
     def to_proto(self) -> detection_pb2.DetectOptions:
         """Raises InvalidArgument for a parameter that is no number."""
@@ -53,6 +55,7 @@ class DetectOptions:
             return_clouds=self.return_clouds,
             return_saliency_maps=self.return_saliency_maps,
             return_seeds=self.return_seeds,
+            return_trace=self.return_trace,
         )
         for name, value in self.parameters.items():
             try:

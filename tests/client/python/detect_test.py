@@ -199,3 +199,26 @@ def test_stages_have_times(client: fovea.Client, scene: Scene) -> None:
     times = client.detect_frame(scene.frame()).stage_times_ms
     assert list(times)[:2] == ["queue", "decode"]
     assert sum(times.values()) > 0
+
+
+@pytest.mark.parametrize("profile", ["default", "paper"])
+def test_traces_the_steps(client: fovea.Client, scene: Scene, profile: str) -> None:
+    assert client.detect_frame(scene.frame()).trace is None
+    found = client.detect_frame(
+        scene.frame(), fovea.DetectOptions(profile=profile, return_trace=True)
+    )
+    trace = found.trace
+    assert trace is not None and set(found.saliency_maps) == {"color", "depth"}
+    assert len(trace.seeds) == found.diagnostics.num_seeds
+    removed = [each.reason for each in trace.removed_seeds]
+    assert removed.count("without_depth") == found.diagnostics.seeds_without_depth
+    assert removed.count("on_support") == found.diagnostics.seeds_on_support
+    assert trace.filled_depth.shape == scene.depth.shape
+    assert (trace.filled_depth > 0).sum() >= found.diagnostics.num_points
+    assert 0 < trace.hypotheses.max() <= len(trace.seeds)
+    assert 0 < trace.segments.max() <= found.diagnostics.num_segments
+    assert trace.merged.max() <= trace.segments.max()
+    # Each object is one of the merged segments where depth was measured.
+    for each in found.objects:
+        label = np.bincount(trace.merged[each.mask]).argmax()
+        assert label > 0 and (trace.merged[each.mask] == label).all()
