@@ -5,28 +5,25 @@
 
 #include "tests/evaluation/assignment.h"
 #include "tests/evaluation/boundary_score.h"
+#include "tests/evaluation/box_matching.h"
 #include "tests/evaluation/regions.h"
 
 namespace fovea::evaluation {
 namespace {
 
-std::map<int, bool> MatchBoxes(const std::vector<Region>& truth,
-                               const std::vector<Region>& prediction) {
-  Eigen::MatrixXd overlaps(truth.size(), prediction.size());
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    for (std::size_t j = 0; j < prediction.size(); ++j) {
-      const double common = (truth[i].bounds & prediction[j].bounds).area();
-      const double all = truth[i].bounds.area() + prediction[j].bounds.area() - common;
-      overlaps(i, j) = common / all > 0.5 ? 1.0 : 0.0;
-    }
-  }
-  const std::vector<int> assigned = MaximumAssignment(overlaps);
+std::vector<cv::Rect> BoundsOf(const std::vector<Region>& regions) {
+  std::vector<cv::Rect> bounds;
+  for (const Region& region : regions) bounds.push_back(region.bounds);
+  return bounds;
+}
+
+// Of each predicted label.
+std::map<int, bool> MatchedBoxes(const std::vector<Region>& truth,
+                                 const std::vector<Region>& prediction) {
   std::map<int, bool> matched;
   for (const Region& region : prediction) matched[region.label] = false;
-  for (std::size_t i = 0; i < assigned.size(); ++i) {
-    if (assigned[i] >= 0 && overlaps(i, assigned[i]) > 0) {
-      matched[prediction[assigned[i]].label] = true;
-    }
+  for (const int index : MatchBoxes(BoundsOf(truth), BoundsOf(prediction))) {
+    if (index >= 0) matched[prediction[index].label] = true;
   }
   return matched;
 }
@@ -66,7 +63,7 @@ SceneScores ScoreScene(const cv::Mat& truth, const cv::Mat& prediction, const cv
   SceneScores scores;
   scores.counts.truth = static_cast<int>(true_regions.size());
   scores.counts.predicted = static_cast<int>(predicted_regions.size());
-  scores.box_matched = MatchBoxes(true_regions, predicted_regions);
+  scores.box_matched = MatchedBoxes(true_regions, predicted_regions);
   for (const auto& [label, matched] : scores.box_matched) scores.counts.matched_boxes += matched;
   double hits = 0;
   for (int i = 0; i < f.rows(); ++i) {
