@@ -255,6 +255,23 @@ TEST(StrengthSaliency, TakesAsManyScalesAsAsked) {
   }
 }
 
+// Two squares inside each other, lighter by 5 and 6 in L: small steps of the channel's span, about
+// half each of the image's own.
+TEST(StrengthSaliency, MayTakeMaxDistOfTheImage) {
+  cv::Mat rgb(60, 60, CV_8UC3, cv::Scalar::all(100));
+  rgb(cv::Rect(15, 15, 30, 30)).setTo(cv::Scalar::all(105));
+  rgb(cv::Rect(25, 25, 10, 10)).setTo(cv::Scalar::all(110));
+  const auto outer_to_inner = [&](bool stretch) {
+    const cv::Mat saliency = StrengthSaliency(rgb, {.stretch = stretch});
+    return saliency.at<float>(20, 20) / saliency.at<float>(30, 30);
+  };
+  const auto expected = [](double span) {
+    return 5 / span / (1 - (1 - 5 / span) * (1 - 6 / span));
+  };
+  EXPECT_NEAR(outer_to_inner(false), expected(255), 1e-3);
+  EXPECT_NEAR(outer_to_inner(true), expected(11), 0.01);
+}
+
 TEST(StrengthSaliency, IsZeroOnAConstantImage) {
   const cv::Mat rgb(30, 40, CV_8UC3, cv::Scalar(10, 200, 90));
   EXPECT_EQ(cv::countNonZero(StrengthSaliency(rgb)), 0);
