@@ -37,6 +37,7 @@ RgbdFrame ReadFrame(const fs::path& color, const CameraIntrinsics& intrinsics) {
 template <typename Objects, typename BoxOf>
 std::vector<cv::Rect> BoxesOf(const Objects& objects, BoxOf box_of) {
   std::vector<cv::Rect> boxes;
+  boxes.reserve(objects.size());
   for (const auto& object : objects) boxes.push_back(box_of(object));
   return boxes;
 }
