@@ -13,6 +13,7 @@ namespace {
 
 std::vector<cv::Rect> BoundsOf(const std::vector<Region>& regions) {
   std::vector<cv::Rect> bounds;
+  bounds.reserve(regions.size());
   for (const Region& region : regions) bounds.push_back(region.bounds);
   return bounds;
 }
