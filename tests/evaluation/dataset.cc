@@ -48,6 +48,18 @@ cv::Mat DecodeLabels(const cv::Mat& image, LabelEncoding encoding) {
 
 }  // namespace
 
+RgbdFrame LoadFrame(const fs::path& color, const fs::path& depth,
+                    const CameraIntrinsics& intrinsics) {
+  RgbdFrame frame;
+  frame.intrinsics = intrinsics;
+  const cv::Mat color_bgr = Read(color, CV_8UC3);
+  cv::cvtColor(color_bgr, frame.color_rgb, cv::COLOR_BGR2RGB);
+  const cv::Mat depth_mm = Read(depth, CV_16UC1, color_bgr.size());
+  depth_mm.convertTo(frame.depth_m, CV_32F, 0.001);
+  frame.depth_m.setTo(std::numeric_limits<float>::quiet_NaN(), depth_mm == 0);
+  return frame;
+}
+
 std::vector<std::string> SceneNames(const fs::path& folder) {
   const std::string ending = "_color.png";
   std::vector<std::string> names;
@@ -69,18 +81,12 @@ Scene LoadScene(const fs::path& folder, const std::string& name, LabelEncoding e
                 const CameraIntrinsics& intrinsics) {
   Scene scene;
   scene.name = name;
-  scene.frame.intrinsics = intrinsics;
-  const cv::Mat color_bgr = Read(FileOf(folder, name, "color"), CV_8UC3);
-  cv::cvtColor(color_bgr, scene.frame.color_rgb, cv::COLOR_BGR2RGB);
-
-  const cv::Mat depth_mm = Read(FileOf(folder, name, "depth"), CV_16UC1, color_bgr.size());
-  depth_mm.convertTo(scene.frame.depth_m, CV_32F, 0.001);
-  scene.frame.depth_m.setTo(std::numeric_limits<float>::quiet_NaN(), depth_mm == 0);
-
-  scene.truth =
-      DecodeLabels(Read(FileOf(folder, name, "label"), CV_8UC1, color_bgr.size()), encoding);
+  scene.frame = LoadFrame(FileOf(folder, name, "color"), FileOf(folder, name, "depth"), intrinsics);
+  const cv::Size size = scene.frame.color_rgb.size();
+  scene.truth = DecodeLabels(Read(FileOf(folder, name, "label"), CV_8UC1, size), encoding);
   const fs::path labelled = FileOf(folder, name, "labelled_depth");
-  scene.valid = (fs::exists(labelled) ? Read(labelled, CV_16UC1, color_bgr.size()) : depth_mm) > 0;
+  const fs::path depth = fs::exists(labelled) ? labelled : FileOf(folder, name, "depth");
+  scene.valid = Read(depth, CV_16UC1, size) > 0;
   return scene;
 }
 

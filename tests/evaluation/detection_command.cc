@@ -30,10 +30,13 @@ void AddDetectionCommand(CLI::App& app) {
       ->expected(4)
       ->capture_default_str();
   const std::map<std::string, LabelEncoding> encodings = {{"mosd", LabelEncoding::kMosd},
-                                                          {"plain", LabelEncoding::kPlain}};
+                                                          {"plain", LabelEncoding::kPlain},
+                                                          {"boxes", LabelEncoding::kBoxes}};
   command
-      ->add_option("--labels", flags->encoding,
-                   "mosd: object = value / 10 from 20 on (the default); plain: object = value")
+      ->add_option(
+          "--labels", flags->encoding,
+          "mosd: object = value / 10 from 20 on (the default); plain: object = value; boxes: "
+          "boxes.json and intrinsics.txt in the folder, or in each of its folders")
       ->transform(CLI::CheckedTransformer(encodings));
   command->add_option("--profile", flags->profile, "Options to start from")
       ->check(CLI::IsMember(ProfileNames()));

@@ -11,6 +11,7 @@
 #include "tests/evaluation/detection_run.h"
 #include "tests/evaluation/output.h"
 #include "tests/evaluation/peers/peer.h"
+#include "tests/evaluation/real_frames/boxes_mode.h"
 #include "tests/evaluation/reliability_report.h"
 #include "tests/evaluation/report.h"
 #include "tests/evaluation/score_charts.h"
@@ -104,28 +105,13 @@ void RunSweeps(const DetectionFlags& flags, const std::vector<Scene>& scenes,
   WriteJson(flags.json, rows);
 }
 
-bool IsPeer(const std::string& method) {
-  const std::vector<std::string> peers = PeerNames();
-  return std::find(peers.begin(), peers.end(), method) != peers.end();
-}
-
-// `flags.settings` on top of a profile.
-DetectorOptions Options(const DetectionFlags& flags, const std::string& profile) {
-  DetectorOptions options = OptionsOfProfile(profile);
-  for (const std::string& setting : flags.settings) {
-    const auto [name, values] = ParseSetting(setting);
-    SetOption(options, name, values.at(0));
-  }
-  return options;
-}
-
 void CompareMethods(const DetectionFlags& flags, const std::vector<Scene>& scenes) {
   nlohmann::json rows = nlohmann::json::array();
   std::vector<Summary> summaries;
   PrintSummaryHeader(std::cout);
   for (const std::string& method : flags.methods) {
     const DetectFunction detect =
-        IsPeer(method) ? DetectWithPeer(method) : OurDetector(flags, Options(flags, method));
+        IsPeer(method) ? DetectWithPeer(method) : OurDetector(flags, OptionsOf(flags, method));
     const std::vector<SceneResult> results = Evaluate(flags, scenes, detect);
     const Summary summary = Summarize(results, flags.num_folds);
     PrintSummaryRow(std::cout, method, summary);
@@ -178,17 +164,32 @@ std::vector<std::string> DetectionMethodNames() {
   return names;
 }
 
+bool IsPeer(const std::string& method) {
+  const std::vector<std::string> peers = PeerNames();
+  return std::find(peers.begin(), peers.end(), method) != peers.end();
+}
+
+DetectorOptions OptionsOf(const DetectionFlags& flags, const std::string& profile) {
+  DetectorOptions options = OptionsOfProfile(profile);
+  for (const std::string& setting : flags.settings) {
+    const auto [name, values] = ParseSetting(setting);
+    SetOption(options, name, values.at(0));
+  }
+  return options;
+}
+
 void RunDetectionMode(const DetectionFlags& flags) {
   if (!flags.overlays.empty()) std::filesystem::create_directories(flags.overlays);
+  if (flags.encoding == LabelEncoding::kBoxes) return RunBoxesMode(flags);
   const std::vector<Scene> scenes = LoadScenes(flags);
   if (!flags.methods.empty()) {
     CompareMethods(flags, scenes);
   } else if (!flags.sweeps.empty()) {
-    RunSweeps(flags, scenes, Options(flags, flags.profile));
+    RunSweeps(flags, scenes, OptionsOf(flags, flags.profile));
   } else if (flags.with_effects) {
-    RunEffects(flags, scenes, Options(flags, flags.profile));
+    RunEffects(flags, scenes, OptionsOf(flags, flags.profile));
   } else {
-    RunOnce(flags, scenes, Options(flags, flags.profile));
+    RunOnce(flags, scenes, OptionsOf(flags, flags.profile));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/options.h"
 #include "tests/evaluation/dataset.h"
 
 namespace fovea::evaluation {
@@ -29,6 +30,11 @@ struct DetectionFlags {
 
 // What can stand in DetectionFlags::methods.
 std::vector<std::string> DetectionMethodNames();
+
+bool IsPeer(const std::string& method);
+
+// `flags.settings` on top of a profile.
+DetectorOptions OptionsOf(const DetectionFlags& flags, const std::string& profile);
 
 // Loads the scenes and prints one row per method, or else one per value of the sweeps or per camera
 // effect, or else the scores of one run with its stage times; writes the files that are asked for.

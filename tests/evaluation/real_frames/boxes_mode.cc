@@ -1,0 +1,103 @@
+#include "tests/evaluation/real_frames/boxes_mode.h"
+
+#include <iostream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <stdexcept>
+
+#include "core/detector.h"
+#include "tests/evaluation/output.h"
+#include "tests/evaluation/peers/peer.h"
+#include "tests/evaluation/real_frames/boxed_run.h"
+#include "tests/evaluation/reliability_report.h"
+
+namespace fovea::evaluation {
+namespace {
+
+void RefuseOtherModes(const DetectionFlags& flags) {
+  const auto refuse = [](bool given, const std::string& flag) {
+    if (given) throw std::invalid_argument(flag + " needs label images, not boxes");
+  };
+  refuse(!flags.sweeps.empty(), "--sweep");
+  refuse(flags.with_effects, "--camera-effects");
+  refuse(flags.true_seeds, "--true-seeds");
+}
+
+DetectInFrame Detector(const DetectionFlags& flags, const std::string& method) {
+  if (IsPeer(method)) {
+    return [method](const RgbdFrame& frame) {
+      Detections detections;
+      detections.labels = SegmentWithPeer(method, frame);
+      return detections;
+    };
+  }
+  return [options = OptionsOf(flags, method)](const RgbdFrame& frame) {
+    return Detect(frame, options);
+  };
+}
+
+std::vector<BoxedFrameResult> Run(const DetectionFlags& flags,
+                                  const std::vector<BoxedFrame>& frames,
+                                  const std::string& method) {
+  std::size_t count = 0;
+  const auto done = [&](const BoxedFrame& frame, const Detections& detections) {
+    ShowProgress("detecting", ++count, frames.size());
+    if (flags.overlays.empty()) return;
+    const std::string suffix = flags.methods.empty() ? "" : "_" + method;
+    cv::imwrite(flags.overlays + "/" + frame.source + "_" + frame.name + suffix + ".png",
+                DrawBoxes(frame, detections.labels));
+  };
+  return RunBoxedFrames(frames, Detector(flags, method), flags.num_threads, done);
+}
+
+// One group a source, so that what is calibrated is judged on other cameras.
+ReliabilityReport ReliabilityBySource(const std::vector<BoxedFrameResult>& results) {
+  std::map<std::string, std::vector<Prediction>> groups;
+  for (const BoxedFrameResult& result : results) {
+    std::vector<Prediction>& group = groups[result.source];
+    group.insert(group.end(), result.predictions.begin(), result.predictions.end());
+  }
+  std::vector<std::vector<Prediction>> list;
+  for (const auto& [source, group] : groups) list.push_back(group);
+  return ReportReliability(list);
+}
+
+void PrintFrames(const std::vector<BoxedFrameResult>& results) {
+  for (const BoxedFrameResult& result : results) {
+    const BoxScores& scores = result.scores;
+    std::cout << result.source << '/' << result.name << ": " << scores.found << " of "
+              << scores.required << " found, " << scores.wrong << " wrong\n";
+  }
+  std::cout << '\n';
+}
+
+}  // namespace
+
+void RunBoxesMode(const DetectionFlags& flags) {
+  RefuseOtherModes(flags);
+  const std::vector<BoxedFrame> frames = LoadBoxedFrames(flags.data);
+  const std::vector<std::string> methods =
+      flags.methods.empty() ? std::vector<std::string>{flags.profile} : flags.methods;
+  std::vector<BoxSummary> summaries;
+  nlohmann::json rows = nlohmann::json::array();
+  for (const std::string& method : methods) {
+    const std::vector<BoxedFrameResult> results = Run(flags, frames, method);
+    summaries.push_back(Summarize(results));
+    if (flags.print_scenes) PrintFrames(results);
+    PrintBoxSummary(std::cout, method, summaries.back());
+    nlohmann::json row = {
+        {"method", method}, {"summary", ToJson(summaries.back())}, {"frames", ToJson(results)}};
+    if (!IsPeer(method)) {
+      const ReliabilityReport reliability = ReliabilityBySource(results);
+      PrintReliability(std::cout, reliability);
+      row["reliability"] = ToJson(reliability);
+      if (flags.methods.empty()) WriteText(flags.plot, DrawSvg({ReliabilityChart(reliability)}));
+    }
+    rows.push_back(std::move(row));
+  }
+  if (methods.size() > 1) PrintSideBySide(std::cout, methods, summaries);
+  WriteJson(flags.json, rows);
+}
+
+}  // namespace fovea::evaluation
