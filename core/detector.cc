@@ -104,17 +104,19 @@ void FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* 
   clock.Begin("refinement");
 
   // Section 3.3: segments that look alike are one object.
-  const RefinedScene refined = Refine({grid, labels, points, colors, frame.intrinsics,
-                                       -result.gravity.direction, supports, on_wall},
-                                      options);
-  counts.num_segments = refined.num_segments;
+  const RefinedScene refined =
+      Refine({grid, labels, points, frame.color_rgb, colors, frame.intrinsics,
+              -result.gravity.direction, supports, on_wall},
+             options);
+  counts.num_segments = refined.tree.num_segments;
   counts.num_merged = refined.num_merged;
-  counts.segments_implausible = refined.num_implausible;
+  counts.segments_implausible = refined.rejected.size();
+  result.rejected = refined.rejected;
   clock.Begin("objects");
 
   result.labels = LabelsOfMeasured(grid, refined.objects, measured);
-  DescribeObjects(frame, points, MeanSaliency(color_saliency, depth_saliency), supports,
-                  options.objects, result);
+  DescribeObjects(frame, points, MeanSaliency(color_saliency, depth_saliency), refined.confidences,
+                  supports, options.objects, result);
   counts.messages = ExplainLosses(result);
   clock.Finish();
   if (trace != nullptr) {
@@ -128,7 +130,9 @@ void FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* 
               colors,
               labels,
               refined.segments,
-              refined.merged};
+              LabelsOfChosen(refined.tree, refined.tree.LikelyNodes(), refined.segments),
+              refined.tree,
+              refined.evidence};
   }
 }
 

@@ -37,15 +37,15 @@ std::string SeedLoss(const Diagnostics& d, std::size_t num_seeds) {
 
 std::string SegmentLoss(const Diagnostics& d) {
   if (d.num_segments == 0) return "everything is background, or outside of region.*";
-  if (d.segments_implausible > 0) {
-    return fmt::format("{} of {} segments are too large for an object or rest on nothing",
-                       d.segments_implausible, d.num_segments - d.num_merged);
+  if (d.segments_too_small > 0) {
+    return fmt::format("{} of {} segments are smaller than objects.min_pixels",
+                       d.segments_too_small, d.num_segments - d.num_merged);
   }
-  if (d.segments_too_small == 0) return "";
+  if (d.segments_implausible == 0) return "";
   return fmt::format(
-      "{} of {} segments are smaller than objects.min_pixels, objects.min_area_m2 or, cut by the "
-      "image border, objects.min_truncated_pixels",
-      d.segments_too_small, d.num_segments - d.num_merged);
+      "{} possible objects were considered and none is likely enough one: return_rejected tells "
+      "why, objects.min_probability how likely is enough",
+      d.segments_implausible);
 }
 
 }  // namespace

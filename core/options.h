@@ -10,9 +10,9 @@
 #include "core/depth/fill_depth_holes.h"
 #include "core/depth/flying_pixels.h"
 #include "core/depth/normals.h"
-#include "core/objects/continuation.h"
 #include "core/objects/describe_objects.h"
-#include "core/objects/plausibility.h"
+#include "core/objects/object_choice.h"
+#include "core/objects/object_model.h"
 #include "core/paper/paper_options.h"
 #include "core/saliency/depth_saliency.h"
 #include "core/saliency/strength_saliency.h"
@@ -22,11 +22,8 @@
 #include "core/scene/walls.h"
 #include "core/seeds/covering_seeds.h"
 #include "core/seeds/saliency_seeds.h"
-#include "core/segmentation/hollow_fill.h"
 #include "core/segmentation/mrf_energy.h"
 #include "core/segmentation/occlusion_merge.h"
-#include "core/segmentation/part_merge.h"
-#include "core/segmentation/stability_merge.h"
 #include "core/segmentation/voxel_grid.h"
 
 namespace fovea {
@@ -50,12 +47,9 @@ struct DetectorOptions {
   WallOptions walls;
   CoverOptions cover;
   MrfOptions mrf;
-  PartMergeOptions part_merge;
-  HollowFillOptions hollow_fill;
   OcclusionMergeOptions occlusion_merge;
-  StabilityMergeOptions stability_merge;
-  PlausibilityOptions plausibility;
-  ContinuationOptions continuation;
+  const ObjectModel* object_model = &FittedObjectModel();  // not null, outlives the options
+  ChoiceOptions choice;
   ObjectOptions objects;
 };
 

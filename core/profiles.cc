@@ -41,15 +41,9 @@ DetectorOptions Default() {
   // no table legs; any camera pitch.
   options.gravity.num_starts = 4;
   options.support.max_surfaces = 6;
-  options.support.min_area_m2 = 0.08;
+  options.support.min_area_m2 = 0.05;
   options.support.footprint_margin_m = 0.1;
   options.support.max_height_m = 0.5;
-  options.plausibility.max_size_m = 0.6;
-  options.plausibility.max_height_m = 0.4;
-  options.continuation.max_share = 0.4;
-  options.plausibility.max_hang_m = 0.3;
-  options.plausibility.max_support_share = 0.5;
-  options.plausibility.min_low_pixels = 260;
   options.walls.min_extent_m = 0.6;
   options.walls.min_area_m2 = 0.08;
   // Voxels that grow with the distance, as pixels and noise do.
@@ -64,18 +58,9 @@ DetectorOptions Default() {
   options.mrf.cluster_min_share = 0.6;
   options.mrf.step_weight = 0.6;
   options.mrf.color_floor = 0.35;
-  // Shape, colour and size together tell the parts of an object; textures would part them.
-  options.part_merge.min_probability = 0.5;
-  options.hollow_fill.max_radius_m = 0.2;
   options.occlusion_merge.min_shared_surface = 0.3;
   options.occlusion_merge.max_color_distance = 60;
   options.occlusion_merge.min_hollow_curvature_per_m = 3;
-  options.occlusion_merge.min_share_in_hull = 0.5;
-  options.stability_merge.max_overhang_m = 0.01;
-  options.objects.selection.min_pixels = 120;
-  options.objects.selection.min_truncated_pixels = 300;
-  options.objects.selection.min_area_m2 = 0.0018;
-  options.objects.selection.min_hidden_area_m2 = 0.001;
   return options;
 }
 

@@ -1,49 +1,44 @@
 #include "core/refinement.h"
 
+#include "core/objects/rejection.h"
 #include "core/segmentation/labels.h"
-#include "core/segmentation/mean_color.h"
-#include "core/segmentation/round_wall_merge.h"
+#include "core/segmentation/segment_graph.h"
 
 namespace fovea {
 namespace {
 
-// Segments that are parts of one object.
-std::vector<int> Merge(const LabelledScene& scene, const std::vector<int>& segments,
+// What is less likely one object is not considered.
+constexpr double kMinLogOdds = -6;
+
+MergeTree JoinSegments(const LabelledScene& scene, const std::vector<int>& segments,
                        const DetectorOptions& options) {
-  const auto& [grid, labels, points, colors, intrinsics, up, supports, on_wall] = scene;
-  std::vector<int> objects = MergeParts(grid, segments, colors, intrinsics, up, options.part_merge);
-  objects = MergeOccluded(grid, objects, points, colors, intrinsics, up, options.occlusion_merge);
-  return MergeUnstable(grid, objects, points, intrinsics, supports, options.support, up,
-                       options.stability_merge);
+  const auto find_separate = [&](const std::vector<int>& objects) {
+    return MergeOccluded(scene.grid, objects, scene.points, scene.colors, scene.intrinsics,
+                         scene.up, options.occlusion_merge);
+  };
+  return BuildMergeTree(
+      SegmentGraph(scene.grid, segments, scene.colors, scene.intrinsics, scene.up), segments,
+      kMinLogOdds, find_separate);
 }
 
 }  // namespace
 
 RefinedScene Refine(const LabelledScene& scene, const DetectorOptions& options) {
-  const auto& [grid, labels, points, colors, intrinsics, up, supports, on_wall] = scene;
   RefinedScene result;
-  result.segments = SplitIntoSegments(grid, labels);
-  result.num_segments = CountLabels(result.segments);
+  result.segments = SplitIntoSegments(scene.grid, scene.labels);
   RequireFewSegments(result.segments);
-
-  const std::vector<int> pieces = result.segments;
-  RoundWalls walls;
-  if (!supports.empty()) {
-    walls = FindRoundWalls(grid, pieces, up, options.hollow_fill.max_radius_m);
-    result.segments = MergeRoundWalls(pieces, walls);
+  result.tree = JoinSegments(scene, result.segments, options);
+  result.evidence = CollectEvidence(scene, result.segments, result.tree, options.support);
+  const std::vector<double> probabilities =
+      ObjectProbabilities(result.tree, options.object_model->LogWeights(result.evidence));
+  const std::vector<int> chosen = ChooseObjects(result.tree, probabilities, options.choice);
+  result.objects = LabelsOfChosen(result.tree, chosen, result.segments);
+  for (const int node : chosen) {
+    result.confidences.push_back(static_cast<float>(probabilities[node]));
+    result.num_merged += result.evidence[node].num_segments - 1;
   }
-  result.objects = Merge(scene, result.segments, options);
-  result.num_merged = result.num_segments - CountLabels(result.objects);
-  result.merged = result.objects;
-  if (supports.empty()) return result;
-
-  result.merged = FillHollows(grid, result.objects, pieces, walls, points, intrinsics, on_wall, up);
-  const PlausibleSegments plausible = RemoveImplausible(
-      grid, result.merged, points, intrinsics, supports, options.support, options.plausibility);
-  const PlausibleSegments ended = RemoveContinued(grid, plausible.labels, points, intrinsics,
-                                                  on_wall, up, options.continuation);
-  result.objects = ended.labels;
-  result.num_implausible = plausible.num_removed + ended.num_removed;
+  result.rejected =
+      FindRejected(result.tree, chosen, result.evidence, probabilities, *options.object_model);
   return result;
 }
 

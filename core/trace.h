@@ -4,7 +4,9 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
+#include "core/objects/object_evidence.h"
 #include "core/segmentation/mean_color.h"
+#include "core/segmentation/merge_tree.h"
 #include "core/segmentation/voxel_grid.h"
 #include "core/types/detections.h"
 
@@ -22,7 +24,9 @@ struct Trace {
   // One entry a voxel, 0 = background.
   std::vector<int> labels;    // after the graph cut: k of the hypothesis of seeds[k - 1]
   std::vector<int> segments;  // connected parts of them, before those of one object are joined
-  std::vector<int> merged;    // after that, before what can be no object is dropped
+  std::vector<int> merged;    // after that, before it is decided what is an object
+  MergeTree tree;             // of the segments
+  std::vector<ObjectEvidence> evidence;  // of its nodes
 };
 
 }  // namespace fovea

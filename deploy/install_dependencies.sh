@@ -10,7 +10,7 @@ libgrpc-dev libgrpc++-dev libprotobuf-dev protobuf-compiler protobuf-compiler-gr
 libssl-dev libsystemd-dev prometheus-cpp-dev libspdlog-dev libfmt-dev libcli11-dev libzstd-dev libturbojpeg0-dev libspng-dev nlohmann-json3-dev
 libboost-dev
 libopenni2-dev libyaml-cpp-dev
-libgtest-dev libgmock-dev libbenchmark-dev libmatio-dev
+libgtest-dev libgmock-dev libbenchmark-dev libmatio-dev libdlib-dev
 python3 python3-grpcio python3-numpy python3-protobuf python3-setuptools
 help2man file haproxy
 python3-pil python3-pip python3-pytest python3-zstandard openssl

@@ -43,6 +43,7 @@ void RequestFor(const OutputPaths& paths, v1::DetectOptions* options) {
   options->set_return_seeds(draws || !paths.json.empty());
   options->set_return_saliency_maps(explains || !paths.saliency_prefix.empty());
   options->set_return_trace(explains);
+  options->set_return_rejected(explains || !paths.json.empty());
 }
 
 void WriteOutputs(const OutputPaths& paths, const FrameFiles& files, const FrameSettings& settings,

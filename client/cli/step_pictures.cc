@@ -161,6 +161,22 @@ cv::Mat LabelsPicture(const cv::Mat& color, const v1::LabelImage& labels) {
   return picture;
 }
 
+cv::Mat RejectedPicture(const cv::Mat& color, const v1::Detections& detections) {
+  cv::Mat picture = Grey(color) * 0.6;
+  for (int i = detections.rejected_size() - 1; i >= 0; --i) {  // the likeliest on top
+    const v1::RejectedObject& rejected = detections.rejected(i);
+    const v1::BoundingBox2D& bounds = rejected.bounding_box();
+    const cv::Rect box = cv::Rect(bounds.x(), bounds.y(), bounds.width(), bounds.height()) &
+                         cv::Rect({}, color.size());
+    const cv::Scalar tint = kYellow * (0.35 + 0.65 * std::clamp(rejected.probability(), 0.0, 1.0));
+    cv::rectangle(picture, box, tint, 1);
+    if (rejected.probability() < 0.01) continue;
+    DrawBadge(picture, box.tl(), std::to_string(cvRound(100 * rejected.probability())) + " %",
+              tint);
+  }
+  return picture;
+}
+
 cv::Mat FilledDepth(const v1::Trace& trace, const cv::Size& frame) {
   const v1::DepthImage& image = trace.filled_depth();
   RequireFits(image.encoding() == v1::DEPTH_ENCODING_16UC1, "filled depth image");

@@ -29,6 +29,9 @@ cv::Mat HypothesesPicture(const cv::Mat& color, const cv::Mat& depth_m,
 // A labelling in the palette's colours over the grey frame.
 cv::Mat LabelsPicture(const cv::Mat& color, const v1::LabelImage& labels);
 
+// What was considered and is not reported, boxed, with its probability, the likeliest brightest.
+cv::Mat RejectedPicture(const cv::Mat& color, const v1::Detections& detections);
+
 // The trace's depth, CV_32FC1 in metres, 0 = none.
 cv::Mat FilledDepth(const v1::Trace& trace, const cv::Size& frame);
 

@@ -105,6 +105,24 @@ void AddDecided(Page& page, const cv::Mat& color, const cv::Mat& filled,
   page.Add("11_objects.png", DrawOverlay(color, settings.intrinsics, objects),
            "The objects with their boxes and best grasps (Figs. 1 d, 7). Their tinted cloud is in "
            "<a href=\"12_cloud.ply\">12_cloud.ply</a> (Fig. 1 c).");
+  if (detections.rejected().empty()) return;
+  page.Add("13_rejected.png", RejectedPicture(color, detections),
+           "What was considered and is not reported: the probability that it is an object, and "
+           "below what speaks against it most.");
+}
+
+// The first of what is drawn in the picture of it.
+std::string Rejected(const v1::Detections& detections) {
+  constexpr int kMost = 20;
+  std::string text;
+  for (const v1::RejectedObject& rejected : detections.rejected()) {
+    if (&rejected - &detections.rejected(0) == kMost) break;
+    const v1::BoundingBox2D& box = rejected.bounding_box();
+    text += fmt::format("not reported, {:.0f} %: {}x{} pixels at {}, {}; against it: {}\n",
+                        100 * rejected.probability(), box.width(), box.height(), box.x(), box.y(),
+                        rejected.reason());
+  }
+  return text;
 }
 
 std::string Summary(const v1::Detections& detections) {
@@ -118,7 +136,7 @@ std::string Summary(const v1::Detections& detections) {
       d.num_voxels(), d.num_segments(), d.num_merged(), d.segments_implausible(),
       d.segments_too_small(), NumObjects(detections.objects_size()));
   for (const std::string& message : d.messages()) text += message + "\n";
-  return text;
+  return text + Rejected(detections);
 }
 
 }  // namespace

@@ -24,9 +24,9 @@ struct ObjectOptions {
 // object stands on the highest of the supports that it is above, or on the first.
 //
 // `detections.labels`: CV_16UC1, 0 = background; `points`: CV_32FC3 with a point wherever there is
-// a label; `saliency`: CV_32FC1 in [0, 1].
+// a label; `saliency`: CV_32FC1 in [0, 1]; `confidences`: as SelectObjects takes them.
 void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points, const cv::Mat& saliency,
-                     const std::vector<Support>& supports, const ObjectOptions& options,
-                     Detections& detections);
+                     const std::vector<float>& confidences, const std::vector<Support>& supports,
+                     const ObjectOptions& options, Detections& detections);
 
 }  // namespace fovea

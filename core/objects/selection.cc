@@ -8,16 +8,11 @@
 
 #include "core/objects/confidence.h"
 #include "core/objects/measured_area.h"
-#include "core/objects/seclusion.h"
 #include "core/types/interruption.h"
 #include "core/types/pixels.h"
 
 namespace fovea {
 namespace {
-
-// Shares of the border of what something in front hides in part.
-constexpr double kMinHidden = 0.25;
-constexpr double kMaxLevel = 0.2;
 
 using PixelsOfLabel = std::vector<std::vector<cv::Point>>;
 
@@ -50,17 +45,8 @@ float MeanOf(const cv::Mat& map, const std::vector<cv::Point>& pixels) {
   return static_cast<float>(sum / static_cast<double>(pixels.size()));
 }
 
-// Cut off by something in front, and going on nowhere in sight.
-bool IsPartlyHidden(const cv::Mat& labels, const cv::Mat& depth_m,
-                    const std::vector<cv::Point>& pixels) {
-  const Seclusion seclusion = FindSeclusion(labels, depth_m, pixels);
-  return seclusion.hidden >= kMinHidden && seclusion.level <= kMaxLevel;
-}
-
-double FewestPixels(const SelectionOptions& options, bool truncated, const cv::Size& image) {
-  const double fewest =
-      truncated ? std::max(options.min_pixels, options.min_truncated_pixels) : options.min_pixels;
-  return std::max<double>(kFewestPixels, std::round(fewest * AreaScale(image)));
+double FewestPixels(const SelectionOptions& options, const cv::Size& image) {
+  return std::max<double>(kFewestPixels, std::round(options.min_pixels * AreaScale(image)));
 }
 
 // Leaves the `max_objects` most salient candidates, in their order; 0: all. Returns how many it
@@ -81,7 +67,8 @@ std::size_t KeepMostSalient(int max_objects, std::vector<Candidate>& candidates)
 
 }  // namespace
 
-Selection SelectObjects(const cv::Mat& labels, const cv::Mat& depth_m, const cv::Mat& saliency,
+Selection SelectObjects(const cv::Mat& labels, const std::vector<float>& confidences,
+                        const cv::Mat& depth_m, const cv::Mat& saliency,
                         const cv::Rect& measured_area, const CameraIntrinsics& intrinsics,
                         const SelectionOptions& options) {
   PixelsOfLabel pixels_of_label = CollectPixels(labels);
@@ -90,18 +77,17 @@ Selection SelectObjects(const cv::Mat& labels, const cv::Mat& depth_m, const cv:
     std::vector<cv::Point>& pixels = pixels_of_label[label];
     InterruptionPoint();
     if (pixels.empty()) continue;
-    const double squares = SumOfSquaredZ(depth_m, pixels);
-    const double area_m2 = squares / (intrinsics.fx_px * intrinsics.fy_px);
     const auto count = static_cast<double>(pixels.size());
-    const bool large_enough =
-        area_m2 >= options.min_area_m2 ||
-        (area_m2 >= options.min_hidden_area_m2 && IsPartlyHidden(labels, depth_m, pixels));
-    const bool truncated = EndsWithArea(cv::boundingRect(pixels), measured_area, labels.size());
-    if (count < FewestPixels(options, truncated, labels.size()) || !large_enough) {
+    if (count < FewestPixels(options, labels.size())) {
       ++selection.num_too_small;
       continue;
     }
-    const float confidence = Confidence(area_m2, std::sqrt(squares / count));
+    const bool truncated = EndsWithArea(cv::boundingRect(pixels), measured_area, labels.size());
+    const double squares = SumOfSquaredZ(depth_m, pixels);
+    const double area_m2 = squares / (intrinsics.fx_px * intrinsics.fy_px);
+    const float confidence = confidences.empty()
+                                 ? Confidence(area_m2, std::sqrt(squares / count))
+                                 : confidences.at(static_cast<std::size_t>(label) - 1);
     const float mean_saliency = MeanOf(saliency, pixels);
     selection.candidates.push_back(
         {label, std::move(pixels), confidence, mean_saliency, truncated});

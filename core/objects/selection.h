@@ -13,14 +13,6 @@ struct SelectionOptions {
   // Segments with fewer mask pixels are dropped; at an image of 640×480 (scaled with its area, but
   // never fewer than 20).
   double min_pixels = 300;
-  // So are those that are cut by the end of the image or of its depth, with fewer than this: what
-  // one sees of them may be the foot of something large.
-  double min_truncated_pixels = 0;
-  // So are those with less visible area: pixels · z² / (fx · fy), the area of a facing surface;
-  // square metres. Unlike pixels, it asks the same of an object at any distance.
-  double min_area_m2 = 0;
-  // Of what something in front of it hides in part, this visible area is enough; square metres.
-  double min_hidden_area_m2 = 0;
   // Only the most salient ones are kept, up to this many; 0: all.
   int max_objects = 0;
 };
@@ -28,9 +20,9 @@ struct SelectionOptions {
 struct Candidate {
   int label = 0;
   std::vector<cv::Point> pixels;  // in row-major order
-  float confidence = 0;           // see core/objects/confidence.h
-  float saliency = 0;             // mean over the pixels
-  bool truncated = false;         // ends with the measured area
+  float confidence = 0;
+  float saliency = 0;      // mean over the pixels
+  bool truncated = false;  // ends with the measured area
 };
 
 struct Selection {
@@ -39,10 +31,11 @@ struct Selection {
   std::size_t num_less_salient = 0;  // beyond max_objects
 };
 
-// `labels`: CV_16UC1, 0 = background; `depth_m`: CV_32FC1 as measured, wherever there is a label;
-// `saliency`: CV_32FC1 in [0, 1]; `measured_area`: of the image, see MeasuredArea. Cost:
-// proportional to the image.
-Selection SelectObjects(const cv::Mat& labels, const cv::Mat& depth_m, const cv::Mat& saliency,
+// `labels`: CV_16UC1, 0 = background; `confidences`: of label k at k − 1, or empty: then it is
+// Confidence(); `depth_m`: CV_32FC1 as measured, wherever there is a label; `saliency`: CV_32FC1 in
+// [0, 1]; `measured_area`: of the image, see MeasuredArea. Cost: proportional to the image.
+Selection SelectObjects(const cv::Mat& labels, const std::vector<float>& confidences,
+                        const cv::Mat& depth_m, const cv::Mat& saliency,
                         const cv::Rect& measured_area, const CameraIntrinsics& intrinsics,
                         const SelectionOptions& options = {});
 

@@ -13,7 +13,8 @@ struct ColorMergeOptions {
   // 1 never merges. Paper: 0.5.
   double min_correlation = 0.5;
   int bins = 20;  // of each RGB channel. Paper: 20
-  // Labels are split into their connected parts first: Eq. 5 may reach across a gap. Paper: not said.
+  // Labels are split into their connected parts first: Eq. 5 may reach across a gap. Paper: not
+  // said.
   bool split = false;
   // Pairs are compared again, with the histograms of what was joined, until none is.
   bool iterate = false;

@@ -77,7 +77,7 @@ void FindObjects(const RgbdFrame& frame, const PaperOptions& options, Trace* tra
   // Section 4: what is reported of them.
   clock.Begin("objects");
   result.labels = LabelsOfMeasured(grid, objects, measured);
-  DescribeObjects(frame, points, MeanSaliency(color_saliency, depth_saliency), supports,
+  DescribeObjects(frame, points, MeanSaliency(color_saliency, depth_saliency), {}, supports,
                   options.objects, result);
   counts.messages = ExplainLosses(result);
   clock.Finish();
@@ -92,7 +92,9 @@ void FindObjects(const RgbdFrame& frame, const PaperOptions& options, Trace* tra
               {},
               labels,
               segments,
-              objects};
+              objects,
+              {},
+              {}};
   }
 }
 

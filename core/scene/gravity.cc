@@ -12,7 +12,7 @@
 namespace fovea {
 namespace {
 
-constexpr double kMinLevelShare = 0.1;  // of all normals
+constexpr double kMinLevelShare = 0.07;  // of all normals
 constexpr double kMinScoreShare = 0.72;
 
 std::vector<Eigen::Vector3d> ValidNormals(const cv::Mat& normals) {

@@ -96,11 +96,12 @@ bool IsCloselyAbove(const std::vector<Support>& supports,
   });
 }
 
-// Surfaces in the height of objects above another one are mostly the tops of objects.
+// Surfaces in the height of objects above another one are mostly the tops of objects, also of
+// several side by side.
 double MinArea_m2(const std::vector<Support>& supports, const std::vector<Eigen::Vector3f>& points,
                   const SupportOptions& options) {
   constexpr double kObjectHeight_m = 0.4;
-  constexpr double kObjectTops = 2.5;  // as large as several side by side
+  constexpr double kObjectTops = 4;
   return IsCloselyAbove(supports, points, kObjectHeight_m) ? kObjectTops * options.min_area_m2
                                                            : options.min_area_m2;
 }

@@ -73,11 +73,4 @@ double ShareSeenThrough(const cv::Mat& labels, const cv::Mat& points, int a, int
   return gap.empty() ? 0 : static_cast<double>(seen_through) / static_cast<double>(gap.size());
 }
 
-double ShareInHull(const cv::Mat& labels, int part, int whole) {
-  const cv::Mat is_part = labels == part, is_whole = labels == whole;
-  const cv::Rect box = cv::boundingRect(is_whole);
-  const cv::Mat hull = HullOf(PixelsOf(is_whole(box), box), box);
-  return static_cast<double>(cv::countNonZero(is_part(box) & hull)) / cv::countNonZero(is_part);
-}
-
 }  // namespace fovea

@@ -14,8 +14,4 @@ namespace fovea {
 // three points that are not on a line. Cost: proportional to the image.
 double ShareSeenThrough(const cv::Mat& labels, const cv::Mat& points, int a, int b);
 
-// The share of the pixels of `part` that lie in the convex hull of `whole`: 1 for what fills a
-// notch of its outline. Both labels must occur.
-double ShareInHull(const cv::Mat& labels, int part, int whole);
-
 }  // namespace fovea

@@ -25,17 +25,11 @@ namespace {
 constexpr double kBorderReachPx = 4;
 constexpr double kMinBorderPx = 10;
 constexpr float kBorderStep = 0.01F;
-// What fills a notch of something in front:
-constexpr double kMaxNotchShare = 0.25;  // of the voxels of what is in front
-constexpr double kMaxNotchDepth = 0.5;   // behind it, as a share of the root of its area
-constexpr double kMinNotchHeight = 0.2;  // above its foot, as a share of its height
 
 struct Segment {
   std::vector<int> voxels;
   Roundness roundness;
   Part part;
-
-  double MeanZ() const { return part.z_sum_m / part.num_voxels; }
 };
 
 std::vector<Segment> Collect(const VoxelGrid& grid, const std::vector<int>& labels,
@@ -122,20 +116,6 @@ class Evidence {
            LiesAround(outside, segments_[inside].roundness);
   }
 
-  // True if `part` fills a notch of the outline of `front`, just behind it, and neither rises above
-  // it nor reaches its foot: a handle that meets the body out of sight.
-  bool IsInNotchOf(int front, int part) const {
-    if (options_.min_share_in_hull <= 0) return false;
-    const Part& small = segments_[part].part;
-    const Part& large = segments_[front].part;
-    const double behind_m = segments_[part].MeanZ() - segments_[front].MeanZ();
-    return small.num_voxels <= kMaxNotchShare * large.num_voxels && Hides(front, part) &&
-           behind_m <= kMaxNotchDepth * std::sqrt(large.area_m2) &&
-           small.Top_m() <= large.Top_m() &&
-           small.Bottom_m() >= large.Bottom_m() + kMinNotchHeight * large.Height_m() &&
-           ShareInHull(image_, part, front) >= options_.min_share_in_hull;
-  }
-
  private:
   static constexpr std::size_t kMinVoxels = 10;
   // How far from the axis the outside lies on average, of the inside's radius, and how much it
@@ -171,8 +151,7 @@ std::vector<int> MergeOccluded(const VoxelGrid& grid, const std::vector<int>& la
                                const cv::Mat& points, const std::vector<MeanColor>& colors,
                                const CameraIntrinsics& intrinsics, const Eigen::Vector3f& up,
                                const OcclusionMergeOptions& options) {
-  if (options.min_shared_surface <= 0 && options.min_hollow_curvature_per_m <= 0 &&
-      options.min_share_in_hull <= 0) {
+  if (options.min_shared_surface <= 0 && options.min_hollow_curvature_per_m <= 0) {
     return labels;
   }
   const Evidence evidence(grid, labels, points, colors, intrinsics, up, options);
@@ -180,10 +159,7 @@ std::vector<int> MergeOccluded(const VoxelGrid& grid, const std::vector<int>& la
   for (const auto& [pair, border] : evidence.Borders()) {
     InterruptionPoint();
     const auto [a, b] = pair;
-    if (evidence.IsInsideOf(a, b) || evidence.IsInsideOf(b, a) || evidence.IsInNotchOf(a, b) ||
-        evidence.IsInNotchOf(b, a)) {
-      objects.Join(a, b);
-    }
+    if (evidence.IsInsideOf(a, b) || evidence.IsInsideOf(b, a)) objects.Join(a, b);
   }
   if (options.min_shared_surface > 0) {
     for (const auto& [a, b] : evidence.PairsWithCommonOccluder()) {

@@ -1,6 +1,5 @@
 // Merging of segments that do not touch in the image but are one object: the parts left and right
-// of something in front, the inside of a hollow object with its outside, and a handle with the body
-// that hides where they meet. Goes beyond the paper.
+// of something in front, and the inside of a hollow object with its outside. Goes beyond the paper.
 #pragma once
 
 #include <opencv2/core/mat.hpp>
@@ -25,10 +24,6 @@ struct OcclusionMergeOptions {
   // near rim another segment hides is the inside of that one; 1/m, 0 switches the merge off.
   double min_hollow_curvature_per_m = 0;
   double max_rim_step_m = 0.02;  // between the upper ends of inside and outside
-  // Something small, just behind a larger thing and not beyond it in height, is a part of that one
-  // if at least this share of its pixels lies in the convex hull of that one in the image, 0 … 1; 0
-  // switches the merge off.
-  double min_share_in_hull = 0;
 };
 
 // `labels`: one entry a voxel, 0 = background; `points`: CV_32FC3 of the frame; `colors`: one

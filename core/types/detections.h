@@ -51,7 +51,7 @@ struct Grasp {
 
 struct DetectedObject {
   int label = 0;               // 1, 2, … : its value in Detections::labels
-  float confidence = 0;        // 0 … 1, see core/objects/confidence.h
+  float confidence = 0;        // 0 … 1: the probability that it is an object with this box
   float saliency = 0;          // 0 … 1, mean of the mask's saliency in colour and in depth
   cv::Rect bounds_px;          // smallest upright rectangle around the mask
   std::size_t num_pixels = 0;  // of the mask
@@ -93,10 +93,17 @@ struct Diagnostics {
   std::size_t num_voxels = 0;
   std::size_t num_segments = 0;          // after the graph cut
   std::size_t num_merged = 0;            // segments that refinement joined to another
-  std::size_t segments_implausible = 0;  // too large, hanging from a surface, or in the air
+  std::size_t segments_implausible = 0;  // what was considered and is not likely enough an object
   std::size_t segments_too_small = 0;
   std::size_t objects_less_salient = 0;  // beyond objects.max_objects
   std::vector<std::string> messages;     // for people: what limited the result, most telling first
+};
+
+// Something that was considered and is not reported.
+struct RejectedObject {
+  cv::Rect bounds_px;     // smallest upright rectangle around it
+  float probability = 0;  // that it is an object, 0 … 1
+  std::string reason;     // for people: what speaks against it most
 };
 
 struct StageTime {
@@ -107,7 +114,8 @@ struct StageTime {
 struct Detections {
   cv::Mat labels;  // CV_16UC1, frame size: 0 = background, k = object k; only where depth was
                    // measured
-  std::vector<DetectedObject> objects;  // by falling confidence; object k has label k
+  std::vector<DetectedObject> objects;   // by falling confidence; object k has label k
+  std::vector<RejectedObject> rejected;  // likeliest first; none in profile "paper"
   Gravity gravity;
   std::optional<SupportSurface> support;  // the dominating one
   Diagnostics diagnostics;

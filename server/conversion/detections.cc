@@ -62,6 +62,15 @@ void AddObjects(const Detections& detections, const v1::Frame& frame,
   }
 }
 
+void AddRejected(const Detections& detections, v1::Detections* proto) {
+  for (const RejectedObject& rejected : detections.rejected) {
+    v1::RejectedObject& added = *proto->add_rejected();
+    *added.mutable_bounding_box() = ToProto(rejected.bounds_px);
+    added.set_probability(rejected.probability);
+    added.set_reason(rejected.reason);
+  }
+}
+
 }  // namespace
 
 v1::StageTime ToProto(const StageTime& time) {
@@ -93,6 +102,7 @@ v1::Detections ToProto(const Detections& detections, const Trace& trace, const v
   proto.set_server_version(Version());
   proto.set_server_build(Commit());
   AddObjects(detections, frame, options, &proto);
+  if (options.return_rejected()) AddRejected(detections, &proto);
   AddTrace(trace, options, &proto);
   return proto;
 }

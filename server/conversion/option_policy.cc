@@ -10,7 +10,7 @@ namespace fovea::server {
 namespace {
 
 // Where to look, and which of the objects to report.
-constexpr std::array<std::string_view, 3> kSafe{"region.", "plausibility.", "objects."};
+constexpr std::array<std::string_view, 2> kSafe{"region.", "objects."};
 
 OptionPolicy::Clients ParseClients(const std::string& text) {
   if (text == "none") return OptionPolicy::Clients::kNone;

@@ -132,6 +132,20 @@ TEST_P(Detector, ReportsStagesAndTrace) {
   }
 }
 
+TEST(Detect, TellsWhatItRejectedAndWhy) {
+  DetectorOptions options = OptionsOfProfile("default");
+  const RgbdFrame frame = Tabletop();
+  const std::size_t num_objects = Detect(frame, options).objects.size();
+  options.choice.min_probability = 1;
+  const Detections found = Detect(frame, options);
+  EXPECT_TRUE(found.objects.empty());
+  ASSERT_GE(found.rejected.size(), num_objects);
+  EXPECT_EQ(found.diagnostics.segments_implausible, found.rejected.size());
+  EXPECT_GT(found.rejected.front().probability, 0.5F);
+  EXPECT_FALSE(found.rejected.front().reason.empty());
+  EXPECT_THAT(found.diagnostics.messages, testing::Contains(testing::HasSubstr("considered")));
+}
+
 TEST_P(Detector, StopsBetweenStages) {
   int asked = 0;
   try {

@@ -101,6 +101,7 @@ TEST_F(CliTest, ExplainsEveryStep) {
     EXPECT_FALSE(cv::imread((steps / "07_hypotheses.png").string()).empty());
     EXPECT_FALSE(cv::imread((steps / "11_objects.png").string()).empty());
     EXPECT_GT(fs::file_size(steps / "12_cloud.ply"), 15U * kWidth);
+    EXPECT_EQ(fs::exists(steps / "13_rejected.png"), profile == "default");
     std::ifstream page(steps / "index.html");
     const std::string html{std::istreambuf_iterator<char>(page), {}};
     EXPECT_THAT(html, HasSubstr("profile " + profile));

@@ -162,7 +162,7 @@ TEST(Contract, ListsTheOptions) {
   EXPECT_THAT(gamma.description(), HasSubstr("Eq. 5"));
   EXPECT_EQ(options.at("max_depth_m").unit(), "m");
   EXPECT_EQ(options.at("gravity.coarse_angle_deg").unit(), "deg");
-  EXPECT_EQ(options.at("objects.min_area_m2").unit(), "m2");
+  EXPECT_EQ(options.at("support.min_area_m2").unit(), "m2");
   EXPECT_EQ(options.at("seeds.disk_radius_px").unit(), "px");
   EXPECT_EQ(options.at("objects.max_objects").unit(), "");
   EXPECT_TRUE(options.at("objects.max_objects").integral());

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 import numpy.typing as npt
@@ -63,6 +63,18 @@ class Trace:
 
 
 @dataclass(frozen=True)
+class RejectedObject:
+    """Something that was considered and is not reported."""
+
+    x: int  # of the smallest upright rectangle around it, in pixels of the colour image
+    y: int
+    width: int
+    height: int
+    probability: float  # that it is an object
+    reason: str  # for people: what speaks against it most
+
+
+@dataclass(frozen=True)
 class Diagnostics:
     """How much was left after each step: says why there are few objects, or none."""
 
@@ -78,7 +90,7 @@ class Diagnostics:
     num_segments: int
     num_merged: int
     segments_too_small: int
-    segments_implausible: int  # too large, hanging from a surface, or in the air
+    segments_implausible: int  # considered, and not likely enough an object
     messages: list[str]  # for people: what limited the result, most telling first
 
 
@@ -102,6 +114,7 @@ class Detections:
     server_version: str
     server_build: str
     trace: Trace | None = None  # unless asked for
+    rejected: list[RejectedObject] = field(default_factory=list)  # likeliest first; if asked for
 
     def label_image(self) -> npt.NDArray[np.uint16]:
         """HxW: 0 = background, k = the object with label k. Needs masks."""
@@ -141,6 +154,7 @@ def detections_from_proto(proto: detection_pb2.Detections) -> Detections:
         server_version=proto.server_version,
         server_build=proto.server_build,
         trace=_trace(proto.trace) if proto.HasField("trace") else None,
+        rejected=[_rejected(each) for each in proto.rejected],
     )
 
 
@@ -163,6 +177,18 @@ def _support(proto: detection_pb2.SupportSurface) -> SupportSurface:
 def _seed(proto: detection_pb2.Seed) -> Seed:
     source = _name_of(detection_pb2.SeedSource, proto.source)
     return Seed(x=proto.x, y=proto.y, position=vector_from_proto(proto.position), source=source)
+
+
+def _rejected(proto: detection_pb2.RejectedObject) -> RejectedObject:
+    box = proto.bounding_box
+    return RejectedObject(
+        x=box.x,
+        y=box.y,
+        width=box.width,
+        height=box.height,
+        probability=proto.probability,
+        reason=proto.reason,
+    )
 
 
 def _diagnostics(proto: detection_pb2.Diagnostics) -> Diagnostics:

@@ -46,6 +46,8 @@ class DetectOptions:
     return_seeds: bool = False
     # Detections.trace and the saliency maps: what each step made of the frame.
     return_trace: bool = False
+    # Detections.rejected: what was considered and is not reported, and why.
+    return_rejected: bool = False
 
     def to_proto(self) -> detection_pb2.DetectOptions:
         """Raises InvalidArgument for a parameter that is no number."""
@@ -56,6 +58,7 @@ class DetectOptions:
             return_saliency_maps=self.return_saliency_maps,
             return_seeds=self.return_seeds,
             return_trace=self.return_trace,
+            return_rejected=self.return_rejected,
         )
         for name, value in self.parameters.items():
             try:

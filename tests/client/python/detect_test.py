@@ -218,7 +218,21 @@ def test_traces_the_steps(client: fovea.Client, scene: Scene, profile: str) -> N
     assert 0 < trace.hypotheses.max() <= len(trace.seeds)
     assert 0 < trace.segments.max() <= found.diagnostics.num_segments
     assert trace.merged.max() <= trace.segments.max()
-    # Each object is one of the merged segments where depth was measured.
-    for each in found.objects:
-        label = np.bincount(trace.merged[each.mask]).argmax()
-        assert label > 0 and (trace.merged[each.mask] == label).all()
+    # Each object consists of whole segments where depth was measured.
+    labels = found.label_image()
+    for segment in np.unique(trace.segments[labels > 0]):
+        of_segment = labels[(trace.segments == segment) & (scene.depth > 0)]
+        assert segment > 0 and (of_segment == of_segment[0]).all()
+
+
+def test_tells_what_it_rejected(client: fovea.Client, scene: Scene) -> None:
+    assert client.detect_frame(scene.frame()).rejected == []
+    strict = {"objects.min_probability": 1.0}
+    options = fovea.DetectOptions(parameters=strict, return_rejected=True)
+    found = client.detect_frame(scene.frame(), options)
+    assert found.objects == []
+    assert len(found.rejected) == found.diagnostics.segments_implausible > 0
+    likeliest = found.rejected[0]
+    assert 0.5 < likeliest.probability <= 1 and likeliest.reason
+    assert likeliest.width * likeliest.height >= 20
+    assert likeliest.probability == max(each.probability for each in found.rejected)

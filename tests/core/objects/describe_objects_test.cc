@@ -17,6 +17,7 @@ struct Scene {
                   {500, 500, 320, 240},
                   std::nullopt};
   cv::Mat saliency{480, 640, CV_32FC1, cv::Scalar(0.5F)};
+  std::vector<float> confidences;
   Detections detections;
 
   Scene() { detections.labels = cv::Mat::zeros(480, 640, CV_16UC1); }
@@ -26,7 +27,7 @@ struct Scene {
     const std::vector<Support> supports =
         detections.support ? std::vector<Support>{{*detections.support, Footprint()}}
                            : std::vector<Support>{};
-    DescribeObjects(frame, points, saliency, supports, options, detections);
+    DescribeObjects(frame, points, saliency, confidences, supports, options, detections);
   }
 };
 
@@ -125,44 +126,16 @@ TEST(DescribeObjects, SaliencyIsTheMeanOverTheMaskAndTheMostSalientAreKept) {
   EXPECT_EQ(scene.detections.labels.at<std::uint16_t>(110, 110), 0);
 }
 
-TEST(DescribeObjects, AsksForTheSameVisibleAreaAtAnyDistance) {
+TEST(DescribeObjects, TakesConfidencesAsGiven) {
   Scene scene;
-  scene.frame.depth_m.colRange(320, 640).setTo(2.0F);
-  scene.Label({100, 100, 20, 20}, 1);  // 4 cm wide at 1 m
-  scene.Label({400, 100, 20, 20}, 2);  // 8 cm wide at 2 m
-  ObjectOptions options;
-  options.selection.min_area_m2 = 0.003;
-  scene.Describe(options);
-  ASSERT_EQ(scene.detections.objects.size(), 1U);
-  EXPECT_EQ(scene.detections.objects[0].bounds_px.x, 400);
-}
-
-TEST(DescribeObjects, AsksForLessOfWhatIsPartlyHidden) {
-  Scene scene;
-  scene.frame.depth_m(cv::Rect(90, 90, 30, 40)).setTo(0.8F);  // before the left part of the first
-  scene.Label({120, 100, 20, 20}, 1);
-  scene.Label({400, 100, 20, 20}, 2);
-  scene.frame.depth_m.setTo(2.0F, (scene.frame.depth_m == 1) & (scene.detections.labels == 0));
-  ObjectOptions options;
-  options.selection.min_area_m2 = 0.003;
-  options.selection.min_hidden_area_m2 = 0.001;
-  options.selection.min_pixels = 100;
-  scene.Describe(options);
-  ASSERT_EQ(scene.detections.objects.size(), 1U);
-  EXPECT_EQ(scene.detections.objects[0].bounds_px.x, 120);
-}
-
-TEST(DescribeObjects, AsksForMoreOfWhatTheBorderCuts) {
-  Scene scene;
-  scene.Label({0, 100, 20, 20}, 1);
-  scene.Label({300, 100, 20, 20}, 2);
-  scene.Label({615, 100, 25, 20}, 3);
-  ObjectOptions options;
-  options.selection.min_truncated_pixels = 500;
-  scene.Describe(options);
+  scene.Label({100, 100, 40, 40}, 1);
+  scene.Label({200, 200, 30, 30}, 2);
+  scene.confidences = {0.4F, 0.9F};
+  scene.Describe();
   ASSERT_EQ(scene.detections.objects.size(), 2U);
-  EXPECT_EQ(scene.detections.objects[0].bounds_px.x, 615);
-  EXPECT_EQ(scene.detections.objects[1].bounds_px.x, 300);
+  EXPECT_EQ(scene.detections.objects[0].confidence, 0.9F);
+  EXPECT_EQ(scene.detections.objects[0].bounds_px.x, 200);
+  EXPECT_EQ(scene.detections.objects[1].confidence, 0.4F);
 }
 
 TEST(DescribeObjects, StandsOnTheHighestSupportBelow) {
@@ -171,7 +144,7 @@ TEST(DescribeObjects, StandsOnTheHighestSupportBelow) {
   const Eigen::Vector3f up = -Eigen::Vector3f::UnitY();
   const std::vector<Support> supports{{{up, 0.8F, 1}, Footprint()}, {{up, 0.1F, 1}, Footprint()}};
   const cv::Mat points = BackProject(scene.frame.depth_m, scene.frame.intrinsics, 10);
-  DescribeObjects(scene.frame, points, scene.saliency, supports, {}, scene.detections);
+  DescribeObjects(scene.frame, points, scene.saliency, {}, supports, {}, scene.detections);
   ASSERT_EQ(scene.detections.objects.size(), 1U);
   EXPECT_NEAR(*scene.detections.objects[0].height_above_support_m, 0.102, 1e-3);
 }

@@ -61,13 +61,5 @@ TEST(ShareSeenThrough, NothingLiesBetweenPartsThatFillTheirHull) {
   EXPECT_EQ(scene.Share(), 0);
 }
 
-TEST(ShareInHull, CountsWhatFillsANotch) {
-  cv::Mat labels = cv::Mat::zeros(40, 80, CV_16UC1);
-  labels(cv::Rect(10, 10, 30, 20)) = kLeft;
-  labels(cv::Rect(25, 15, 20, 10)) = kRight;  // 15 of its 20 columns in the notch
-  EXPECT_DOUBLE_EQ(ShareInHull(labels, kRight, kLeft), 0.75);
-  EXPECT_EQ(ShareInHull(labels, kLeft, kRight), 0);
-}
-
 }  // namespace
 }  // namespace fovea

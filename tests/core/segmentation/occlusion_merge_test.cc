@@ -215,50 +215,5 @@ TEST(MergeOccluded, HollowIsOffAtZero) {
   EXPECT_FALSE(AreJoined(Cup(), kInside, kOutside, kBehind));
 }
 
-constexpr int kBody = 1;
-constexpr int kHandle = 2;
-
-struct Bottle {
-  float behind_m = 0.03F;              // of the handle
-  cv::Rect handle = {40, 15, 20, 20};  // columns and rows
-};
-
-// An upright body of 60 × 60 pixels of 5 mm at z = 1, with a notch to the right that a handle
-// behind it fills.
-Scene MakeBottle(const Bottle& bottle) {
-  return MakeScene(80, 80, [&](int row, int col) -> Pixel {
-    const float x = 0.005F * (static_cast<float>(col) + 0.5F);
-    const float y = 0.005F * (static_cast<float>(row) + 0.5F);
-    if (bottle.handle.contains({col, row})) {
-      return {.point = {x, y, 1.005F + bottle.behind_m}, .label = kHandle};
-    }
-    const bool is_notch = col >= 40 && row >= 15 && row < 35;
-    if (row < 60 && col < 60 && !is_notch) return {.point = {x, y, 1.005F}, .label = kBody};
-    return {.point = {x, y, 2}};
-  });
-}
-
-constexpr OcclusionMergeOptions kNotch{.min_share_in_hull = 0.5};
-
-TEST(MergeOccluded, JoinsAHandleWithTheBodyThatHidesItsEnds) {
-  EXPECT_TRUE(AreJoined(MakeBottle({}), kBody, kHandle, kNotch));
-  EXPECT_FALSE(AreJoined(MakeBottle({}), kBody, kHandle, {.min_shared_surface = 0.5}));
-}
-
-TEST(MergeOccluded, WhatIsFarBehindIsNoHandle) {
-  EXPECT_FALSE(AreJoined(MakeBottle({.behind_m = 0.3F}), kBody, kHandle, kNotch));
-}
-
-TEST(MergeOccluded, WhatReachesToTheFootOfTheBodyIsNoHandle) {
-  Bottle bottle{.handle = {50, 15, 10, 44}};
-  EXPECT_FALSE(AreJoined(MakeBottle(bottle), kBody, kHandle, kNotch));
-}
-
-TEST(MergeOccluded, WhatStandsOutOfTheOutlineIsNoHandle) {
-  Bottle bottle{.handle = {54, 15, 20, 20}};  // 6 of its 20 columns lie within
-  EXPECT_FALSE(AreJoined(MakeBottle(bottle), kBody, kHandle, kNotch));
-  EXPECT_TRUE(AreJoined(MakeBottle(bottle), kBody, kHandle, {.min_share_in_hull = 0.2}));
-}
-
 }  // namespace
 }  // namespace fovea

@@ -1,0 +1,27 @@
+// A scene whose voxels are labelled: what the search for objects among the labels starts from.
+#pragma once
+
+#include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "core/scene/support_surface.h"
+#include "core/segmentation/mean_color.h"
+#include "core/segmentation/voxel_grid.h"
+#include "core/types/rgbd_frame.h"
+
+namespace fovea {
+
+struct LabelledScene {
+  const VoxelGrid& grid;
+  const std::vector<int>& labels;        // one entry a voxel, 0 = background
+  const cv::Mat& points;                 // CV_32FC3 in the camera frame, NaN = none
+  const cv::Mat& color_rgb;              // CV_8UC3
+  const std::vector<MeanColor>& colors;  // one entry a voxel
+  const CameraIntrinsics& intrinsics;
+  Eigen::Vector3f up;  // unit vector
+  const std::vector<Support>& supports;
+  const std::vector<char>& on_wall;  // one entry a voxel, not 0 on walls of the room
+};
+
+}  // namespace fovea

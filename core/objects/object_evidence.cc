@@ -1,0 +1,163 @@
+#include "core/objects/object_evidence.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "core/segmentation/labels.h"
+#include "core/types/interruption.h"
+
+namespace fovea {
+namespace {
+
+constexpr float kLevelCosine = 0.9F;
+constexpr float kUprightCosine = 0.4F;
+
+bool IsCovered(const std::vector<Support>& supports, const Eigen::Vector3f& point,
+               const SupportOptions& options) {
+  const float tolerance = SupportTolerance(point.z(), options);
+  return std::any_of(supports.begin(), supports.end(), [&](const Support& support) {
+    return -support.surface.HeightOf(point) > support.LargestShare() * tolerance &&
+           support.footprint.Covers(point);
+  });
+}
+
+Placement PlacementOf(const Voxel& voxel, const Eigen::Vector3f& up,
+                      const std::vector<Support>& supports, const SupportOptions& options) {
+  Placement placement;
+  const float cosine = voxel.normal.dot(up);
+  placement.num_level = cosine > kLevelCosine ? 1 : 0;
+  placement.num_upright = !voxel.normal.isZero() && std::abs(cosine) < kUprightCosine ? 1 : 0;
+  if (const auto below = SupportBelow(supports, voxel.mean, options)) {
+    const Support& support = supports[*below];
+    placement.num_above = 1;
+    placement.lowest_m = placement.highest_m = support.surface.HeightOf(voxel.mean);
+    placement.rise =
+        placement.highest_m / (support.LargestShare() * SupportTolerance(voxel.mean.z(), options));
+  }
+  placement.num_covered = IsCovered(supports, voxel.mean, options) ? 1 : 0;
+  return placement;
+}
+
+// Of the segments in `labels`, an image of them.
+void SetBounds(const cv::Mat& labels, std::vector<ObjectEvidence>& evidence) {
+  for (int row = 0; row < labels.rows; ++row) {
+    InterruptionPoint();
+    const auto* label = labels.ptr<std::uint16_t>(row);
+    for (int first = 0, end = 1; first < labels.cols; first = end++) {
+      while (end < labels.cols && label[end] == label[first]) ++end;
+      if (label[first] == 0) continue;
+      evidence[label[first] - 1].bounds_px |= cv::Rect(first, row, end - first, 1);
+      evidence[label[first] - 1].num_pixels += end - first;
+    }
+  }
+}
+
+void SetJoins(const MergeTree& tree, std::size_t n, ObjectEvidence& evidence) {
+  const MergeNode& node = tree.nodes[n];
+  evidence.inner_log_odds = node.log_odds;
+  evidence.outer_log_odds = node.parent >= 0 ? tree.nodes[node.parent].log_odds : tree.min_log_odds;
+  if (node.parent >= 0) evidence.outer_terms = TermsOf(tree.nodes[node.parent].kinship);
+  evidence.is_likely = n < tree.num_likely && evidence.outer_log_odds < 0;
+}
+
+// Sums the evidence of unions in the order in which they were made.
+class Summation {
+ public:
+  Summation(std::vector<ObjectEvidence>& evidence, std::vector<Surroundings> surroundings)
+      : evidence_(evidence), top_of_(surroundings.size(), -1), towards_(evidence.size()) {
+    for (std::size_t label = 1; label < surroundings.size(); ++label) {
+      top_of_[label] = static_cast<int>(label) - 1;
+      members_.push_back({static_cast<int>(label)});
+      towards_[label - 1] = std::move(surroundings[label].towards);
+    }
+    members_.resize(evidence.size());
+  }
+
+  void Sum(int node, int left, int right) {
+    ObjectEvidence& sum = evidence_[node];
+    sum = evidence_[left];
+    const ObjectEvidence& other = evidence_[right];
+    sum.part.Add(other.part);
+    sum.placement.Add(other.placement);
+    sum.borders.Add(other.borders);
+    sum.num_pixels += other.num_pixels;
+    sum.bounds_px |= other.bounds_px;
+    sum.num_segments += other.num_segments;
+    RemoveInner(left, right, sum.borders);
+    RemoveInner(right, left, sum.borders);
+    Unite(node, left, right);
+  }
+
+ private:
+  // The borders of one child that face the other are none any more.
+  void RemoveInner(int child, int other, BorderCounts& sum) {
+    std::erase_if(towards_[child], [&](const auto& entry) {
+      if (top_of_[entry.first] != other) return false;
+      sum.Add(entry.second, -1);
+      return true;
+    });
+  }
+
+  // What is known of the smaller one is added to that of the larger one.
+  void Unite(int node, int left, int right) {
+    if (members_[left].size() < members_[right].size()) std::swap(left, right);
+    towards_[node] = std::move(towards_[left]);
+    for (const auto& [label, counts] : towards_[right]) towards_[node][label].Add(counts);
+    members_[node] = std::move(members_[left]);
+    members_[node].insert(members_[node].end(), members_[right].begin(), members_[right].end());
+    for (const int label : members_[node]) top_of_[label] = node;
+    towards_[right].clear();
+    members_[right].clear();
+  }
+
+  std::vector<ObjectEvidence>& evidence_;
+  std::vector<int> top_of_;                           // of each label, the largest node so far
+  std::vector<std::map<int, BorderCounts>> towards_;  // of each largest node
+  std::vector<std::vector<int>> members_;             // labels of each largest node
+};
+
+}  // namespace
+
+void Placement::Add(const Placement& other) {
+  num_above += other.num_above;
+  num_covered += other.num_covered;
+  lowest_m = std::min(lowest_m, other.lowest_m);
+  highest_m = std::max(highest_m, other.highest_m);
+  rise = std::max(rise, other.rise);
+  num_level += other.num_level;
+  num_upright += other.num_upright;
+}
+
+std::vector<ObjectEvidence> CollectEvidence(const LabelledScene& scene,
+                                            const std::vector<int>& segments, const MergeTree& tree,
+                                            const SupportOptions& support_options) {
+  std::vector<ObjectEvidence> evidence(tree.nodes.size());
+  const cv::Mat image = LabelImage(scene.grid, segments);
+  std::vector<Surroundings> surroundings = FindSurroundings(scene, image);
+  surroundings.resize(tree.num_segments + 1);
+  const std::vector<Part> parts =
+      CollectParts(scene.grid, segments, scene.colors, scene.intrinsics, scene.up);
+  for (std::size_t i = 0; i < tree.num_segments; ++i) {
+    evidence[i].part = parts[i + 1];
+    evidence[i].borders = surroundings[i + 1].counts;
+  }
+  SetBounds(image, evidence);
+  LongLoop loop;
+  for (std::size_t v = 0; v < segments.size(); ++v) {
+    loop.Turn();
+    if (segments[v] == 0) continue;
+    evidence[segments[v] - 1].placement.Add(
+        PlacementOf(scene.grid.voxels[v], scene.up, scene.supports, support_options));
+  }
+  Summation summation(evidence, std::move(surroundings));
+  for (std::size_t n = tree.num_segments; n < tree.nodes.size(); ++n) {
+    InterruptionPoint();
+    const MergeNode& node = tree.nodes[n];
+    summation.Sum(static_cast<int>(n), node.left, node.right);
+  }
+  for (std::size_t n = 0; n < tree.nodes.size(); ++n) SetJoins(tree, n, evidence[n]);
+  return evidence;
+}
+
+}  // namespace fovea

@@ -1,0 +1,38 @@
+// How much the evidence speaks for an object: a sum of functions of one term each.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/objects/object_terms.h"
+
+namespace fovea {
+
+// A straight line through 0 whose slope changes at knots.
+struct TermFunction {
+  static constexpr std::size_t kNumKnots = 5;
+  static constexpr double kNoKnot = 1e9;
+  std::array<double, kNumKnots> knots{kNoKnot, kNoKnot, kNoKnot, kNoKnot, kNoKnot};
+  std::array<double, kNumKnots + 1> slopes{};  // the first, and what each knot adds to it
+
+  double Of(double term) const;
+};
+
+// The log weight of a node of the tree of merges: how much likelier it is one object than that it
+// is background and all that it consists of too (core/objects/object_choice.h).
+struct ObjectModel {
+  double bias = 0;
+  std::array<TermFunction, kNumObjectTerms> functions;
+  std::array<double, kNumObjectTerms> usual{};  // mean value of each function over true objects
+
+  double LogWeight(const ObjectTerms& terms) const;
+  // The term whose function is farthest below its usual value.
+  ObjectTerm StrongestAgainst(const ObjectTerms& terms) const;
+  std::vector<double> LogWeights(const std::vector<ObjectEvidence>& evidence) const;
+};
+
+// Fitted to labelled scenes and frames by `fovea-eval objects`; docs/quality.md says which, and
+// what it is worth on cameras that it was not fitted to.
+const ObjectModel& FittedObjectModel();
+
+}  // namespace fovea

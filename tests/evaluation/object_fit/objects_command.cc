@@ -1,0 +1,167 @@
+#include "tests/evaluation/object_fit/objects_command.h"
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/evaluation/object_fit/model_fit.h"
+#include "tests/evaluation/object_fit/tree_samples.h"
+#include "tests/evaluation/output.h"
+#include "tests/evaluation/parallel.h"
+#include "tests/evaluation/real_frames/boxed_run.h"
+
+namespace fovea::evaluation {
+namespace {
+
+// Each scene is seen with voxels of these shares of their size, so that the model hears of pieces
+// that might as well have been.
+constexpr std::array<double, 3> kVoxelShares = {1, 0.88, 1.13};
+constexpr int kMaxIterations = 150;
+constexpr int kMaxRefits = 40;  // from the fit to all
+
+struct Flags {
+  std::vector<std::string> boxes;  // DIR or DIR=WEIGHT
+  std::vector<std::string> mosd;
+  std::vector<std::string> plain;
+  std::vector<double> intrinsics = {525, 525, 319.5, 239.5};
+  double penalty = 1;
+  bool leave_one_out = false;
+  int num_threads = 1;
+  std::string source;
+};
+
+std::pair<std::string, double> Weighted(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  return {text.substr(0, equals),
+          equals == std::string::npos ? 1 : std::stod(text.substr(equals + 1))};
+}
+
+// Samples count(i) scenes at each size of voxels; the original size first.
+void Sample(const std::string& what, std::size_t count, double weight, int num_threads,
+            const std::function<TreeSample(std::size_t, const DetectorOptions&)>& sample_of,
+            std::vector<TreeSample>& samples) {
+  const std::size_t first = samples.size();
+  samples.resize(first + count * kVoxelShares.size());
+  std::mutex mutex;  // guards done
+  std::size_t done = 0;
+  ForEachIndex(count, num_threads, [&](std::size_t i) {
+    for (std::size_t k = 0; k < kVoxelShares.size(); ++k) {
+      DetectorOptions options = OptionsOfProfile("default");
+      options.voxels.size_m *= kVoxelShares[k];
+      TreeSample& sample = samples[first + i * kVoxelShares.size() + k];
+      sample = sample_of(i, options);
+      sample.weight = weight / static_cast<double>(kVoxelShares.size());
+    }
+    const std::scoped_lock lock(mutex);
+    ShowProgress(what, ++done, count);
+  });
+}
+
+std::vector<TreeSample> SampleAll(const Flags& flags, std::vector<BoxedFrame>& frames) {
+  std::vector<TreeSample> samples;
+  const auto add_labelled = [&](const std::string& text, LabelEncoding encoding) {
+    const auto [folder, weight] = Weighted(text);
+    const std::vector<std::string> names = SceneNames(folder);
+    const std::vector<double>& k = flags.intrinsics;
+    Sample(
+        folder, names.size(), weight, flags.num_threads,
+        [&, &dir = folder](std::size_t i, const DetectorOptions& options) {
+          return SampleOf(LoadScene(dir, names[i], encoding, {k[0], k[1], k[2], k[3]}), options);
+        },
+        samples);
+  };
+  for (const std::string& text : flags.mosd) add_labelled(text, LabelEncoding::kMosd);
+  for (const std::string& text : flags.plain) add_labelled(text, LabelEncoding::kPlain);
+  for (const std::string& text : flags.boxes) {
+    const auto [folder, weight] = Weighted(text);
+    const std::vector<BoxedFrame> loaded = LoadBoxedFrames(folder);
+    Sample(
+        folder, loaded.size(), weight, flags.num_threads,
+        [&](std::size_t i, const DetectorOptions& options) { return SampleOf(loaded[i], options); },
+        samples);
+    frames.insert(frames.end(), loaded.begin(), loaded.end());
+  }
+  return samples;
+}
+
+// The frames of each group of sources by a model that was fitted to everything but it.
+std::vector<BoxedFrameResult> LeaveOneOut(const Flags& flags,
+                                          const std::vector<TreeSample>& samples,
+                                          const std::vector<BoxedFrame>& frames,
+                                          const ObjectModel& of_all) {
+  std::set<std::string> groups;
+  for (const BoxedFrame& frame : frames) groups.insert(GroupOf(frame.source));
+  std::vector<BoxedFrameResult> results;
+  for (const std::string& group : groups) {
+    ShowProgress("leaving one out", results.size(), frames.size());
+    const ObjectModel model = FitModel(samples, of_all, group, flags.penalty, kMaxRefits);
+    std::vector<BoxedFrame> own;
+    for (const BoxedFrame& frame : frames) {
+      if (GroupOf(frame.source) == group) own.push_back(frame);
+    }
+    DetectorOptions options = OptionsOfProfile("default");
+    options.object_model = &model;
+    const auto detect = [&](const RgbdFrame& frame) { return Detect(frame, options); };
+    for (const BoxedFrameResult& result : RunBoxedFrames(own, detect, flags.num_threads)) {
+      results.push_back(result);
+    }
+  }
+  return results;
+}
+
+void Run(const Flags& flags) {
+  std::vector<BoxedFrame> frames;
+  const std::vector<TreeSample> samples = SampleAll(flags, frames);
+  const ObjectModel model =
+      FitModel(samples, ModelWithKnots(samples), "", flags.penalty, kMaxIterations);
+  double loss = 0;
+  for (const TreeSample& sample : samples) loss += sample.weight * LossOf(sample, model);
+  fmt::print("{} trees, mean loss {:.4f}\n", samples.size(), loss / double(samples.size()));
+  WriteText(flags.source, ToSource(model));
+  if (!flags.leave_one_out) return;
+  const std::vector<BoxedFrameResult> results = LeaveOneOut(flags, samples, frames, model);
+  PrintBoxSummary(std::cout, "each group left out", Summarize(results));
+  std::vector<Prediction> predictions;
+  for (const BoxedFrameResult& result : results) {
+    predictions.insert(predictions.end(), result.predictions.begin(), result.predictions.end());
+  }
+  const Reliability reliability = MeasureReliability(predictions);
+  fmt::print("{:.1f} % of {} with confidence >= 0.8 are right, calibration error {:.3f}\n",
+             100 * reliability.share_of_confident, reliability.confident,
+             reliability.calibration_error);
+}
+
+}  // namespace
+
+void AddObjectsCommand(CLI::App& app) {
+  auto flags = std::make_shared<Flags>();
+  CLI::App* command =
+      app.add_subcommand("objects", "Fit the model that tells objects from background and parts");
+  auto* data = command->add_option_group("scenes");
+  data->add_option("--boxes", flags->boxes, "Folder of frames with boxes; DIR=WEIGHT weighs it");
+  data->add_option("--mosd", flags->mosd, "Folder of <name>_{color,depth,label}.png as of mOSD");
+  data->add_option("--data", flags->plain, "The same with label = object");
+  data->require_option(1, 0);
+  command->add_option("--intrinsics", flags->intrinsics, "FX,FY,CX,CY of the labelled scenes")
+      ->delimiter(',')
+      ->expected(4)
+      ->capture_default_str();
+  command->add_option("--penalty", flags->penalty, "On the slopes; more makes the model smoother")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  command->add_flag("--leave-one-out", flags->leave_one_out,
+                    "Also score the frames of each group of sources by a model fitted without it");
+  command->add_option("--source", flags->source,
+                      "Write the model there: core/objects/fitted_object_model.cc");
+  command->add_option("--threads", flags->num_threads, "Scenes at a time")
+      ->check(CLI::Range(1, 64))
+      ->capture_default_str();
+  command->callback([flags] { Run(*flags); });
+}
+
+}  // namespace fovea::evaluation
