@@ -101,7 +101,6 @@ TEST_F(CliTest, ExplainsEveryStep) {
     EXPECT_FALSE(cv::imread((steps / "07_hypotheses.png").string()).empty());
     EXPECT_FALSE(cv::imread((steps / "11_objects.png").string()).empty());
     EXPECT_GT(fs::file_size(steps / "12_cloud.ply"), 15U * kWidth);
-    EXPECT_EQ(fs::exists(steps / "13_rejected.png"), profile == "default");
     std::ifstream page(steps / "index.html");
     const std::string html{std::istreambuf_iterator<char>(page), {}};
     EXPECT_THAT(html, HasSubstr("profile " + profile));
@@ -114,6 +113,18 @@ TEST_F(CliTest, ExplainsEveryStep) {
   ExpectOneLineError(DetectFrame({"--explain", At("taken")}), "--explain: cannot write");
   ExpectOneLineError(Detect({"--input", At(""), "--output", At("o"), "--explain", At("s")}),
                      "a single frame");
+}
+
+TEST_F(CliTest, ExplainsWhatItDoesNotReport) {
+  const fs::path steps = folder_ / "steps";
+  const Finished finished =
+      DetectFrame({"--explain", steps.string(), "--set", "objects.min_probability=1"});
+  ASSERT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_EQ(cv::imread((steps / "13_rejected.png").string()).size(), cv::Size(kWidth, kHeight));
+  std::ifstream file(steps / "index.html");
+  const std::string html{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_THAT(html, HasSubstr("src=\"13_rejected.png\""));
+  EXPECT_THAT(html, HasSubstr("against it: "));
 }
 
 TEST_F(CliTest, SendsJpegAsItIs) {
