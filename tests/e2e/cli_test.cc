@@ -10,6 +10,8 @@
 
 #include "tests/e2e/server_process.h"
 #include "tests/server/frames.h"
+#include "tests/support/random_scene.h"
+#include "tests/support/scene_files.h"
 
 namespace fovea::testing {
 namespace {
@@ -116,11 +118,17 @@ TEST_F(CliTest, ExplainsEveryStep) {
 }
 
 TEST_F(CliTest, ExplainsWhatItDoesNotReport) {
+  const cv::Size size(320, 240);
+  scenes::WriteFrame(folder_, "s",
+                     scenes::MakeFrame(scenes::RandomScene("tabletop", /*seed=*/1, size),
+                                       scenes::SensorKind::kKinect, /*seed=*/1));
   const fs::path steps = folder_ / "steps";
-  const Finished finished =
-      DetectFrame({"--explain", steps.string(), "--set", "objects.min_probability=1"});
+  const Finished finished = Execute({FOVEA_CLI, "detect", "--server", server_.address(),
+                                     "--intrinsics", "262.5,262.5,159.5,119.5", "--color",
+                                     At("s_color.png"), "--depth", At("s_depth.png"), "--explain",
+                                     steps.string(), "--set", "objects.min_probability=1"});
   ASSERT_EQ(finished.exit_code, 0) << finished.err;
-  EXPECT_EQ(cv::imread((steps / "13_rejected.png").string()).size(), cv::Size(kWidth, kHeight));
+  EXPECT_EQ(cv::imread((steps / "13_rejected.png").string()).size(), size);
   std::ifstream file(steps / "index.html");
   const std::string html{std::istreambuf_iterator<char>(file), {}};
   EXPECT_THAT(html, HasSubstr("src=\"13_rejected.png\""));
