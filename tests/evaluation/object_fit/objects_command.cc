@@ -11,6 +11,7 @@
 
 #include "tests/evaluation/object_fit/model_fit.h"
 #include "tests/evaluation/object_fit/tree_samples.h"
+#include "tests/evaluation/object_fit/variants.h"
 #include "tests/evaluation/output.h"
 #include "tests/evaluation/parallel.h"
 #include "tests/evaluation/real_frames/boxed_run.h"
@@ -18,18 +19,14 @@
 namespace fovea::evaluation {
 namespace {
 
-// Each scene is seen with voxels of these shares of their size, so that the model hears of pieces
-// that might as well have been.
-constexpr std::array<double, 3> kVoxelShares = {1, 0.88, 1.13};
 constexpr int kMaxIterations = 150;
-constexpr int kMaxRefits = 40;  // from the fit to all
 
 struct Flags {
   std::vector<std::string> boxes;  // DIR or DIR=WEIGHT
   std::vector<std::string> mosd;
   std::vector<std::string> plain;
   std::vector<double> intrinsics = {525, 525, 319.5, 239.5};
-  double penalty = 1;
+  double penalty = 2;
   bool leave_one_out = false;
   int num_threads = 1;
   std::string source;
@@ -41,21 +38,23 @@ std::pair<std::string, double> Weighted(const std::string& text) {
           equals == std::string::npos ? 1 : std::stod(text.substr(equals + 1))};
 }
 
-// Samples count(i) scenes at each size of voxels; the original size first.
+// Samples `count` scenes and their variants.
+template <typename LoadScene>
 void Sample(const std::string& what, std::size_t count, double weight, int num_threads,
-            const std::function<TreeSample(std::size_t, const DetectorOptions&)>& sample_of,
-            std::vector<TreeSample>& samples) {
+            const LoadScene& load, std::vector<TreeSample>& samples) {
   const std::size_t first = samples.size();
-  samples.resize(first + count * kVoxelShares.size());
+  samples.resize(first + count * kVariants.size());
   std::mutex mutex;  // guards done
   std::size_t done = 0;
   ForEachIndex(count, num_threads, [&](std::size_t i) {
-    for (std::size_t k = 0; k < kVoxelShares.size(); ++k) {
+    const auto scene = load(i);
+    for (std::size_t k = 0; k < kVariants.size(); ++k) {
       DetectorOptions options = OptionsOfProfile("default");
-      options.voxels.size_m *= kVoxelShares[k];
-      TreeSample& sample = samples[first + i * kVoxelShares.size() + k];
-      sample = sample_of(i, options);
-      sample.weight = weight / static_cast<double>(kVoxelShares.size());
+      options.voxels.size_m *= kVariants[k].voxel_share;
+      TreeSample& sample = samples[first + i * kVariants.size() + k];
+      sample = SampleOf(VariantOf(scene, kVariants[k]), options);
+      sample.weight = weight / static_cast<double>(kVariants.size());
+      sample.is_original = k == 0;
     }
     const std::scoped_lock lock(mutex);
     ShowProgress(what, ++done, count);
@@ -70,8 +69,8 @@ std::vector<TreeSample> SampleAll(const Flags& flags, std::vector<BoxedFrame>& f
     const std::vector<double>& k = flags.intrinsics;
     Sample(
         folder, names.size(), weight, flags.num_threads,
-        [&, &dir = folder](std::size_t i, const DetectorOptions& options) {
-          return SampleOf(LoadScene(dir, names[i], encoding, {k[0], k[1], k[2], k[3]}), options);
+        [&, &dir = folder](std::size_t i) {
+          return LoadScene(dir, names[i], encoding, {k[0], k[1], k[2], k[3]});
         },
         samples);
   };
@@ -81,25 +80,27 @@ std::vector<TreeSample> SampleAll(const Flags& flags, std::vector<BoxedFrame>& f
     const auto [folder, weight] = Weighted(text);
     const std::vector<BoxedFrame> loaded = LoadBoxedFrames(folder);
     Sample(
-        folder, loaded.size(), weight, flags.num_threads,
-        [&](std::size_t i, const DetectorOptions& options) { return SampleOf(loaded[i], options); },
+        folder, loaded.size(), weight, flags.num_threads, [&](std::size_t i) { return loaded[i]; },
         samples);
     frames.insert(frames.end(), loaded.begin(), loaded.end());
   }
   return samples;
 }
 
+struct LeftOut {
+  std::vector<BoxedFrameResult> results;
+  double loss = 0;  // summed over the frames, not their variants
+};
+
 // The frames of each group of sources by a model that was fitted to everything but it.
-std::vector<BoxedFrameResult> LeaveOneOut(const Flags& flags,
-                                          const std::vector<TreeSample>& samples,
-                                          const std::vector<BoxedFrame>& frames,
-                                          const ObjectModel& of_all) {
+LeftOut LeaveOneOut(const Flags& flags, const std::vector<TreeSample>& samples,
+                    const std::vector<BoxedFrame>& frames, const ObjectModel& start) {
   std::set<std::string> groups;
   for (const BoxedFrame& frame : frames) groups.insert(GroupOf(frame.source));
-  std::vector<BoxedFrameResult> results;
+  LeftOut left_out;
   for (const std::string& group : groups) {
-    ShowProgress("leaving one out", results.size(), frames.size());
-    const ObjectModel model = FitModel(samples, of_all, group, flags.penalty, kMaxRefits);
+    ShowProgress("leaving one out", left_out.results.size(), frames.size());
+    const ObjectModel model = FitModel(samples, start, group, flags.penalty, kMaxIterations);
     std::vector<BoxedFrame> own;
     for (const BoxedFrame& frame : frames) {
       if (GroupOf(frame.source) == group) own.push_back(frame);
@@ -108,23 +109,28 @@ std::vector<BoxedFrameResult> LeaveOneOut(const Flags& flags,
     options.object_model = &model;
     const auto detect = [&](const RgbdFrame& frame) { return Detect(frame, options); };
     for (const BoxedFrameResult& result : RunBoxedFrames(own, detect, flags.num_threads)) {
-      results.push_back(result);
+      left_out.results.push_back(result);
+    }
+    for (const TreeSample& sample : samples) {
+      if (sample.group == group && sample.is_original) left_out.loss += LossOf(sample, model);
     }
   }
-  return results;
+  return left_out;
 }
 
 void Run(const Flags& flags) {
   std::vector<BoxedFrame> frames;
   const std::vector<TreeSample> samples = SampleAll(flags, frames);
-  const ObjectModel model =
-      FitModel(samples, ModelWithKnots(samples), "", flags.penalty, kMaxIterations);
+  const ObjectModel start = ModelWithKnots(samples);
+  const ObjectModel model = FitModel(samples, start, "", flags.penalty, kMaxIterations);
   double loss = 0;
   for (const TreeSample& sample : samples) loss += sample.weight * LossOf(sample, model);
   fmt::print("{} trees, mean loss {:.4f}\n", samples.size(), loss / double(samples.size()));
   WriteText(flags.source, ToSource(model));
   if (!flags.leave_one_out) return;
-  const std::vector<BoxedFrameResult> results = LeaveOneOut(flags, samples, frames, model);
+  const auto [results, left_out_loss] = LeaveOneOut(flags, samples, frames, start);
+  fmt::print("{} frames left out, mean loss {:.4f}\n", frames.size(),
+             left_out_loss / double(frames.size()));
   PrintBoxSummary(std::cout, "each group left out", Summarize(results));
   std::vector<Prediction> predictions;
   for (const BoxedFrameResult& result : results) {

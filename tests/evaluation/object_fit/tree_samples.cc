@@ -108,7 +108,7 @@ std::vector<NodeState> StatesOf(const MergeTree& tree, const std::vector<Overlap
 }
 
 TreeSample ToSample(const Trace& trace, const std::vector<Overlap>& overlaps) {
-  TreeSample sample{trace.tree, {}, StatesOf(trace.tree, overlaps), 1, ""};
+  TreeSample sample{trace.tree, {}, StatesOf(trace.tree, overlaps), 1, true, ""};
   for (const ObjectEvidence& evidence : trace.evidence) sample.terms.push_back(TermsOf(evidence));
   return sample;
 }

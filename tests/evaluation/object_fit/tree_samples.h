@@ -25,6 +25,7 @@ struct TreeSample {
   std::vector<ObjectTerms> terms;  // of each node
   std::vector<NodeState> states;   // likewise
   double weight = 1;
+  bool is_original = true;  // not a variant of a scene
   std::string group;  // what is left out of a fit together
 };
 
