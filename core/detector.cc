@@ -12,6 +12,7 @@
 #include "core/refinement.h"
 #include "core/saliency/mean_saliency.h"
 #include "core/scene/background.h"
+#include "core/scene/missing_depth.h"
 #include "core/seeds/salient_positions.h"
 #include "core/segmentation/alpha_expansion.h"
 #include "core/segmentation/contraction.h"
@@ -51,14 +52,14 @@ void FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* 
                                         options.flying_pixels),
                      options.depth_fill);
   InterruptionPoint();
-  const cv::Mat points = BackProject(depth, frame.intrinsics, options.max_depth_m);
+  cv::Mat points = BackProject(depth, frame.intrinsics, options.max_depth_m);
   InterruptionPoint();
   counts.num_pixels = measured.total();
   counts.num_measured = CountMeasured(measured);
   counts.num_points = CountMeasured(ChannelZ(points));
   clock.Begin("normals");
 
-  const NormalMap normals = EstimateNormals(points, frame.intrinsics, options.normals);
+  NormalMap normals = EstimateNormals(points, frame.intrinsics, options.normals);
   clock.Begin("color_saliency");
 
   // Section 3.1: where something stands out, in colour and in depth.
@@ -84,6 +85,9 @@ void FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* 
   if (!supports.empty()) result.support = supports.front().surface;
   std::vector<Seed> seeds = SeedsAbove(supports, salient.seeds, options.support, salient.removed);
   counts.seeds_on_support = salient.seeds.size() - seeds.size();
+  // What cannot be measured leaves a hole in its support.
+  const cv::Mat standing = StandInForMissing(depth, supports, frame.intrinsics,
+                                             options.support.max_height_m, points, normals);
   clock.Begin("voxels");
 
   // Section 3: the scene as voxels, labelled by a Markov random field.
@@ -106,7 +110,7 @@ void FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* 
   // Section 3.3: segments that look alike are one object.
   const RefinedScene refined =
       Refine({grid, labels, points, frame.color_rgb, colors, frame.intrinsics,
-              -result.gravity.direction, supports, on_wall},
+              -result.gravity.direction, supports, standing, on_wall},
              options);
   counts.num_segments = refined.tree.num_segments;
   counts.num_merged = refined.num_merged;
@@ -114,7 +118,7 @@ void FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* 
   result.rejected = refined.rejected;
   clock.Begin("objects");
 
-  result.labels = LabelsOfMeasured(grid, refined.objects, measured);
+  result.labels = LabelsWithin(grid, refined.objects, standing | (measured == measured));
   DescribeObjects(frame, points, MeanSaliency(color_saliency, depth_saliency), refined.confidences,
                   supports, options.objects, result);
   counts.messages = ExplainLosses(result);
@@ -132,7 +136,8 @@ void FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* 
               refined.segments,
               LabelsOfChosen(refined.tree, refined.tree.LikelyNodes(), refined.segments),
               refined.tree,
-              refined.evidence};
+              refined.evidence,
+              standing};
   }
 }
 

@@ -27,6 +27,7 @@ struct Trace {
   std::vector<int> merged;    // after that, before it is decided what is an object
   MergeTree tree;             // of the segments
   std::vector<ObjectEvidence> evidence;  // of its nodes
+  cv::Mat standing;  // CV_8UC1, not 0 where a surface stands in for missing depth; may be empty
 };
 
 }  // namespace fovea

@@ -17,6 +17,13 @@ double ServerMs(const v1::Detections& detections) {
   return sum;
 }
 
+std::string Remarks(const v1::Object& object) {
+  std::string remarks;
+  if (object.truncated()) remarks += "  cut by the border";
+  if (object.depth_missing()) remarks += "  without depth";
+  return remarks;
+}
+
 std::string ObjectLine(const v1::Object& object) {
   const auto& size = object.oriented_box().size();
   const auto& at = object.oriented_box().pose().position();
@@ -25,7 +32,7 @@ std::string ObjectLine(const v1::Object& object) {
   return fmt::sprintf("%3u  %4.0f%%  %5.1f x %5.1f x %5.1f  %6.3f %6.3f %6.3f  %6.3f  %7u  %7s%s\n",
                       object.label(), object.confidence() * 100, size.x() * 100, size.y() * 100,
                       size.z() * 100, at.x(), at.y(), at.z(), Norm(at), object.num_pixels(),
-                      opening.c_str(), object.truncated() ? "  cut by the border" : "");
+                      opening.c_str(), Remarks(object).c_str());
 }
 
 std::string GravityLine(const v1::Gravity& gravity) {

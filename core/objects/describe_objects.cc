@@ -4,7 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "core/objects/measured_area.h"
+#include "core/depth/measured_area.h"
 #include "core/objects/selection.h"
 #include "core/types/interruption.h"
 
@@ -55,6 +55,22 @@ std::optional<SupportSurface> OwnSupport(const std::vector<Support>& supports,
   return highest;
 }
 
+bool IsDepthMissing(const cv::Mat& depth_m, const std::vector<cv::Point>& pixels) {
+  const auto missing = std::count_if(pixels.begin(), pixels.end(), [&](const cv::Point& pixel) {
+    return std::isnan(depth_m.at<float>(pixel));
+  });
+  return 2 * static_cast<std::size_t>(missing) > pixels.size();
+}
+
+// Of what is not measured only the front is assumed; bottles and glasses are as deep as they are
+// wide.
+void DeepenBehind(OrientedBox& box) {
+  Eigen::Vector3f away = box.rotation.col(1);
+  if (box.center.dot(away) < 0) away = -away;
+  box.center += away * (box.size_m.x() - box.size_m.y()) / 2;
+  box.size_m.y() = box.size_m.x();
+}
+
 DetectedObject Describe(const RgbdFrame& frame, const cv::Mat& points, const Candidate& candidate,
                         const std::vector<Support>& supports, const Eigen::Vector3f& gravity,
                         const ObjectOptions& options) {
@@ -74,6 +90,8 @@ DetectedObject Describe(const RgbdFrame& frame, const cv::Mat& points, const Can
   const std::optional<SupportSurface> support = OwnSupport(supports, positions);
   object.box =
       FitOrientedBox(positions, support ? support->normal : -gravity, support, options.box);
+  object.depth_missing = IsDepthMissing(frame.depth_m, pixels);
+  if (object.depth_missing) DeepenBehind(object.box);
   if (support) object.height_above_support_m = LowestHeight(positions, *support);
   InterruptionPoint();
   object.grasps.push_back(GraspFromAbove(object.box, options.grasp));

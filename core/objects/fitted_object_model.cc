@@ -7,53 +7,53 @@ const ObjectModel& FittedObjectModel() {
   constexpr double kNone = TermFunction::kNoKnot;
   static const ObjectModel model{
       // clang-format off
-      .bias = -1.3878,
+      .bias = -5.6623,
       .functions = {{
-          {{-10.713, -8.0504, -5.2952, -4.308, -3.5926}, {0.85061, 0.59199, 1.4936, -1.0683, 0.26389, -0.9905}},  // its visible area
-          {{-3.1093, -2.0944, -1.6193, -1.1795, kNone}, {0.74117, -0.22861, -2.26, -0.40452, -3.3661, 0}},  // its largest extent
-          {{-4.1485, -2.8928, -2.0235, -1.4382, kNone}, {0.59893, -0.56526, -0.66519, 0.68404, 0.15257, 0}},  // its height
-          {{-1.8334, -0.8441, -0.44757, -0.18559, -0.05376}, {0.55638, -0.66481, 1.9593, 1.3431, -6.6748, 8.0086}},  // how slender it is
-          {{-1.2007, -0.6522, -0.28342, 0.018731, 0.79295}, {0.40894, 0.42984, 0.90309, -1.0853, -1.0434, 1.8931}},  // how much of its extent is solid
-          {{0.61108, 0.85202, 1.119, 1.6883, 2.3186}, {0.792, -0.24271, -1.9522, -2.9669, 1.5828, 0.82707}},  // its distance
-          {{kNone, kNone, kNone, kNone, kNone}, {-5.3652, 0, 0, 0, 0, 0}},  // how much of it lies under a support
-          {{0.12057, 0.51918, 1, kNone, kNone}, {5.9251, -3.1143, -4.5937, 0, 0, 0}},  // how much of it faces up
-          {{0.75862, kNone, kNone, kNone, kNone}, {-3.5285, -6.7972, 0, 0, 0, 0}},  // how much of its upper border is hidden or goes on
-          {{kNone, kNone, kNone, kNone, kNone}, {0.66439, 0, 0, 0, 0, 0}},  // it goes on above
-          {{0.1723, kNone, kNone, kNone, kNone}, {-4.9074, 10.822, 0, 0, 0, 0}},  // how much of it ends with the image
-          {{kNone, kNone, kNone, kNone, kNone}, {-2.4321, 0, 0, 0, 0, 0}},  // it ends with the image
-          {{0.0040323, 0.13636, kNone, kNone, kNone}, {-0.97746, -8.0106, 8.3603, 0, 0, 0}},  // beyond much of its border nothing is measured
-          {{0.25, 0.4127, 0.56081, 0.74, kNone}, {3.8858, -6.392, -4.5435, 4.4121, -3.6828, 0}},  // what is farther away beyond its border
-          {{0.047431, kNone, kNone, kNone, kNone}, {-21.378, 15.553, 0, 0, 0, 0}},  // what is in front of it
-          {{0.13544, 0.34615, 0.5, kNone, kNone}, {-0.5096, -3.8036, -5.9216, 16.71, 0, 0}},  // another segment is in front of it
-          {{kNone, kNone, kNone, kNone, kNone}, {-4.7867, 0, 0, 0, 0, 0}},  // what rises beside it
-          {{0.052441, 0.17105, 0.37838, kNone, kNone}, {0.27364, -4.4894, 5.1417, -4.2834, 0, 0}},  // what is level with it
-          {{0.0072405, 0.125, 0.26371, 0.48296, 0.68868}, {-0.5716, -0.77254, -2.9801, -0.072868, -7.4476, -11.764}},  // another segment touches it
-          {{0.32468, 0.81053, 1, kNone, kNone}, {0.58765, 0.17958, -7.0542, 0, 0, 0}},  // whether it stands on something
-          {{kNone, kNone, kNone, kNone, kNone}, {-1.4106, 0, 0, 0, 0, 0}},  // it is a single segment
-          {{1.0986, 1.7918, kNone, kNone, kNone}, {-1.0467, -0.27441, 2.202, 0, 0, 0}},  // how many segments it consists of
-          {{0, 6, kNone, kNone, kNone}, {-0.046471, -0.14065, 0, 0, 0, 0}},  // how well its parts belong together
-          {{2.633, 6, kNone, kNone, kNone}, {-0.57111, -0.79011, 0, 0, 0, 0}},  // how well it belongs to something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {0.68161, 0, 0, 0, 0, 0}},  // its parts belong together and nothing else does
-          {{2.4849, 3.4997, 4.0807, kNone, kNone}, {1.6274, -0.54114, 0.32953, 1.3569, 0, 0}},  // how its colour differs from the background
-          {{0.19136, 0.38477, 0.55882, kNone, kNone}, {-6.0838, 3.958, -1.0853, 2.4132, 0, 0}},  // how much of its border touches the background
-          {{kNone, kNone, kNone, kNone, kNone}, {0.02193, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {0.24746, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-2.1202, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-4.6814, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-0.55524, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {0.75101, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-2.9656, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {0.0013005, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-1.1191, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {0.10426, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-1.5862, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {0.52901, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {0.12271, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-1.1771, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {8.8977, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-0.99284, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{-10.705, -8.0302, -5.2957, -4.3112, -3.5937}, {0.59922, 0.63229, 1.263, -0.84856, 0.31993, -0.83919}},  // its visible area
+          {{-3.1038, -2.0955, -1.6208, -1.1837, kNone}, {0.53759, 0.39148, -2.286, -0.19911, -3.742, 0}},  // its largest extent
+          {{-4.1387, -2.8886, -2.0252, -1.4406, kNone}, {0.42777, -0.10861, -0.80418, -0.23313, 0.77907, 0}},  // its height
+          {{-1.8361, -0.84708, -0.44937, -0.1861, -0.053853}, {0.45274, -0.36607, 2.1386, 1.0776, -7.1884, 9.258}},  // how slender it is
+          {{-1.1982, -0.65035, -0.28383, 0.018236, 0.79185}, {0.63304, 0.59459, 0.31667, -0.64463, -0.85425, 1.0839}},  // how much of its extent is solid
+          {{0.61036, 0.85089, 1.118, 1.6871, 2.317}, {0.39527, -0.18334, -1.689, -2.5994, 1.1174, 1.5693}},  // its distance
+          {{kNone, kNone, kNone, kNone, kNone}, {-4.5088, 0, 0, 0, 0, 0}},  // how much of it lies under a support
+          {{0.11816, 0.51613, 1, kNone, kNone}, {5.095, -1.7302, -5.1117, 0, 0, 0}},  // how much of it faces up
+          {{0.75758, kNone, kNone, kNone, kNone}, {-3.3244, -7.147, 0, 0, 0, 0}},  // how much of its upper border is hidden or goes on
+          {{kNone, kNone, kNone, kNone, kNone}, {0.76329, 0, 0, 0, 0, 0}},  // it goes on above
+          {{0.17164, kNone, kNone, kNone, kNone}, {-2.1453, 8.3793, 0, 0, 0, 0}},  // how much of it ends with the image
+          {{kNone, kNone, kNone, kNone, kNone}, {-2.5501, 0, 0, 0, 0, 0}},  // it ends with the image
+          {{0.0033003, 0.12782, kNone, kNone, kNone}, {-0.71131, -4.7073, 5.189, 0, 0, 0}},  // beyond much of its border nothing is measured
+          {{0.25, 0.41387, 0.5625, 0.74233, kNone}, {4.2625, -4.3562, -4.8754, 4.1327, -5.9615, 0}},  // what is farther away beyond its border
+          {{0.045553, kNone, kNone, kNone, kNone}, {-15.39, 8.9456, 0, 0, 0, 0}},  // what is in front of it
+          {{0.1369, 0.34796, 0.5, kNone, kNone}, {1.2056, -4.8232, -3.2948, 9.893, 0, 0}},  // another segment is in front of it
+          {{kNone, kNone, kNone, kNone, kNone}, {-4.9713, 0, 0, 0, 0, 0}},  // what rises beside it
+          {{0.052573, 0.17021, 0.375, kNone, kNone}, {-0.31457, -2.0078, 1.9333, -2.8293, 0, 0}},  // what is level with it
+          {{0.0067265, 0.12366, 0.26205, 0.48101, 0.6875}, {-0.62124, -0.79643, -0.6696, -0.90511, -7.0572, -6.4211}},  // another segment touches it
+          {{0.32624, 0.80952, 1, kNone, kNone}, {0.92663, -0.31002, -5.9897, 0, 0, 0}},  // whether it stands on something
+          {{kNone, kNone, kNone, kNone, kNone}, {-1.3227, 0, 0, 0, 0, 0}},  // it is a single segment
+          {{1.0986, 1.7918, kNone, kNone, kNone}, {-0.8549, -0.26686, 1.9544, 0, 0, 0}},  // how many segments it consists of
+          {{0, 6, kNone, kNone, kNone}, {-0.060812, -0.12345, 0, 0, 0, 0}},  // how well its parts belong together
+          {{2.5889, 6, kNone, kNone, kNone}, {-0.50609, -0.73847, 0, 0, 0, 0}},  // how well it belongs to something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {0.75105, 0, 0, 0, 0, 0}},  // its parts belong together and nothing else does
+          {{2.4849, 3.4994, 4.081, kNone, kNone}, {1.6223, -0.84466, 0.81332, 1.2883, 0, 0}},  // how its colour differs from the background
+          {{0.19157, 0.38372, 0.55582, kNone, kNone}, {-4.1312, 1.8751, 1.7111, 1.2356, 0, 0}},  // how much of its border touches the background
+          {{kNone, kNone, kNone, kNone, kNone}, {0.20625, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-0.50078, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-1.5079, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-3.1862, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-0.44129, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {0.70597, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-2.4307, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-0.0017375, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-1.4973, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {0.11908, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-1.2793, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {0.060098, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {0.001547, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-0.82986, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {8.6205, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-0.71096, 0, 0, 0, 0, 0}},  // how it meets something next to it
       }},
-      .usual = {4.421, -2.44, -2.711, -0.09107, 0.3648, 0.08743, 0, 0.9539, -0.02641, 0.004342, -0.006127, -0.07494, -0.1533, -0.4436, -0.02964, -0.2602, -0.00184, -0.1174, -0.2049, 0.1356, -0.4974, -0.7118, -0.3956, 1.955, 0.5136, 5.266, -0.9546, 0.008089, 0.02329, -0.49, -0.2778, 1.02, 0.3312, -0.6189, -0.00789, -0.04289, -0.1997, -0.1239, 0.08962, -0.04619, 0.4838, 0.1732, -0.02504}
+      .usual = {5.134, -1.278, -1.678, 0.4243, 0.256, -0.2074, 0, 0.9526, -0.02679, 0.00568, 0.003807, -0.08065, -0.08524, 0.3178, -0.02254, -0.1223, -0.001903, -0.09342, -0.1421, 0.2072, -0.4643, -0.5831, -0.3878, 1.727, 0.5647, 5.074, -0.6686, 0.07591, -0.04723, -0.3475, -0.1888, 0.8092, 0.3103, -0.506, 0.0105, -0.05749, -0.2267, -0.09955, 0.01014, -0.0005842, 0.3407, 0.1679, -0.01783}
       // clang-format on
   };
   return model;

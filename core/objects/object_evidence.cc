@@ -40,15 +40,19 @@ Placement PlacementOf(const Voxel& voxel, const Eigen::Vector3f& up,
 }
 
 // Of the segments in `labels`, an image of them.
-void SetBounds(const cv::Mat& labels, std::vector<ObjectEvidence>& evidence) {
+void CountPixels(const cv::Mat& labels, const cv::Mat& standing,
+                 std::vector<ObjectEvidence>& evidence) {
   for (int row = 0; row < labels.rows; ++row) {
     InterruptionPoint();
     const auto* label = labels.ptr<std::uint16_t>(row);
+    const auto* stands = standing.ptr<std::uint8_t>(row);
     for (int first = 0, end = 1; first < labels.cols; first = end++) {
       while (end < labels.cols && label[end] == label[first]) ++end;
       if (label[first] == 0) continue;
       evidence[label[first] - 1].bounds_px |= cv::Rect(first, row, end - first, 1);
       evidence[label[first] - 1].num_pixels += end - first;
+      evidence[label[first] - 1].num_missing +=
+          static_cast<double>(end - first - std::count(stands + first, stands + end, 0));
     }
   }
 }
@@ -82,6 +86,7 @@ class Summation {
     sum.placement.Add(other.placement);
     sum.borders.Add(other.borders);
     sum.num_pixels += other.num_pixels;
+    sum.num_missing += other.num_missing;
     sum.bounds_px |= other.bounds_px;
     sum.num_segments += other.num_segments;
     RemoveInner(left, right, sum.borders);
@@ -142,7 +147,7 @@ std::vector<ObjectEvidence> CollectEvidence(const LabelledScene& scene,
     evidence[i].part = parts[i + 1];
     evidence[i].borders = surroundings[i + 1].counts;
   }
-  SetBounds(image, evidence);
+  CountPixels(image, scene.standing, evidence);
   LongLoop loop;
   for (std::size_t v = 0; v < segments.size(); ++v) {
     loop.Turn();

@@ -34,6 +34,7 @@ struct ObjectEvidence {
   Placement placement;
   BorderCounts borders;
   double num_pixels = 0;
+  double num_missing = 0;  // pixels without depth, where a surface stands in
   cv::Rect bounds_px;
   int num_segments = 1;
   double inner_log_odds = 0;   // of the join that made it; 0 for one segment

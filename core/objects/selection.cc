@@ -6,8 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "core/depth/measured_area.h"
 #include "core/objects/confidence.h"
-#include "core/objects/measured_area.h"
 #include "core/types/interruption.h"
 #include "core/types/pixels.h"
 

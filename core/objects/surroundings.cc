@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/depth/depth_gap.h"
-#include "core/objects/measured_area.h"
+#include "core/depth/measured_area.h"
 #include "core/scene/image_direction.h"
 #include "core/segmentation/labels.h"
 #include "core/types/interruption.h"

@@ -76,7 +76,7 @@ void FindObjects(const RgbdFrame& frame, const PaperOptions& options, Trace* tra
 
   // Section 4: what is reported of them.
   clock.Begin("objects");
-  result.labels = LabelsOfMeasured(grid, objects, measured);
+  result.labels = LabelsWithin(grid, objects, measured == measured);
   DescribeObjects(frame, points, MeanSaliency(color_saliency, depth_saliency), {}, supports,
                   options.objects, result);
   counts.messages = ExplainLosses(result);
@@ -93,6 +93,7 @@ void FindObjects(const RgbdFrame& frame, const PaperOptions& options, Trace* tra
               labels,
               segments,
               objects,
+              {},
               {},
               {}};
   }

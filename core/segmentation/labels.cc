@@ -61,11 +61,10 @@ cv::Mat LabelImage(const VoxelGrid& grid, const std::vector<int>& labels) {
   return image;
 }
 
-cv::Mat LabelsOfMeasured(const VoxelGrid& grid, const std::vector<int>& labels,
-                         const cv::Mat& measured_depth) {
+cv::Mat LabelsWithin(const VoxelGrid& grid, const std::vector<int>& labels, const cv::Mat& mask) {
   cv::Mat image = LabelImage(grid, labels);
   InterruptionPoint();
-  image.setTo(0, ~(measured_depth == measured_depth));  // NaN
+  image.setTo(0, mask == 0);
   return image;
 }
 

@@ -24,10 +24,8 @@ void RequireFewSegments(const std::vector<int>& segments);
 // The label of every pixel's voxel. Returns CV_16UC1; 0 where there is none. At most 65535 labels.
 cv::Mat LabelImage(const VoxelGrid& grid, const std::vector<int>& labels);
 
-// The same where the sensor measured depth (CV_32FC1, NaN = none), 0 elsewhere: filled holes help
-// to segment, but nobody has seen what is there.
-cv::Mat LabelsOfMeasured(const VoxelGrid& grid, const std::vector<int>& labels,
-                         const cv::Mat& measured_depth);
+// The same where the mask (CV_8UC1) is not 0, and 0 elsewhere.
+cv::Mat LabelsWithin(const VoxelGrid& grid, const std::vector<int>& labels, const cv::Mat& mask);
 
 // True if the eight neighbours of a pixel are in the image and have its label. `labels`: CV_16UC1.
 bool IsInterior(const cv::Mat& labels, int row, int col);

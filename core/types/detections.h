@@ -60,8 +60,10 @@ struct DetectedObject {
   std::array<std::uint8_t, 3> mean_color{};            // RGB
   std::optional<float> height_above_support_m;         // of its lowest point
   bool truncated = false;                              // the mask ends with the image or its depth
-  std::vector<Grasp> grasps;                           // best first
-  pcl::PointCloud<pcl::PointXYZRGB> cloud;             // one point per mask pixel, row-major order
+  bool depth_missing = false;  // of most of the mask: it was seen as a hole in its support, the box
+                               // is as deep as wide, and the grasp not more than a proposal
+  std::vector<Grasp> grasps;   // best first
+  pcl::PointCloud<pcl::PointXYZRGB> cloud;  // one point per mask pixel, row-major order
 };
 
 // A position at which an object is looked for.
@@ -112,8 +114,9 @@ struct StageTime {
 };
 
 struct Detections {
-  cv::Mat labels;  // CV_16UC1, frame size: 0 = background, k = object k; only where depth was
-                   // measured
+  // CV_16UC1, frame size: 0 = background, k = object k; only where depth was measured, or where a
+  // hole in the depth of a support is taken for what stands before it
+  cv::Mat labels;
   std::vector<DetectedObject> objects;   // by falling confidence; object k has label k
   std::vector<RejectedObject> rejected;  // likeliest first; none in profile "paper"
   Gravity gravity;

@@ -54,6 +54,7 @@ v1::Object ToProto(const DetectedObject& object, const std::string& frame_id,
     proto.set_height_above_support_m(*object.height_above_support_m);
   }
   proto.set_truncated(object.truncated);
+  proto.set_depth_missing(object.depth_missing);
   for (const Grasp& grasp : object.grasps) *proto.add_grasps() = GraspToProto(grasp);
   return proto;
 }

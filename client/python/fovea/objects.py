@@ -73,6 +73,8 @@ class Object:
     mean_color: tuple[int, int, int]  # red, green, blue
     height_above_support_m: float | None  # of its lowest point; None where there is no support
     truncated: bool  # the mask ends with the image, or with its depth
+    # Clear, black or shiny: seen as a hole in the depth of what it stands on, its box is a guess.
+    depth_missing: bool
     grasps: list[Grasp]  # best first
     # HxW of the image.
     mask: npt.NDArray[np.bool_] | None = field(repr=False)
@@ -100,6 +102,7 @@ def object_from_proto(proto: detection_pb2.Object, height: int, width: int) -> O
         mean_color=(color.red, color.green, color.blue),
         height_above_support_m=proto.height_above_support_m if has_height else None,
         truncated=proto.truncated,
+        depth_missing=proto.depth_missing,
         grasps=[_grasp(grasp) for grasp in proto.grasps],
         mask=decode_mask(proto.mask, height, width) if proto.HasField("mask") else None,
         cloud=_cloud(proto.cloud) if proto.HasField("cloud") else None,

@@ -19,11 +19,12 @@ struct Scene {
   cv::Mat saliency{480, 640, CV_32FC1, cv::Scalar(0.5F)};
   std::vector<float> confidences;
   Detections detections;
+  cv::Mat points;  // of the frame's depth unless there are others
 
   Scene() { detections.labels = cv::Mat::zeros(480, 640, CV_16UC1); }
   void Label(const cv::Rect& rectangle, int label) { detections.labels(rectangle).setTo(label); }
   void Describe(const ObjectOptions& options = {}) {
-    const cv::Mat points = BackProject(frame.depth_m, frame.intrinsics, 10);
+    if (points.empty()) points = BackProject(frame.depth_m, frame.intrinsics, 10);
     const std::vector<Support> supports =
         detections.support ? std::vector<Support>{{*detections.support, Footprint()}}
                            : std::vector<Support>{};
@@ -96,6 +97,27 @@ TEST(DescribeObjects, FlagsObjectsAtTheImageBorder) {
   EXPECT_TRUE(scene.detections.objects[0].truncated);
   EXPECT_TRUE(scene.detections.objects[1].truncated);
   EXPECT_FALSE(scene.detections.objects[2].truncated);
+}
+
+TEST(DescribeObjects, FlagsObjectsWithoutDepthAndTakesThemForAsDeepAsWide) {
+  Scene scene;
+  scene.Label({300, 200, 40, 40}, 1);
+  scene.Label({400, 200, 40, 40}, 2);
+  scene.points = BackProject(scene.frame.depth_m, scene.frame.intrinsics, 10);
+  scene.frame.depth_m(cv::Rect(300, 200, 40, 21)).setTo(std::numeric_limits<float>::quiet_NaN());
+  scene.frame.depth_m(cv::Rect(400, 200, 40, 20)).setTo(std::numeric_limits<float>::quiet_NaN());
+  scene.Describe();
+  ASSERT_EQ(scene.detections.objects.size(), 2U);
+  for (const DetectedObject& object : scene.detections.objects) {
+    EXPECT_EQ(object.depth_missing, object.bounds_px.x == 300);
+    const Eigen::Vector3f& size = object.box.size_m;
+    if (!object.depth_missing) {
+      EXPECT_LT(size.y(), 0.1F * size.x());
+      continue;
+    }
+    EXPECT_FLOAT_EQ(size.y(), size.x());
+    EXPECT_NEAR(object.box.center.z(), 1 + size.x() / 2, 1e-4);  // behind what is seen
+  }
 }
 
 TEST(DescribeObjects, FlagsObjectsWhereTheDepthEnds) {

@@ -46,11 +46,12 @@ struct TestScene {
       }
     }
     colors.assign(grid.voxels.size(), {});
+    if (standing.empty()) standing = cv::Mat::zeros(labels.size(), CV_8UC1);
     return {grid,     segments, points, color, colors, intrinsics, {0.0F, -1.0F, 0.0F},
-            supports, on_wall};
+            supports, standing, on_wall};
   }
 
-  cv::Mat points, color, labels;
+  cv::Mat points, color, labels, standing;
   cv::Rect wall;
   CameraIntrinsics intrinsics{100, 100, 100, 60};
   VoxelGrid grid;

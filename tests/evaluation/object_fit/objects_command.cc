@@ -11,7 +11,6 @@
 
 #include "tests/evaluation/object_fit/model_fit.h"
 #include "tests/evaluation/object_fit/tree_samples.h"
-#include "tests/evaluation/object_fit/variants.h"
 #include "tests/evaluation/output.h"
 #include "tests/evaluation/parallel.h"
 #include "tests/evaluation/real_frames/boxed_run.h"
@@ -19,6 +18,9 @@
 namespace fovea::evaluation {
 namespace {
 
+// Each scene is seen with voxels of these shares of their size, so that the model hears of pieces
+// that might as well have been. More of them, and mirrored scenes, teach no more.
+constexpr std::array<double, 3> kVoxelShares = {1, 0.88, 1.13};
 constexpr int kMaxIterations = 150;
 
 struct Flags {
@@ -38,22 +40,22 @@ std::pair<std::string, double> Weighted(const std::string& text) {
           equals == std::string::npos ? 1 : std::stod(text.substr(equals + 1))};
 }
 
-// Samples `count` scenes and their variants.
+// Samples `count` scenes with each size of voxels, the original first.
 template <typename LoadScene>
 void Sample(const std::string& what, std::size_t count, double weight, int num_threads,
             const LoadScene& load, std::vector<TreeSample>& samples) {
   const std::size_t first = samples.size();
-  samples.resize(first + count * kVariants.size());
+  samples.resize(first + count * kVoxelShares.size());
   std::mutex mutex;  // guards done
   std::size_t done = 0;
   ForEachIndex(count, num_threads, [&](std::size_t i) {
     const auto scene = load(i);
-    for (std::size_t k = 0; k < kVariants.size(); ++k) {
+    for (std::size_t k = 0; k < kVoxelShares.size(); ++k) {
       DetectorOptions options = OptionsOfProfile("default");
-      options.voxels.size_m *= kVariants[k].voxel_share;
-      TreeSample& sample = samples[first + i * kVariants.size() + k];
-      sample = SampleOf(VariantOf(scene, kVariants[k]), options);
-      sample.weight = weight / static_cast<double>(kVariants.size());
+      options.voxels.size_m *= kVoxelShares[k];
+      TreeSample& sample = samples[first + i * kVoxelShares.size() + k];
+      sample = SampleOf(scene, options);
+      sample.weight = weight / static_cast<double>(kVoxelShares.size());
       sample.is_original = k == 0;
     }
     const std::scoped_lock lock(mutex);

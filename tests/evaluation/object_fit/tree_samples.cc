@@ -113,6 +113,12 @@ TreeSample ToSample(const Trace& trace, const std::vector<Overlap>& overlaps) {
   return sample;
 }
 
+// Where a mask may be.
+cv::Mat SeenArea(const RgbdFrame& frame, const Trace& trace) {
+  const cv::Mat measured = frame.depth_m == frame.depth_m;
+  return trace.standing.empty() ? measured : measured | trace.standing;
+}
+
 }  // namespace
 
 std::string GroupOf(const std::string& source) { return source.substr(0, source.find('_')); }
@@ -120,8 +126,7 @@ std::string GroupOf(const std::string& source) { return source.substr(0, source.
 TreeSample SampleOf(const Scene& scene, const DetectorOptions& options) {
   Trace trace;
   Detect(scene.frame, options, &trace);
-  const cv::Mat measured = scene.frame.depth_m == scene.frame.depth_m;
-  const cv::Mat valid = scene.valid & measured;
+  const cv::Mat valid = scene.valid & SeenArea(scene.frame, trace);
   std::map<int, double> size_px;
   for (int row = 0; row < scene.truth.rows; ++row) {
     for (int col = 0; col < scene.truth.cols; ++col) {
@@ -144,9 +149,8 @@ TreeSample SampleOf(const Scene& scene, const DetectorOptions& options) {
 TreeSample SampleOf(const BoxedFrame& frame, const DetectorOptions& options) {
   Trace trace;
   Detect(frame.frame, options, &trace);
-  const cv::Mat measured = frame.frame.depth_m == frame.frame.depth_m;
   std::vector<Overlap> overlaps;
-  for (const Pixels& pixels : PixelsOfNodes(trace, measured, {})) {
+  for (const Pixels& pixels : PixelsOfNodes(trace, SeenArea(frame.frame, trace), {})) {
     Overlap best;
     for (std::size_t i = 0; i < frame.objects.size(); ++i) {
       const double iou = Iou(pixels.bounds, frame.objects[i].box);

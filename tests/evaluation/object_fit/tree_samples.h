@@ -25,8 +25,8 @@ struct TreeSample {
   std::vector<ObjectTerms> terms;  // of each node
   std::vector<NodeState> states;   // likewise
   double weight = 1;
-  bool is_original = true;  // not a variant of a scene
-  std::string group;  // what is left out of a fit together
+  bool is_original = true;  // seen as the detector sees it by default
+  std::string group;        // what is left out of a fit together
 };
 
 // Of each true object the node that overlaps it most is one, if their IoU is above 0.5: of masks

@@ -1,4 +1,4 @@
-#include "core/objects/measured_area.h"
+#include "core/depth/measured_area.h"
 
 #include <gtest/gtest.h>
 
