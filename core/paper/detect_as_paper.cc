@@ -63,8 +63,7 @@ void FindObjects(const RgbdFrame& frame, const PaperOptions& options, Trace* tra
       BuildSurfaceEnergy(grid, points, CertainBackground(grid, supports, frame.intrinsics, options),
                          PointsOfSupport(points, result.support, options), seeds, options.mrf);
   clock.Begin("graph_cut");
-  const std::vector<int> labels =
-      MinimizeByAlphaExpansion(energy, {.max_sweeps = options.mrf.max_sweeps});
+  const std::vector<int> labels = MinimizeByAlphaExpansion(energy, options.mrf.max_sweeps);
 
   // Section 3.3: segments that touch and look alike are one object.
   clock.Begin("refinement");
