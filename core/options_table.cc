@@ -97,7 +97,7 @@ const std::vector<OptionEntry>& OptionTable() {
               [](P& o) { return &o.depth_saliency.downscale; }),
       OfPaper("depth_saliency.superpixels_per_diagonal", 0, 4,
               "superpixels per pixel of the image diagonal; 0: every pixel; Ju 2014: 1",
-              [](P& o) { return &o.depth_saliency.superpixels_per_diagonal; }),
+              [](P& o) { return &o.superpixels_per_diagonal; }),
       OfPaper("depth_saliency.line_length", 0.05, 1,
               "length of the scan lines; share of the image diagonal; Ju 2014: 0.4",
               [](P& o) { return &o.depth_saliency.line_length; }),

@@ -19,7 +19,6 @@ DetectorOptions Default() {
   // A quarter of the resolution, and half of it in depth, finds the same objects at a twentieth and
   // a third of the cost.
   options.color_saliency.downscale = 4;
-  options.depth_saliency.superpixels_per_diagonal = 0;
   options.depth_saliency.downscale = 2;
   // Smaller peaks: covering seeds are added wherever something above the support has none.
   options.seeds.disk_radius_px = 5;
