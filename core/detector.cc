@@ -1,7 +1,5 @@
 #include "core/detector.h"
 
-#include <algorithm>
-#include <limits>
 #include <opencv2/core.hpp>
 
 #include "core/depth/back_projection.h"

@@ -29,7 +29,7 @@
 namespace fovea {
 
 // In the order of the pipeline. Units, meanings and sources stand with each stage's options. Stages
-// that only profile "default" runs have its values as defaults; it sets those of the others.
+// that only profile "default" runs have its values; core/profiles.cc sets those of the others.
 struct DetectorOptions {
   // Set: the paper's method runs, with these, and reads nothing else here.
   std::optional<paper::PaperOptions> paper;

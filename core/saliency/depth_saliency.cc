@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "core/saliency/blocks.h"
-#include "core/saliency/line_contrast.h"
 #include "core/saliency/nearness.h"
 #include "core/types/interruption.h"
 

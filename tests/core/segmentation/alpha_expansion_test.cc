@@ -5,6 +5,8 @@
 #include <limits>
 #include <random>
 
+#include "tests/core/segmentation/energy_of.h"
+
 namespace fovea {
 namespace {
 
