@@ -1,7 +1,5 @@
 #include "core/detector.h"
 
-#include <algorithm>
-#include <limits>
 #include <opencv2/core.hpp>
 
 #include "core/depth/back_projection.h"
@@ -28,16 +26,20 @@ void AddWalls(const std::vector<char>& on_wall, std::vector<char>& is_background
   for (std::size_t v = 0; v < on_wall.size(); ++v) is_background[v] |= on_wall[v];
 }
 
+// Of lambda: cutting between voxels of one cluster costs at least as much.
+constexpr double kMinShareOfCluster = 0.6;
+
+std::vector<int> LabelClusters(const PottsEnergy& energy, const MrfOptions& options) {
+  const auto min_weight = static_cast<float>(kMinShareOfCluster * options.lambda);
+  const Contraction clusters = Contract(energy, options.cluster_voxels, min_weight);
+  return Expand(clusters, MinimizeByAlphaExpansion(clusters.energy, 1));
+}
+
 // The first sweep, which costs the most, is over clusters; later ones are over single voxels.
 std::vector<int> LabelVoxels(const PottsEnergy& energy, const MrfOptions& options) {
-  if (options.cluster_voxels <= 1) {
-    return MinimizeByAlphaExpansion(energy, {options.max_sweeps, options.only_owners});
-  }
-  const auto min_weight = static_cast<float>(options.cluster_min_share * options.lambda);
-  const Contraction contraction = Contract(energy, options.cluster_voxels, min_weight);
-  const std::vector<int> labels =
-      Expand(contraction, MinimizeByAlphaExpansion(contraction.energy, {.max_sweeps = 1}));
-  return ImproveByAlphaExpansion(energy, labels, {options.max_sweeps - 1, options.only_owners});
+  const std::vector<int> labels = options.cluster_voxels > 1 ? LabelClusters(energy, options)
+                                                             : MinimizeByAlphaExpansion(energy, 1);
+  return ImproveByAlphaExpansion(energy, labels, options.max_sweeps - 1);
 }
 
 // The first stage of `clock` has begun.
@@ -74,14 +76,11 @@ void FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* 
                            options.depth_saliency.downscale, points, options.seeds, counts);
   clock.Begin("support");
 
-  NormalMap wide_normals;
-  if (!frame.gravity || options.support.wide_normals) {
-    wide_normals = EstimateNormals(points, frame.intrinsics, options.gravity.normals);
-  }
+  // Of wide windows, which noise far away tilts less than every pixel's.
+  const NormalMap wide_normals = EstimateNormals(points, frame.intrinsics, options.gravity.normals);
   result.gravity = FindGravity(frame.gravity, wide_normals.vectors, options.gravity);
   const std::vector<Support> supports =
-      FindSupports(points, options.support.wide_normals ? wide_normals : normals,
-                   result.gravity.direction, options.support);
+      FindSupports(points, wide_normals, result.gravity.direction, options.support);
   if (!supports.empty()) result.support = supports.front().surface;
   std::vector<Seed> seeds = SeedsAbove(supports, salient.seeds, options.support, salient.removed);
   counts.seeds_on_support = salient.seeds.size() - seeds.size();

@@ -28,12 +28,13 @@
 
 namespace fovea {
 
-// In the order of the pipeline. Units, meanings and sources stand with each stage's options.
+// In the order of the pipeline. Units, meanings and sources stand with each stage's options. Stages
+// that only profile "default" runs have its values; core/profiles.cc sets those of the others.
 struct DetectorOptions {
   // Set: the paper's method runs, with these, and reads nothing else here.
   std::optional<paper::PaperOptions> paper;
 
-  double max_depth_m = 10;  // points farther away are left out
+  double max_depth_m = 3;  // farther away the noise of such cameras is the size of the objects
   RegionOptions region;
   FlyingPixelOptions flying_pixels;
   DepthFillOptions depth_fill;

@@ -13,54 +13,34 @@ DetectorOptions Paper() {
 
 DetectorOptions Default() {
   DetectorOptions options;
-  // No camera measures a surface seen so flatly.
-  options.flying_pixels.max_angle_deg = 80;
   // Windows overlap: a quarter of the normals tells as much as all, each of a little more.
   options.normals.step_px = 2;
   options.normals.window_radius_px = 4;
   // A quarter of the resolution, and half of it in depth, finds the same objects at a twentieth and
   // a third of the cost.
   options.color_saliency.downscale = 4;
-  options.depth_saliency.superpixels_per_diagonal = 0;
   options.depth_saliency.downscale = 2;
-  // Smaller peaks, and seeds wherever something above the support has none.
+  // Smaller peaks: covering seeds are added wherever something above the support has none.
   options.seeds.disk_radius_px = 5;
-  options.cover.spacing_m = 0.05;
-  options.cover.max_extent_m = 1.5;
+  // Any camera pitch.
+  options.gravity.num_starts = 4;
   options.gravity.normals.step_px = 4;
   options.gravity.normals.sample_px = 2;
-  options.support.wide_normals = true;
   // The surface in the width of the sensor's noise, which grows with the square of the distance.
   options.support.tolerance_m = 0.004;
   options.support.tolerance_per_m = 0.006;
   options.support.tolerance_sigmas = 3.5;
   options.support.common_height_fits = 3;
-  // Farther off, the noise of such cameras is the size of the objects.
-  options.max_depth_m = 3;
-  // Whole frames: several surfaces, each carrying only what stands within its footprint; no walls,
-  // no table legs; any camera pitch.
-  options.gravity.num_starts = 4;
+  // Whole frames: several surfaces, each carrying only what stands within its footprint.
   options.support.max_surfaces = 6;
   options.support.min_area_m2 = 0.05;
   options.support.footprint_margin_m = 0.1;
   options.support.max_height_m = 0.5;
-  options.walls.min_extent_m = 0.6;
-  options.walls.min_area_m2 = 0.08;
   // Voxels that grow with the distance, as pixels and noise do.
   options.voxels.perspective = true;
-  // With dense seeds, hypotheses may reach across an object; grooves part the objects.
   options.voxels.size_m = 0.01;
   options.voxels.neighbor_axes = 1;
   options.voxels.normal_smoothing = 1;
-  options.mrf.max_sweeps = 2;
-  options.mrf.only_owners = true;
-  options.mrf.cluster_voxels = 16;
-  options.mrf.cluster_min_share = 0.6;
-  options.mrf.step_weight = 0.6;
-  options.mrf.color_floor = 0.35;
-  options.occlusion_merge.min_shared_surface = 0.3;
-  options.occlusion_merge.max_color_distance = 60;
-  options.occlusion_merge.min_hollow_curvature_per_m = 3;
   return options;
 }
 

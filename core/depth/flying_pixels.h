@@ -9,8 +9,9 @@ namespace fovea {
 
 struct FlyingPixelOptions {
   // Depth that rises or falls on both sides of a pixel as if its surface were seen at more than
-  // this angle from its normal is no surface; degrees, 90 removes nothing.
-  double max_angle_deg = 90;
+  // this angle from its normal is no surface: no camera measures one seen so flatly; degrees, 90
+  // removes nothing.
+  double max_angle_deg = 80;
 };
 
 // Gives every flying pixel the value NaN, along rows and along columns. Single pixels that are

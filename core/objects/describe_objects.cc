@@ -103,9 +103,8 @@ DetectedObject Describe(const RgbdFrame& frame, const cv::Mat& points, const Can
 void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points, const cv::Mat& saliency,
                      const std::vector<float>& confidences, const std::vector<Support>& supports,
                      const ObjectOptions& options, Detections& detections) {
-  const Selection selection =
-      SelectObjects(detections.labels, confidences, frame.depth_m, saliency, MeasuredArea(points),
-                    frame.intrinsics, options.selection);
+  const Selection selection = SelectObjects(detections.labels, confidences, saliency,
+                                            MeasuredArea(points), options.selection);
   detections.diagnostics.segments_too_small = selection.num_too_small;
   detections.diagnostics.objects_less_salient = selection.num_less_salient;
   detections.labels = cv::Mat::zeros(frame.depth_m.size(), CV_16UC1);

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "core/depth/measured_area.h"
-#include "core/objects/confidence.h"
 #include "core/types/interruption.h"
 #include "core/types/pixels.h"
 
@@ -28,15 +27,6 @@ PixelsOfLabel CollectPixels(const cv::Mat& labels) {
     }
   }
   return pixels;
-}
-
-double SumOfSquaredZ(const cv::Mat& depth_m, const std::vector<cv::Point>& pixels) {
-  double squares = 0;
-  for (const cv::Point& pixel : pixels) {
-    const double z = depth_m.at<float>(pixel);
-    squares += z * z;
-  }
-  return squares;
 }
 
 float MeanOf(const cv::Mat& map, const std::vector<cv::Point>& pixels) {
@@ -68,8 +58,7 @@ std::size_t KeepMostSalient(int max_objects, std::vector<Candidate>& candidates)
 }  // namespace
 
 Selection SelectObjects(const cv::Mat& labels, const std::vector<float>& confidences,
-                        const cv::Mat& depth_m, const cv::Mat& saliency,
-                        const cv::Rect& measured_area, const CameraIntrinsics& intrinsics,
+                        const cv::Mat& saliency, const cv::Rect& measured_area,
                         const SelectionOptions& options) {
   PixelsOfLabel pixels_of_label = CollectPixels(labels);
   Selection selection;
@@ -77,17 +66,12 @@ Selection SelectObjects(const cv::Mat& labels, const std::vector<float>& confide
     std::vector<cv::Point>& pixels = pixels_of_label[label];
     InterruptionPoint();
     if (pixels.empty()) continue;
-    const auto count = static_cast<double>(pixels.size());
-    if (count < FewestPixels(options, labels.size())) {
+    if (static_cast<double>(pixels.size()) < FewestPixels(options, labels.size())) {
       ++selection.num_too_small;
       continue;
     }
     const bool truncated = EndsWithArea(cv::boundingRect(pixels), measured_area, labels.size());
-    const double squares = SumOfSquaredZ(depth_m, pixels);
-    const double area_m2 = squares / (intrinsics.fx_px * intrinsics.fy_px);
-    const float confidence = confidences.empty()
-                                 ? Confidence(area_m2, std::sqrt(squares / count))
-                                 : confidences.at(static_cast<std::size_t>(label) - 1);
+    const float confidence = confidences.at(static_cast<std::size_t>(label) - 1);
     const float mean_saliency = MeanOf(saliency, pixels);
     selection.candidates.push_back(
         {label, std::move(pixels), confidence, mean_saliency, truncated});

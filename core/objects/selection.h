@@ -5,8 +5,6 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "core/types/rgbd_frame.h"
-
 namespace fovea {
 
 struct SelectionOptions {
@@ -31,12 +29,10 @@ struct Selection {
   std::size_t num_less_salient = 0;  // beyond max_objects
 };
 
-// `labels`: CV_16UC1, 0 = background; `confidences`: of label k at k − 1, or empty: then it is
-// Confidence(); `depth_m`: CV_32FC1 as measured, wherever there is a label; `saliency`: CV_32FC1 in
+// `labels`: CV_16UC1, 0 = background; `confidences`: of label k at k − 1; `saliency`: CV_32FC1 in
 // [0, 1]; `measured_area`: of the image, see MeasuredArea. Cost: proportional to the image.
 Selection SelectObjects(const cv::Mat& labels, const std::vector<float>& confidences,
-                        const cv::Mat& depth_m, const cv::Mat& saliency,
-                        const cv::Rect& measured_area, const CameraIntrinsics& intrinsics,
+                        const cv::Mat& saliency, const cv::Rect& measured_area,
                         const SelectionOptions& options = {});
 
 }  // namespace fovea

@@ -5,6 +5,8 @@
 #include "core/depth/back_projection.h"
 #include "core/depth/measured_depth.h"
 #include "core/explanation.h"
+#include "core/paper/confidence.h"
+#include "core/paper/superpixel_contrast.h"
 #include "core/paper/support_reading.h"
 #include "core/saliency/mean_saliency.h"
 #include "core/scene/background.h"
@@ -32,7 +34,8 @@ void FindObjects(const RgbdFrame& frame, const PaperOptions& options, Trace* tra
   clock.Begin("color_saliency");
   const cv::Mat color_saliency = StrengthSaliency(frame.color_rgb, options.color_saliency);
   clock.Begin("depth_saliency");
-  const cv::Mat depth_saliency = DepthSaliency(depth, options.depth_saliency);
+  const cv::Mat depth_saliency = DepthSaliency(
+      depth, options.depth_saliency, ContrastOfSuperpixels(options.superpixels_per_diagonal));
 
   // Section 3.2: seeds at salient positions, except on the dominating support surface.
   clock.Begin("seeds");
@@ -63,8 +66,7 @@ void FindObjects(const RgbdFrame& frame, const PaperOptions& options, Trace* tra
       BuildSurfaceEnergy(grid, points, CertainBackground(grid, supports, frame.intrinsics, options),
                          PointsOfSupport(points, result.support, options), seeds, options.mrf);
   clock.Begin("graph_cut");
-  const std::vector<int> labels =
-      MinimizeByAlphaExpansion(energy, {.max_sweeps = options.mrf.max_sweeps});
+  const std::vector<int> labels = MinimizeByAlphaExpansion(energy, options.mrf.max_sweeps);
 
   // Section 3.3: segments that touch and look alike are one object.
   clock.Begin("refinement");
@@ -77,8 +79,9 @@ void FindObjects(const RgbdFrame& frame, const PaperOptions& options, Trace* tra
   // Section 4: what is reported of them.
   clock.Begin("objects");
   result.labels = LabelsWithin(grid, objects, measured == measured);
-  DescribeObjects(frame, points, MeanSaliency(color_saliency, depth_saliency), {}, supports,
-                  options.objects, result);
+  DescribeObjects(frame, points, MeanSaliency(color_saliency, depth_saliency),
+                  Confidences(result.labels, measured, frame.intrinsics), supports, options.objects,
+                  result);
   counts.messages = ExplainLosses(result);
   clock.Finish();
   if (trace != nullptr) {

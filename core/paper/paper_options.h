@@ -39,7 +39,10 @@ struct PaperOptions {
   DepthFillOptions depth_fill;
   NormalOptions normals;
   StrengthSaliencyOptions color_saliency;
-  DepthSaliencyOptions depth_saliency{.superpixels_per_diagonal = 0, .center_prior = true};
+  DepthSaliencyOptions depth_saliency{.center_prior = true};
+  // Superpixels on which the depth saliency is constant, as a multiple of the image diagonal in
+  // pixels (Ju: 1); 0 evaluates every pixel on its own.
+  double superpixels_per_diagonal = 0;
   SeedOptions seeds{.disk_radius_px = 10, .on_peak = false};
   GravityOptions gravity;
   SupportOptions support{.plane_fits = 0};  // exactly perpendicular to gravity

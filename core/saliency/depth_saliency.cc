@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "core/saliency/blocks.h"
-#include "core/saliency/line_contrast.h"
 #include "core/saliency/nearness.h"
 #include "core/types/interruption.h"
 
@@ -81,17 +80,13 @@ void ApplyCenterPrior(cv::Mat& map) {
 }
 
 cv::Mat SaliencyOfPixels(const cv::Mat& depth_m, const DepthSaliencyOptions& options,
-                         int line_step_px) {
+                         int line_step_px, const Contrast& contrast) {
   InterruptionPoint();
   const cv::Mat nearness = SmoothNearness(depth_m);
   if (cv::countNonZero(nearness != kNoNearness) == 0) return cv::Mat::zeros(depth_m.size(), CV_32F);
 
   const double diagonal_px = std::hypot(depth_m.cols, depth_m.rows);
-  const auto lines = ScanLines(options.line_length * diagonal_px, line_step_px);
-  const auto superpixels =
-      static_cast<int>(std::lround(options.superpixels_per_diagonal * diagonal_px));
-  cv::Mat saliency = superpixels > 0 ? ContrastOfSuperpixels(nearness, lines, superpixels)
-                                     : ContrastOfPixels(nearness, lines);
+  cv::Mat saliency = contrast(nearness, ScanLines(options.line_length * diagonal_px, line_step_px));
   ScaleToOne(saliency);
   if (options.depth_prior) ApplyDepthPrior(nearness, saliency);
   if (options.center_prior) ApplyCenterPrior(saliency);
@@ -100,10 +95,11 @@ cv::Mat SaliencyOfPixels(const cv::Mat& depth_m, const DepthSaliencyOptions& opt
 
 }  // namespace
 
-cv::Mat DepthSaliency(const cv::Mat& depth_m, const DepthSaliencyOptions& options) {
+cv::Mat DepthSaliency(const cv::Mat& depth_m, const DepthSaliencyOptions& options,
+                      const Contrast& contrast) {
   const int line_step_px = std::max(1, cvRound(double(options.line_step_px) / options.downscale));
-  const cv::Mat saliency =
-      SaliencyOfPixels(ReduceDepthByBlocks(depth_m, options.downscale), options, line_step_px);
+  const cv::Mat saliency = SaliencyOfPixels(ReduceDepthByBlocks(depth_m, options.downscale),
+                                            options, line_step_px, contrast);
   return EnlargeBlocks(saliency, options.downscale, depth_m.size());
 }
 

@@ -4,12 +4,11 @@
 
 #include <opencv2/core/mat.hpp>
 
+#include "core/saliency/line_contrast.h"
+
 namespace fovea {
 
 struct DepthSaliencyOptions {
-  // Number of superpixels on which the map is constant, as a multiple of the image diagonal in
-  // pixels (Ju: 1); 0 evaluates every pixel on its own, which is faster.
-  double superpixels_per_diagonal = 1.0;
   // The depth image is reduced by this factor first (average) and the map enlarged afterwards; 1 …
   // 8. Ju: 1.
   int downscale = 1;
@@ -29,6 +28,7 @@ struct DepthSaliencyOptions {
 //
 // `depth_m`: CV_32FC1, not empty, metres along z, NaN = none. Returns CV_32FC1 of its size in
 // [0, 1]; 0 where there is no depth; all 0 where no pixel has depth or nothing stands out.
-cv::Mat DepthSaliency(const cv::Mat& depth_m, const DepthSaliencyOptions& options = {});
+cv::Mat DepthSaliency(const cv::Mat& depth_m, const DepthSaliencyOptions& options = {},
+                      const Contrast& contrast = ContrastOfPixels);
 
 }  // namespace fovea

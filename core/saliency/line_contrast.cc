@@ -6,13 +6,10 @@
 #include <vector>
 
 #include "core/saliency/nearness.h"
-#include "core/saliency/superpixels.h"
 #include "core/types/interruption.h"
 
 namespace fovea {
 namespace {
-
-constexpr float kCompactness = 20;  // of superpixels, where the nearness spans 0 to 255
 
 // map(p) = min(map(p), map(p + shift)) where p + shift lies in the image; in place, in an order
 // that reads every row before it changes.
@@ -42,20 +39,6 @@ void TakeLineMinima(const ScanLine& line, cv::Mat& map) {
   int covered = 1;
   for (; 2 * covered <= samples; covered *= 2) TakeShiftedMinimum(map, line.step * covered);
   if (covered < samples) TakeShiftedMinimum(map, line.step * (samples - covered));
-}
-
-// Ju's contribution of one scan line to a superpixel.
-float LineContrast(const cv::Mat& nearness, const Superpixel& center, const ScanLine& line) {
-  const cv::Rect image({0, 0}, nearness.size());
-  cv::Point sample(static_cast<int>(std::lround(center.x_px)),
-                   static_cast<int>(std::lround(center.y_px)));
-  float least = center.value;
-  for (int i = 0; i < line.count; ++i) {
-    sample += line.step;
-    if (!image.contains(sample)) break;
-    least = std::min(least, nearness.at<float>(sample));
-  }
-  return center.value - least;
 }
 
 }  // namespace
@@ -89,35 +72,6 @@ cv::Mat ContrastOfPixels(const cv::Mat& nearness, const std::array<ScanLine, 8>&
     }
   }
   contrast.setTo(0.0F, nearness == kNoNearness);
-  return contrast;
-}
-
-cv::Mat ContrastOfSuperpixels(const cv::Mat& nearness, const std::array<ScanLine, 8>& lines,
-                              int count) {
-  double least = 0, most = 0;
-  cv::minMaxLoc(nearness, &least, &most, nullptr, nullptr, nearness != kNoNearness);
-  const auto compactness = static_cast<float>(kCompactness / 255.0 * (most - least));
-  const Superpixels superpixels = DivideIntoSuperpixels(nearness, count, compactness);
-
-  std::vector<float> contrasts;
-  LongLoop loop;
-  for (const Superpixel& center : superpixels.all) {
-    loop.Turn();
-    float sum = 0;
-    if (center.pixels > 0) {
-      for (const ScanLine& line : lines) sum += LineContrast(nearness, center, line);
-    }
-    contrasts.push_back(sum);
-  }
-  cv::Mat contrast = cv::Mat::zeros(nearness.size(), CV_32F);
-  for (int y = 0; y < contrast.rows; ++y) {
-    InterruptionPoint();
-    const int* labels = superpixels.labels.ptr<int>(y);
-    float* to = contrast.ptr<float>(y);
-    for (int x = 0; x < contrast.cols; ++x) {
-      if (labels[x] >= 0) to[x] = contrasts[static_cast<std::size_t>(labels[x])];
-    }
-  }
   return contrast;
 }
 

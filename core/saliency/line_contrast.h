@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <opencv2/core/mat.hpp>
 #include <opencv2/core/types.hpp>
 
@@ -23,9 +24,8 @@ std::array<ScanLine, 8> ScanLines(double length_px, int step_px);
 // SmoothNearness. Returns CV_32FC1 of its size, ≥ 0; 0 where there is no depth.
 cv::Mat ContrastOfPixels(const cv::Mat& nearness, const std::array<ScanLine, 8>& lines);
 
-// The same for about `count` superpixels instead of pixels: their mean nearness against lines from
-// their centroids, given to all their pixels. At least one pixel must have depth.
-cv::Mat ContrastOfSuperpixels(const cv::Mat& nearness, const std::array<ScanLine, 8>& lines,
-                              int count);
+// That, or what stands for it; some pixel of `nearness` has depth.
+using Contrast =
+    std::function<cv::Mat(const cv::Mat& nearness, const std::array<ScanLine, 8>& lines)>;
 
 }  // namespace fovea

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
-#include <numeric>
 #include <opencv2/imgproc.hpp>
 
 #include "core/types/interruption.h"
@@ -28,12 +26,12 @@ cv::Mat Occupancy(const std::vector<cv::Point>& cells, const cv::Size& size) {
 }
 
 // Draws the hull of the cells that are set.
-void FillHull(const cv::Mat& set, double value, cv::Mat hulls) {
+void FillHull(const cv::Mat& set, cv::Mat hulls) {
   std::vector<cv::Point> cells;
   cv::findNonZero(set, cells);
   std::vector<cv::Point> hull;
   cv::convexHull(cells, hull);
-  cv::fillConvexPoly(hulls, hull, cv::Scalar(value));
+  cv::fillConvexPoly(hulls, hull, cv::Scalar(255));
 }
 
 }  // namespace
@@ -59,7 +57,7 @@ Footprint::Footprint(const std::vector<Eigen::Vector3f>& points,
   const cv::Mat occupied = Occupancy(cells, size);
   const std::vector<cv::Point> covered = CellsOf(above);
   cells.insert(cells.end(), covered.begin(), covered.end());
-  part_of_cell_ = cv::Mat::zeros(size, CV_16UC1);
+  is_covered_ = cv::Mat::zeros(size, CV_8UC1);
   InterruptionPoint();
   cv::Mat parts, statistics, centroids;
   const int num_parts =
@@ -72,13 +70,12 @@ Footprint::Footprint(const std::vector<Eigen::Vector3f>& points,
     const cv::Mat seen = (parts(box) == part) & occupied(box);
     const double area = cv::countNonZero(seen) * cell_m_ * cell_m_;
     if (area == 0 || area < min_area_m2) continue;
-    part_areas_m2_.push_back(area);
-    const std::size_t number = std::min<std::size_t>(part_areas_m2_.size(), UINT16_MAX);
-    FillHull(seen, static_cast<double>(number), part_of_cell_(box));
+    area_m2_ += area;
+    FillHull(seen, is_covered_(box));
   }
   const int reach = 2 * static_cast<int>(std::lround(margin_m / cell_m_)) + 1;
   InterruptionPoint();
-  cv::dilate(part_of_cell_, part_of_cell_,
+  cv::dilate(is_covered_, is_covered_,
              cv::getStructuringElement(cv::MORPH_ELLIPSE, {reach, reach}));
 }
 
@@ -92,18 +89,13 @@ std::vector<cv::Point> Footprint::CellsOf(const std::vector<Eigen::Vector3f>& po
   return cells;
 }
 
-int Footprint::PartAt(const Eigen::Vector3f& point) const {
-  if (part_of_cell_.empty()) return 0;
+bool Footprint::Covers(const Eigen::Vector3f& point) const {
+  if (is_covered_.empty()) return true;
   const Eigen::Vector2f cell = (axes_ * point - origin_) / cell_m_;
-  if (!(cell.minCoeff() >= 0)) return -1;
+  if (!(cell.minCoeff() >= 0)) return false;
   const int x = static_cast<int>(cell.x());
   const int y = static_cast<int>(cell.y());
-  if (x >= part_of_cell_.cols || y >= part_of_cell_.rows) return -1;
-  return part_of_cell_.at<std::uint16_t>(y, x) - 1;
-}
-
-double Footprint::AreaM2() const {
-  return std::accumulate(part_areas_m2_.begin(), part_areas_m2_.end(), 0.0);
+  return x < is_covered_.cols && y < is_covered_.rows && is_covered_.at<uchar>(y, x) != 0;
 }
 
 }  // namespace fovea

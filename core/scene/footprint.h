@@ -24,17 +24,10 @@ class Footprint {
             const SupportSurface& surface, double min_area_m2, double margin_m);
 
   // True if the point's projection along the normal lies inside.
-  bool Covers(const Eigen::Vector3f& point) const { return PartAt(point) >= 0; }
+  bool Covers(const Eigen::Vector3f& point) const;
 
-  // Which of the parts covers the point, one of them where hulls overlap; -1: none. An unbounded
-  // footprint is one part.
-  int PartAt(const Eigen::Vector3f& point) const;
-
-  // Of each part that was not left out, as seen, without what is hidden; empty if unbounded.
-  const std::vector<double>& PartAreasM2() const { return part_areas_m2_; }
-
-  // The sum of these; 0 if unbounded.
-  double AreaM2() const;
+  // Of the parts that were not left out, as seen, without what is hidden; 0 if unbounded.
+  double AreaM2() const { return area_m2_; }
 
  private:
   std::vector<cv::Point> CellsOf(const std::vector<Eigen::Vector3f>& points) const;
@@ -42,8 +35,8 @@ class Footprint {
   LevelAxes axes_;
   Eigen::Vector2f origin_;  // of the grid, in plane coordinates
   float cell_m_ = 0;        // edge length of its cells
-  cv::Mat part_of_cell_;    // CV_16UC1, part + 1, 0 = none; empty = unbounded
-  std::vector<double> part_areas_m2_;
+  cv::Mat is_covered_;      // CV_8UC1, 255 where a hull is; empty = unbounded
+  double area_m2_ = 0;
 };
 
 }  // namespace fovea

@@ -15,9 +15,6 @@
 namespace fovea {
 
 struct SupportOptions {
-  // Look at the sparse normals of the wide windows that gravity is estimated from, which noise far
-  // away tilts less, instead of every pixel's.
-  bool wide_normals = false;
   // Points whose normal is within this angle of the vertical may lie on the surface; degrees.
   double max_angle_deg = 15;
   // The dominating height is the fullest interval of this width; metres.

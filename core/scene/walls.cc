@@ -13,7 +13,9 @@
 namespace fovea {
 namespace {
 
-constexpr int kDirections = 36;  // of the horizon, every 10°
+constexpr int kMaxPlanes = 8;
+constexpr double kMinAreaM2 = 0.08;  // visible, of a part that is wall
+constexpr int kDirections = 36;      // of the horizon, every 10°
 constexpr float kOffsetBinM = 0.05F;
 constexpr float kCellM = 0.04F;    // of the grid on a plane, at least
 constexpr float kMaxCells = 2048;  // along a side of it, however far the points reach
@@ -162,7 +164,7 @@ class LargeParts {
       const int extent = std::max(stats[cv::CC_STAT_WIDTH], stats[cv::CC_STAT_HEIGHT]);
       const float area_m2 = static_cast<float>(stats[cv::CC_STAT_AREA]) * cell_m_ * cell_m_;
       if (static_cast<float>(extent) * cell_m_ < options.min_extent_m) continue;
-      if (area_m2 < options.min_area_m2) continue;
+      if (area_m2 < kMinAreaM2) continue;
       const cv::Mat is_part = parts == part;
       if (cv::countNonZero(solid & is_part) > 0) large_.setTo(255, is_part);
     }
@@ -187,7 +189,7 @@ std::vector<char> FindWalls(const VoxelGrid& grid, const Eigen::Vector3f& up,
   std::vector<int> all(grid.voxels.size());
   std::iota(all.begin(), all.end(), 0);
   std::vector<int> candidates = upright;
-  for (int i = 0; i < options.max_planes && candidates.size() >= 3; ++i) {
+  for (int i = 0; i < kMaxPlanes && candidates.size() >= 3; ++i) {
     const SupportSurface plane =
         Refine(grid, candidates, MostVoted(grid, candidates, directions), tolerance);
     if (Inliers(grid, candidates, plane, tolerance, 1.0F).empty()) break;

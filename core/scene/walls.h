@@ -13,18 +13,14 @@ namespace fovea {
 struct WallOptions {
   // Connected parts of an upright plane at least this long along the horizon or the vertical are
   // wall; metres, 0 switches the search off.
-  double min_extent_m = 0;
-  // And of at least this visible area; square metres.
-  double min_area_m2 = 0.05;
-  // Up to this many planes are looked for, the largest first.
-  int max_planes = 8;
+  double min_extent_m = 0.6;
 };
 
-// Finds upright planes by voting for their direction and distance, fits each by least squares and
-// keeps its large connected parts. What lies on one of `supports` counts for none: noise tilts the
-// normals of a floor far away, and its strip would connect all that stands on it in one line.
-// `tolerance`: the distance from a plane that still belongs to it, as of a support. Returns one
-// entry a voxel, 1 = on a wall.
+// Finds up to eight upright planes by voting for their direction and distance, the largest first,
+// fits each by least squares and keeps its large connected parts. What lies on one of `supports`
+// counts for none: noise tilts the normals of a floor far away, and its strip would connect all
+// that stands on it in one line. `tolerance`: the distance from a plane that still belongs to it,
+// as of a support. Returns one entry a voxel, 1 = on a wall.
 std::vector<char> FindWalls(const VoxelGrid& grid, const Eigen::Vector3f& up,
                             const std::vector<Support>& supports, const SupportOptions& tolerance,
                             const WallOptions& options = {});

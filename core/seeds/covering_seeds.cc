@@ -14,6 +14,10 @@
 namespace fovea {
 namespace {
 
+constexpr std::size_t kMinVoxels = 20;  // of a connected part; fewer are noise
+// Along an axis of the camera: what is longer is wall or furniture, on which only what is salient
+// is looked for.
+constexpr float kMaxExtentM = 1.5F;
 constexpr float kUnreached = std::numeric_limits<float>::infinity();
 
 // Distance of every voxel to the nearest source along the surface, kept up to date as sources are
@@ -103,8 +107,7 @@ std::vector<int> VoxelsToAdd(const VoxelGrid& grid, const std::vector<char>& is_
     distance.AddSource(voxel);
   };
   for (const std::vector<int>& part : Parts(grid, is_background)) {
-    if (static_cast<int>(part.size()) < options.min_voxels) continue;
-    if (Extent(grid, part) > static_cast<float>(options.max_extent_m)) continue;
+    if (part.size() < kMinVoxels || Extent(grid, part) > kMaxExtentM) continue;
     if (distance.Of(part.front()) == kUnreached) add(MostCentral(grid, part));
     for (int voxel = Farthest(part, distance);
          distance.Of(voxel) > static_cast<float>(options.spacing_m);

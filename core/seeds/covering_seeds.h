@@ -12,20 +12,15 @@ namespace fovea {
 struct CoverOptions {
   // No voxel of an object candidate is farther than this from a seed, along the surface; metres,
   // 0 adds no seeds.
-  double spacing_m = 0;
-  // Connected parts with fewer voxels get no seed.
-  int min_voxels = 20;
-  // Nor do parts longer than this along an axis of the camera: they are walls and furniture, on
-  // which only what is salient is looked for; metres.
-  double max_extent_m = 100;
+  double spacing_m = 0.05;
 };
 
 // Adds seeds until every connected part of the voxels that are not background is covered: first
 // the most central voxel of each part without a seed, then again and again the voxel farthest
-// from all seeds along the voxel graph (farthest-point sampling).
+// from all seeds along the voxel graph (farthest-point sampling). Parts of fewer than 20 voxels and
+// those longer than 1.5 m get none.
 //
-// `is_background`: one entry a voxel. Returns
-// `seeds` followed by the new ones.
+// `is_background`: one entry a voxel. Returns `seeds` followed by the new ones.
 std::vector<Seed> CoverWithSeeds(const VoxelGrid& grid, const std::vector<char>& is_background,
                                  const std::vector<Seed>& seeds, const CoverOptions& options = {});
 

@@ -164,18 +164,17 @@ class Sweeps {
 
 }  // namespace
 
-std::vector<int> MinimizeByAlphaExpansion(const PottsEnergy& energy,
-                                          const ExpansionOptions& options) {
+std::vector<int> MinimizeByAlphaExpansion(const PottsEnergy& energy, int max_sweeps) {
   Sweeps sweeps(energy, CheapestLabels(energy));
-  bool changed = options.max_sweeps > 0 && sweeps.Run(false);
-  for (int n = 1; changed && n < options.max_sweeps; ++n) changed = sweeps.Run(options.only_owners);
+  for (int n = 0; n < max_sweeps && sweeps.Run(/*only_owners=*/false); ++n) {
+  }
   return sweeps.Labels();
 }
 
 std::vector<int> ImproveByAlphaExpansion(const PottsEnergy& energy, const std::vector<int>& labels,
-                                         const ExpansionOptions& options) {
+                                         int max_sweeps) {
   Sweeps sweeps(energy, {labels, CostsOf(energy, labels)});
-  for (int n = 0; n < options.max_sweeps && sweeps.Run(options.only_owners); ++n) {
+  for (int n = 0; n < max_sweeps && sweeps.Run(/*only_owners=*/true); ++n) {
   }
   return sweeps.Labels();
 }

@@ -14,6 +14,7 @@
 namespace fovea {
 
 struct MrfOptions {
+  // Seeds are dense, so that a hypothesis need not reach far, but may reach across an object.
   DataTermOptions data{.gamma_per_m2 = 30, .reach_m = 0.15};
   // The weight of the pairwise term is λ on flat and convex transitions and falls with the concave
   // angle a as exp(−a / concave_angle); degrees. Eq. 7 leaves flat surfaces, where the sign of Eq.
@@ -22,26 +23,20 @@ struct MrfOptions {
   double concave_angle_deg = 12;
   // How much of the angle of a step between surfaces that look the same way, one in front of the
   // other, is added to a.
-  double step_weight = 0;
-  // The weight between voxels whose colours are farther apart than color_distance falls towards
-  // color_floor of itself, by a factor of e every color_scale; units of mean_color.h. Floor 1: only
-  // shape counts.
-  double color_floor = 1;
-  double color_distance = 12;
-  double color_scale = 8;
-  int max_sweeps = 5;  // of alpha-expansion
-  // Sweeps after the first are only over labels that some voxel has.
-  bool only_owners = false;
+  double step_weight = 0.6;
+  // The share of the weight that is left between voxels of quite different colours. 1: only shape
+  // counts.
+  double color_floor = 0.35;
+  int max_sweeps = 2;  // of alpha-expansion
   // In the first sweep neighbouring voxels are labelled together, up to this many at a time, where
-  // cutting between them would cost at least cluster_min_share of λ; 1: every voxel by itself.
-  int cluster_voxels = 1;
-  double cluster_min_share = 0.8;
+  // cutting between them costs much; 1: every voxel by itself.
+  int cluster_voxels = 16;
 };
 
 // The energy over the voxels of `grid`, with the data term as in data_term.h. Voxels with
 // `is_background` set (one entry a voxel) can only be background. `points`: CV_32FC3, the image
-// that the grid was built from. `colors`: one entry a voxel, as of ColorsOfVoxels; not used where
-// color_floor is 1. Throws TooComplex as DataTerm does.
+// that the grid was built from. `colors`: one entry a voxel, as of ColorsOfVoxels. Throws
+// TooComplex as DataTerm does.
 PottsEnergy BuildEnergy(const VoxelGrid& grid, const cv::Mat& points,
                         const std::vector<MeanColor>& colors,
                         const std::vector<char>& is_background, const std::vector<Seed>& seeds,

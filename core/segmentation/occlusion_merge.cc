@@ -26,6 +26,14 @@ constexpr double kBorderReachPx = 4;
 constexpr double kMinBorderPx = 10;
 constexpr float kBorderStep = 0.01F;
 
+// Parts behind an occluder: what voxels on one surface have in common,
+constexpr SameSurface kSameSurface{.max_angle_deg = 15, .max_offset_m = 0.01};
+constexpr double kMaxColorDistance = 60;  // of the mean colours, units of mean_color.h,
+// and the share of what lies between them that may show something farther away.
+constexpr double kMaxSeenThrough = 0.07;
+
+constexpr double kMaxRimStepM = 0.02;  // between the upper ends of inside and outside
+
 struct Segment {
   std::vector<int> voxels;
   Roundness roundness;
@@ -98,13 +106,12 @@ class Evidence {
   }
 
   bool AreOneBehindAnOccluder(int a, int b) const {
-    if (segments_[a].part.color.DistanceTo(segments_[b].part.color) > options_.max_color_distance) {
+    if (segments_[a].part.color.DistanceTo(segments_[b].part.color) > kMaxColorDistance) {
       return false;
     }
-    return SharedSurface(grid_, segments_[a].voxels, segments_[b].voxels,
-                         {options_.max_angle_deg, options_.max_offset_m}) >=
+    return SharedSurface(grid_, segments_[a].voxels, segments_[b].voxels, kSameSurface) >=
                options_.min_shared_surface &&
-           ShareSeenThrough(image_, points_, a, b) <= options_.max_seen_through;
+           ShareSeenThrough(image_, points_, a, b) <= kMaxSeenThrough;
   }
 
   bool IsInsideOf(int inside, int outside) const {
@@ -112,7 +119,7 @@ class Evidence {
     const double curvature = segments_[inside].roundness.curvature_per_m;
     return -curvature >= options_.min_hollow_curvature_per_m && Hides(outside, inside) &&
            std::abs(segments_[inside].part.Top_m() - segments_[outside].part.Top_m()) <=
-               options_.max_rim_step_m &&
+               kMaxRimStepM &&
            LiesAround(outside, segments_[inside].roundness);
   }
 

@@ -14,16 +14,10 @@ namespace fovea {
 struct OcclusionMergeOptions {
   // Parts behind a common occluder are one object if at least this share of each lies on the
   // surface of the other, 0 … 1; 0 switches the merge off.
-  double min_shared_surface = 0;
-  double max_angle_deg = 15;       // between normals of one surface
-  double max_offset_m = 0.01;      // of a point from the tangent plane of another
-  double max_color_distance = 25;  // of the mean colours, CIELAB units
-  // Of what lies between two parts of an object this share may show something farther away; 0 … 1.
-  double max_seen_through = 0.07;
+  double min_shared_surface = 0.3;
   // A segment that bends inwards about the vertical with at least this mean curvature and whose
   // near rim another segment hides is the inside of that one; 1/m, 0 switches the merge off.
-  double min_hollow_curvature_per_m = 0;
-  double max_rim_step_m = 0.02;  // between the upper ends of inside and outside
+  double min_hollow_curvature_per_m = 3;
 };
 
 // `labels`: one entry a voxel, 0 = background; `points`: CV_32FC3 of the frame; `colors`: one

@@ -17,13 +17,4 @@ std::vector<float> CostsOf(const PottsEnergy& energy, const std::vector<int>& la
   return costs;
 }
 
-double EnergyOf(const PottsEnergy& energy, const std::vector<int>& labels) {
-  double total = 0;
-  for (const float cost : CostsOf(energy, labels)) total += cost;
-  for (const PottsEnergy::Edge& edge : energy.edges) {
-    if (labels[edge.a] != labels[edge.b]) total += edge.weight;
-  }
-  return total;
-}
-
 }  // namespace fovea

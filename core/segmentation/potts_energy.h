@@ -26,7 +26,4 @@ struct PottsEnergy {
 // What each node's label costs it, one entry a node; infinite for labels it cannot take.
 std::vector<float> CostsOf(const PottsEnergy& energy, const std::vector<int>& labels);
 
-// The energy of a labelling, one entry a node; infinite if a node has a label it cannot take.
-double EnergyOf(const PottsEnergy& energy, const std::vector<int>& labels);
-
 }  // namespace fovea

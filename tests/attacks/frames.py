@@ -2,28 +2,37 @@
 
 from __future__ import annotations
 
+from itertools import cycle
+
 from http2 import DETECT, call, is_end, message
-from protobuf import noisy_request, option
+from protobuf import noisy_request, option, profile
 from target import Tally, Target, attack, rounds
 
-# The most that each of these stages can be asked for.
+# The most that the stages of each profile can be asked for.
 EXTREMES = {
-    "color_saliency.downscale": 1,
-    "color_saliency.num_scales": 8,
-    "depth_saliency.downscale": 1,
-    "depth_saliency.line_step_px": 1,
-    "depth_saliency.line_length": 1,
-    "normals.step_px": 1,
-    "normals.window_radius_px": 15,
-    "gravity.window_radius_px": 15,
-    "gravity.sample_px": 1,
-    "depth_fill.passes": 10,
-    "voxels.size_m": 0.003,
-    "mrf.max_sweeps": 100,
-    "mrf.only_owners": 0,
-    "mrf.cluster_voxels": 1,
-    "mrf.reach_m": 100,
-    "support.max_surfaces": 16,
+    "default": {
+        "depth_fill.passes": 10,
+        "seeds.disk_radius_px": 0,
+        "support.max_surfaces": 16,
+        "support.min_area_m2": 0,
+        "voxels.size_m": 0.003,
+        "cover.spacing_m": 0.001,
+        "mrf.gamma_per_m2": 0.1,
+        "mrf.max_sweeps": 100,
+        "mrf.cluster_voxels": 1,
+    },
+    "paper": {
+        "color_saliency.num_scales": 8,
+        "depth_saliency.line_step_px": 1,
+        "depth_saliency.line_length": 1,
+        "normals.window_radius_px": 15,
+        "gravity.window_radius_px": 15,
+        "gravity.step_px": 1,
+        "gravity.num_starts": 9,
+        "depth_fill.passes": 10,
+        "voxels.size_m": 0.003,
+        "mrf.max_sweeps": 100,
+    },
 }
 
 
@@ -39,8 +48,12 @@ TEXTS = {  # of refusals, by what they are counted as
 def extreme_options(target: Target) -> Tally:
     """Frames of 1920x1080 with options that are valid and cost the most, one after the other"""
     tally: Tally = Tally()
-    body = message(noisy_request() + b"".join(option(*each) for each in EXTREMES.items()))
-    for survived in rounds(target, tally):
+    frame = noisy_request()
+    bodies = [
+        message(frame + profile(name) + b"".join(option(*each) for each in options.items()))
+        for name, options in EXTREMES.items()
+    ]
+    for survived, body in zip(rounds(target, tally), cycle(bodies)):
         with survived, target.connect() as connection:
             stream, sent, ended = connection.next_stream(), 0, False
             connection.send(call(DETECT, stream))

@@ -32,6 +32,11 @@ def noisy_request(width: int = 1920, height: int = 1080) -> bytes:
     return field(1, fields + field(5, intrinsics))
 
 
+def profile(name: str) -> bytes:
+    """DetectOptions.profile = name, appended to a DetectRequest."""
+    return field(2, field(1, name.encode()))
+
+
 def option(name: str, value: float) -> bytes:
     """DetectOptions.parameters[name] = value, appended to a DetectRequest."""
     entry = field(1, name.encode()) + b"\x11" + struct.pack("<d", value)

@@ -1,6 +1,7 @@
 // Saliency maps and seeds at 640×480, on a recorded frame where there is one.
 #include <benchmark/benchmark.h>
 
+#include "core/paper/superpixel_contrast.h"
 #include "core/saliency/depth_saliency.h"
 #include "core/saliency/strength_saliency.h"
 #include "core/seeds/morphology.h"
@@ -25,9 +26,8 @@ BENCHMARK(SaliencyOfColor)
 
 void SaliencyOfDepth(benchmark::State& state) {
   const cv::Mat depth = ReadDepth(FrameNames()[1]);
-  const DepthSaliencyOptions options{.superpixels_per_diagonal =
-                                         static_cast<double>(state.range(0))};
-  for (auto _ : state) benchmark::DoNotOptimize(DepthSaliency(depth, options));
+  const Contrast contrast = paper::ContrastOfSuperpixels(static_cast<double>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(DepthSaliency(depth, {}, contrast));
 }
 BENCHMARK(SaliencyOfDepth)->ArgName("superpixels")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 

@@ -69,6 +69,11 @@ TEST(Options, WhatAProfileDoesNotReadCannotBeSetThere) {
               ThrowsMessage<std::invalid_argument>(HasSubstr("\"default\"")));
 }
 
+// Each must be understood by those who set it, and tried by those who change the method.
+TEST(Options, TheDefaultProfileHasFew) {
+  EXPECT_LE(OptionValues(OptionsOfProfile("default")).size(), 40U);
+}
+
 TEST(Options, ValuesOutOfRangeAreNamedWithTheirRange) {
   DetectorOptions options;
   EXPECT_THAT([&] { SetOption(options, "mrf.alpha", 2); },
@@ -76,7 +81,7 @@ TEST(Options, ValuesOutOfRangeAreNamedWithTheirRange) {
                   testing::AllOf(HasSubstr("mrf.alpha"), HasSubstr("2"), HasSubstr("to 1"))));
   EXPECT_THROW(SetOption(options, "mrf.alpha", std::numeric_limits<double>::quiet_NaN()),
                std::invalid_argument);
-  EXPECT_THAT([&] { SetOption(options, "voxels.neighbor_axes", 1.5); },
+  EXPECT_THAT([&] { SetOption(options, "mrf.max_sweeps", 1.5); },
               ThrowsMessage<std::invalid_argument>(HasSubstr("whole number")));
   EXPECT_THAT([&] { SetOption(options, "mrf.beta", 1); },
               ThrowsMessage<std::invalid_argument>(HasSubstr("mrf.beta")));

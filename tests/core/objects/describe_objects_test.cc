@@ -17,7 +17,7 @@ struct Scene {
                   {500, 500, 320, 240},
                   std::nullopt};
   cv::Mat saliency{480, 640, CV_32FC1, cv::Scalar(0.5F)};
-  std::vector<float> confidences;
+  std::vector<float> confidences = std::vector<float>(9, 0.5F);
   Detections detections;
   cv::Mat points;  // of the frame's depth unless there are others
 
@@ -36,6 +36,7 @@ TEST(DescribeObjects, OrdersByConfidenceAndRenumbers) {
   Scene scene;
   scene.Label({100, 100, 20, 20}, 4);
   scene.Label({200, 200, 40, 50}, 9);
+  scene.confidences[3] = 0.4F;
   scene.Describe();
   ASSERT_EQ(scene.detections.objects.size(), 2U);
   const DetectedObject& first = scene.detections.objects[0];
@@ -166,7 +167,8 @@ TEST(DescribeObjects, StandsOnTheHighestSupportBelow) {
   const Eigen::Vector3f up = -Eigen::Vector3f::UnitY();
   const std::vector<Support> supports{{{up, 0.8F, 1}, Footprint()}, {{up, 0.1F, 1}, Footprint()}};
   const cv::Mat points = BackProject(scene.frame.depth_m, scene.frame.intrinsics, 10);
-  DescribeObjects(scene.frame, points, scene.saliency, {}, supports, {}, scene.detections);
+  DescribeObjects(scene.frame, points, scene.saliency, scene.confidences, supports, {},
+                  scene.detections);
   ASSERT_EQ(scene.detections.objects.size(), 1U);
   EXPECT_NEAR(*scene.detections.objects[0].height_above_support_m, 0.102, 1e-3);
 }

@@ -14,7 +14,7 @@ namespace fovea {
 namespace {
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-const DepthSaliencyOptions kPerPixel{.superpixels_per_diagonal = 0, .depth_prior = false};
+const DepthSaliencyOptions kPlain{.depth_prior = false};
 
 // --- The method word for word, pixel by pixel ----------------------------------------------------
 
@@ -136,7 +136,7 @@ float Deviation(const cv::Mat& a, const cv::Mat& b) {
 // --- Tests ---------------------------------------------------------------------------------------
 
 TEST(DepthSaliency, OfPixelsIsTheLiteralMethod) {
-  std::vector<DepthSaliencyOptions> cases(6, kPerPixel);
+  std::vector<DepthSaliencyOptions> cases(6, kPlain);
   cases[1].depth_prior = true;
   cases[2].center_prior = true;
   cases[3].line_step_px = 1;
@@ -155,7 +155,7 @@ TEST(DepthSaliency, OfPixelsIsTheLiteralMethod) {
 
 TEST(DepthSaliency, OfABoxIsOneOnItsTopAndZeroOnThePlane) {
   const cv::Rect box(30, 20, 20, 20);
-  const cv::Mat saliency = DepthSaliency(BoxOnAPlane(box), kPerPixel);
+  const cv::Mat saliency = DepthSaliency(BoxOnAPlane(box), kPlain);
   EXPECT_FLOAT_EQ(saliency.at<float>(30, 40), 1.0F);  // 8 · (1/1 − 1/2), the most there is
   EXPECT_NEAR(saliency.at<float>(5, 5), 0.0F, 1e-5F);
   EXPECT_NEAR(saliency.at<float>(50, 70), 0.0F, 1e-5F);
@@ -164,51 +164,36 @@ TEST(DepthSaliency, OfABoxIsOneOnItsTopAndZeroOnThePlane) {
 TEST(DepthSaliency, OfAHollowIsZeroInIt) {
   cv::Mat depth(60, 80, CV_32F, cv::Scalar(1));
   depth(cv::Rect(30, 20, 20, 20)) = 2.0F;
-  const cv::Mat saliency = DepthSaliency(depth, kPerPixel);
+  const cv::Mat saliency = DepthSaliency(depth, kPlain);
   EXPECT_NEAR(saliency.at<float>(30, 40), 0.0F, 1e-5F);
   // Right of the hollow only the line to the left meets it; at its corner at most three lines do.
   EXPECT_GT(saliency.at<float>(30, 60), 0.1F);
 }
 
-TEST(DepthSaliency, OfSuperpixelsTellsABoxFromThePlane) {
-  const cv::Rect box(30, 20, 20, 20);
-  const cv::Mat saliency = DepthSaliency(BoxOnAPlane(box), {.depth_prior = false});
-  EXPECT_GT(cv::mean(saliency(box))[0], 0.8);
-  cv::Mat plane = cv::Mat::ones(saliency.size(), CV_8U);
-  plane(cv::Rect(20, 10, 40, 40)) = 0;
-  EXPECT_LT(cv::mean(saliency, plane)[0], 0.02);
-}
-
 TEST(DepthSaliency, IsZeroOnConstantDepth) {
   const cv::Mat depth(30, 40, CV_32F, cv::Scalar(1.3));
-  for (const double superpixels : {0.0, 1.0}) {
-    const cv::Mat saliency = DepthSaliency(depth, {.superpixels_per_diagonal = superpixels});
-    EXPECT_EQ(cv::countNonZero(saliency), 0);
-  }
+  EXPECT_EQ(cv::countNonZero(DepthSaliency(depth)), 0);
 }
 
 TEST(DepthSaliency, IsZeroWhereThereIsNoDepth) {
-  for (const double superpixels : {0.0, 1.0}) {
-    const DepthSaliencyOptions options{.superpixels_per_diagonal = superpixels};
-    const cv::Mat none(30, 40, CV_32F, cv::Scalar(kNaN));
-    EXPECT_EQ(cv::countNonZero(DepthSaliency(none, options)), 0);
+  const cv::Mat none(30, 40, CV_32F, cv::Scalar(kNaN));
+  EXPECT_EQ(cv::countNonZero(DepthSaliency(none)), 0);
 
-    cv::Mat depth = BoxOnAPlane({30, 20, 20, 20});
-    depth(cv::Rect(0, 0, 80, 15)) = kNaN;
-    depth(cv::Rect(35, 25, 4, 4)) = kNaN;
-    const cv::Mat saliency = DepthSaliency(depth, options);
-    EXPECT_TRUE(cv::checkRange(saliency, true, nullptr, 0.0, 1.0 + 1e-6));
-    EXPECT_EQ(cv::countNonZero(saliency(cv::Rect(0, 0, 80, 15))), 0);
-    EXPECT_EQ(cv::countNonZero(saliency(cv::Rect(35, 25, 4, 4))), 0);
-  }
+  cv::Mat depth = BoxOnAPlane({30, 20, 20, 20});
+  depth(cv::Rect(0, 0, 80, 15)) = kNaN;
+  depth(cv::Rect(35, 25, 4, 4)) = kNaN;
+  const cv::Mat saliency = DepthSaliency(depth);
+  EXPECT_TRUE(cv::checkRange(saliency, true, nullptr, 0.0, 1.0 + 1e-6));
+  EXPECT_EQ(cv::countNonZero(saliency(cv::Rect(0, 0, 80, 15))), 0);
+  EXPECT_EQ(cv::countNonZero(saliency(cv::Rect(35, 25, 4, 4))), 0);
 }
 
 // A hole is not a far place: what is seen through it is unknown.
 TEST(DepthSaliency, IsNotRaisedByAHoleNearby) {
   cv::Mat depth = BoxOnAPlane({50, 30, 10, 10});
-  const cv::Mat before = DepthSaliency(depth, kPerPixel);
+  const cv::Mat before = DepthSaliency(depth, kPlain);
   depth(cv::Rect(10, 10, 12, 12)) = kNaN;
-  const cv::Mat after = DepthSaliency(depth, kPerPixel);
+  const cv::Mat after = DepthSaliency(depth, kPlain);
   EXPECT_NEAR(after.at<float>(16, 26), before.at<float>(16, 26), 1e-5F);
 }
 
@@ -216,17 +201,17 @@ TEST(DepthSaliency, FallsBehindTheNearerHalfWithTheDepthPrior) {
   cv::Mat depth(60, 80, CV_32F, cv::Scalar(1));
   depth.rowRange(0, 25) = 4.0F;           // less than half of the image
   depth(cv::Rect(30, 5, 10, 10)) = 2.0F;  // stands out, but behind
-  const cv::Mat plain = DepthSaliency(depth, kPerPixel);
-  const cv::Mat weighted = DepthSaliency(depth, {.superpixels_per_diagonal = 0});
+  const cv::Mat plain = DepthSaliency(depth, kPlain);
+  const cv::Mat weighted = DepthSaliency(depth);
   EXPECT_NEAR(weighted.at<float>(10, 35), 0.5F * plain.at<float>(10, 35), 0.02F);
   EXPECT_FLOAT_EQ(weighted.at<float>(40, 40), plain.at<float>(40, 40));
 }
 
 TEST(DepthSaliency, FallsTowardsTheBorderWithTheCenterPrior) {
-  DepthSaliencyOptions options = kPerPixel;
+  DepthSaliencyOptions options = kPlain;
   options.center_prior = true;
   const cv::Mat depth = BoxOnAPlane({5, 5, 12, 12});
-  const cv::Mat plain = DepthSaliency(depth, kPerPixel);
+  const cv::Mat plain = DepthSaliency(depth, kPlain);
   const cv::Mat weighted = DepthSaliency(depth, options);
   const double down = (10 - 29.5) / 30, across = (10 - 39.5) / 40;
   const auto weight = static_cast<float>(std::exp(-down * down - across * across));
@@ -235,7 +220,7 @@ TEST(DepthSaliency, FallsTowardsTheBorderWithTheCenterPrior) {
 
 TEST(DepthSaliency, IsTheMapOfTheReducedDepthInFlatBlocks) {
   const cv::Mat depth = BoxOnAPlane({24, 20, 20, 20});
-  DepthSaliencyOptions options = kPerPixel;
+  DepthSaliencyOptions options = kPlain;
   options.line_step_px = 4;
   options.downscale = 2;
   const cv::Mat map = DepthSaliency(depth, options);

@@ -85,22 +85,6 @@ TEST(Footprint, LeavesSmallPartsOut) {
   EXPECT_EQ(none.AreaM2(), 0);
 }
 
-TEST(Footprint, KnowsWhichOfItsPartsCoversAPoint) {
-  Points points;
-  AddRectangle(0, 60, 100, 160, points);
-  AddRectangle(150, 160, 100, 110, points);
-  const Footprint footprint(points, {}, kTable, 0, 0);
-  ASSERT_EQ(footprint.PartAreasM2().size(), 2U);
-  const int large = footprint.PartAt({0.3F, 0.7F, 1.3F});
-  const int small = footprint.PartAt({1.55F, 0.7F, 1.05F});
-  ASSERT_GE(large, 0);
-  ASSERT_GE(small, 0);
-  EXPECT_NEAR(footprint.PartAreasM2()[large], 0.36, 0.05);
-  EXPECT_NEAR(footprint.PartAreasM2()[small], 0.01, 0.005);
-  EXPECT_EQ(footprint.PartAt({1.0F, 0.7F, 1.05F}), -1);
-  EXPECT_EQ(Footprint().PartAt({1, 2, 3}), 0);
-}
-
 TEST(Footprint, APileDoesNotPartASurface) {
   Points left_and_right;
   AddRectangle(0, 40, 100, 160, left_and_right);   // 0.24 m²

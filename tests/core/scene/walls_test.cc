@@ -10,7 +10,7 @@ namespace {
 
 const Eigen::Vector3f kUp = -Eigen::Vector3f::UnitY();
 constexpr SupportOptions kTolerance{.tolerance_m = 0.004, .tolerance_per_m = 0.006};
-constexpr WallOptions kOptions{.min_extent_m = 0.4, .min_area_m2 = 0.08};
+constexpr WallOptions kOptions{.min_extent_m = 0.4};
 
 // A rectangle of voxels every 2 cm around `center`, as wide and high as asked for, with some noise.
 void AddUpright(VoxelGrid& grid, const Eigen::Vector3f& center, const Eigen::Vector3f& normal,
@@ -104,7 +104,7 @@ TEST(FindWalls, IsOffWithoutAnExtentAndTakesNoVoxels) {
   VoxelGrid grid;
   EXPECT_TRUE(FindWalls(grid, kUp, {}, kTolerance, kOptions).empty());
   AddUpright(grid, {0, 0, 2.5F}, -Eigen::Vector3f::UnitZ(), 2, 1);
-  const std::vector<char> on_wall = FindWalls(grid, kUp, {}, kTolerance, {});
+  const std::vector<char> on_wall = FindWalls(grid, kUp, {}, kTolerance, {.min_extent_m = 0});
   EXPECT_EQ(Count(on_wall, 0, on_wall.size()), 0);
 }
 

@@ -25,8 +25,7 @@ std::vector<int> Columns(const std::vector<Seed>& seeds) {
 
 TEST(CoverWithSeeds, StartsInTheMiddleAndReachesBothEnds) {
   const VoxelGrid grid = Line(21);
-  const auto seeds =
-      CoverWithSeeds(grid, std::vector<char>(21, 0), {}, {.spacing_m = 0.06, .min_voxels = 5});
+  const auto seeds = CoverWithSeeds(grid, std::vector<char>(21, 0), {}, {.spacing_m = 0.06});
   // 10 is the middle; both ends are 10 cm away; what is left is within 6 cm of one of the three.
   EXPECT_EQ(Columns(seeds), (std::vector<int>{10, 0, 20}));
   for (const Seed& seed : seeds) EXPECT_EQ(seed.source, Seed::Source::kUnexplainedRegion);
@@ -41,12 +40,12 @@ TEST(CoverWithSeeds, KeepsGivenSeedsAndAddsOnlyWhatIsMissing) {
 }
 
 TEST(CoverWithSeeds, GivesEachLargeEnoughPartItsOwnSeed) {
-  const VoxelGrid grid = Line(30, {10, 13});  // parts of 10, 2 and 16 voxels
-  const auto seeds = CoverWithSeeds(grid, std::vector<char>(grid.voxels.size(), 0), {},
-                                    {.spacing_m = 0.5, .min_voxels = 5});
+  const VoxelGrid grid = Line(61, {20, 40});  // parts of 20, 19 and 20 voxels
+  const auto seeds =
+      CoverWithSeeds(grid, std::vector<char>(grid.voxels.size(), 0), {}, {.spacing_m = 0.5});
   ASSERT_EQ(seeds.size(), 2U);
-  EXPECT_LT(seeds[0].pixel.x, 10);
-  EXPECT_GT(seeds[1].pixel.x, 13);
+  EXPECT_LT(seeds[0].pixel.x, 20);
+  EXPECT_GT(seeds[1].pixel.x, 40);
 }
 
 TEST(CoverWithSeeds, LeavesTheBackgroundAlone) {
@@ -55,11 +54,11 @@ TEST(CoverWithSeeds, LeavesTheBackgroundAlone) {
 }
 
 TEST(CoverWithSeeds, LeavesPartsAloneThatAreTooLongForAnObject) {
-  const VoxelGrid grid = Line(30, {10});  // parts of 10 and 19 cm
-  const auto seeds = CoverWithSeeds(grid, std::vector<char>(grid.voxels.size(), 0), {},
-                                    {.spacing_m = 0.5, .min_voxels = 5, .max_extent_m = 0.15});
+  const VoxelGrid grid = Line(300, {145});  // parts of 144 and 153 cm
+  const auto seeds =
+      CoverWithSeeds(grid, std::vector<char>(grid.voxels.size(), 0), {}, {.spacing_m = 2});
   ASSERT_EQ(seeds.size(), 1U);
-  EXPECT_LT(seeds[0].pixel.x, 10);
+  EXPECT_LT(seeds[0].pixel.x, 145);
 }
 
 TEST(CoverWithSeeds, DoesNothingWithoutSpacing) {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <random>
 
+#include "tests/core/segmentation/energy_of.h"
+
 namespace fovea {
 namespace {
 
@@ -48,7 +50,7 @@ TEST(MinimizeByAlphaExpansion, IsOptimalWithTwoLabels) {
   for (unsigned seed = 0; seed < 200; ++seed) {
     std::mt19937 random(seed);
     const PottsEnergy energy = RandomEnergy(random, 8, 2);
-    const double reached = EnergyOf(energy, MinimizeByAlphaExpansion(energy, {10}));
+    const double reached = EnergyOf(energy, MinimizeByAlphaExpansion(energy, 10));
     EXPECT_NEAR(reached, Optimum(energy), 1e-3) << "seed " << seed;
   }
 }
@@ -58,7 +60,7 @@ TEST(MinimizeByAlphaExpansion, StaysWithinTwiceTheOptimumWithFourLabels) {
   for (unsigned seed = 0; seed < 100; ++seed) {
     std::mt19937 random(seed);
     const PottsEnergy energy = RandomEnergy(random, 6, 4);
-    const double reached = EnergyOf(energy, MinimizeByAlphaExpansion(energy, {20}));
+    const double reached = EnergyOf(energy, MinimizeByAlphaExpansion(energy, 20));
     const double optimum = Optimum(energy);
     EXPECT_LE(reached, 2 * optimum + 1e-3) << "seed " << seed;
     if (reached <= optimum + 1e-3) ++exact;
@@ -66,21 +68,19 @@ TEST(MinimizeByAlphaExpansion, StaysWithinTwiceTheOptimumWithFourLabels) {
   EXPECT_GE(exact, 90);  // in practice it is nearly always the optimum
 }
 
-// Later sweeps lower the energy also where labels that nobody has sit out.
-TEST(MinimizeByAlphaExpansion, OwnersAloneDoNearlyAsWell) {
+// A second sweep lowers the energy also where labels that nobody has sit out.
+TEST(ImproveByAlphaExpansion, OwnersAloneDoNearlyAsWell) {
   double first = 0, owners = 0, all = 0;
   for (unsigned seed = 0; seed < 100; ++seed) {
     std::mt19937 random(seed);
     const PottsEnergy energy = RandomEnergy(random, 12, 8);
-    const auto reached = [&](const ExpansionOptions& options) {
-      return EnergyOf(energy, MinimizeByAlphaExpansion(energy, options));
-    };
-    const double once = reached({.max_sweeps = 1});
-    const double twice = reached({.max_sweeps = 2, .only_owners = true});
+    const std::vector<int> labels = MinimizeByAlphaExpansion(energy, 1);
+    const double once = EnergyOf(energy, labels);
+    const double twice = EnergyOf(energy, ImproveByAlphaExpansion(energy, labels, 1));
     EXPECT_LE(twice, once + 1e-3) << "seed " << seed;
     first += once;
     owners += twice;
-    all += reached({.max_sweeps = 2});
+    all += EnergyOf(energy, MinimizeByAlphaExpansion(energy, 2));
   }
   EXPECT_LT(owners, first);
   EXPECT_LE(all, owners + 1e-3);
@@ -91,17 +91,17 @@ TEST(MinimizeByAlphaExpansion, NeverGivesALabelThatIsNoChoice) {
   PottsEnergy energy{.num_nodes = 2,
                      .choices = {{Choice{0, 1}, Choice{1, 1}}, {Choice{0, 0}}},
                      .edges = {{0, 1, 10}}};
-  EXPECT_EQ(MinimizeByAlphaExpansion(energy, {5}), (std::vector<int>{0, 0}));
+  EXPECT_EQ(MinimizeByAlphaExpansion(energy, 5), (std::vector<int>{0, 0}));
   energy.edges[0].weight = 0.5F;
-  EXPECT_EQ(MinimizeByAlphaExpansion(energy, {5}), (std::vector<int>{1, 0}));
+  EXPECT_EQ(MinimizeByAlphaExpansion(energy, 5), (std::vector<int>{1, 0}));
 }
 
 TEST(MinimizeByAlphaExpansion, HandlesSingleNodesNoEdgesAndNothing) {
-  EXPECT_TRUE(MinimizeByAlphaExpansion({}).empty());
+  EXPECT_TRUE(MinimizeByAlphaExpansion({}, 5).empty());
   const PottsEnergy lone{.num_nodes = 1, .choices = {{Choice{0, 2}}, {Choice{0, 1}}}, .edges = {}};
-  EXPECT_EQ(MinimizeByAlphaExpansion(lone), (std::vector<int>{1}));
+  EXPECT_EQ(MinimizeByAlphaExpansion(lone, 5), (std::vector<int>{1}));
   const PottsEnergy tie{.num_nodes = 1, .choices = {{Choice{0, 1}}, {Choice{0, 1}}}, .edges = {}};
-  EXPECT_EQ(MinimizeByAlphaExpansion(tie), (std::vector<int>{0}));
+  EXPECT_EQ(MinimizeByAlphaExpansion(tie, 5), (std::vector<int>{0}));
 }
 
 TEST(ImproveByAlphaExpansion, NeverRaisesTheEnergy) {
@@ -113,7 +113,7 @@ TEST(ImproveByAlphaExpansion, NeverRaisesTheEnergy) {
     for (const PottsEnergy::Choice& choice : energy.choices[1 + seed % 7]) {
       if (random() % 2 == 0) labels[choice.node] = static_cast<int>(1 + seed % 7);
     }
-    const std::vector<int> improved = ImproveByAlphaExpansion(energy, labels, {5, true});
+    const std::vector<int> improved = ImproveByAlphaExpansion(energy, labels, 5);
     EXPECT_LE(EnergyOf(energy, improved), EnergyOf(energy, labels) + 1e-3) << "seed " << seed;
     before += EnergyOf(energy, labels);
     after += EnergyOf(energy, improved);
@@ -127,10 +127,10 @@ TEST(ImproveByAlphaExpansion, LeavesTheOptimumAndOnlyExpandsOwners) {
                                        {Choice{0, 1}, Choice{1, 2}},
                                        {Choice{0, 0}, Choice{1, 0}}},
                            .edges = {{0, 1, 5}}};
-  EXPECT_EQ(ImproveByAlphaExpansion(energy, {2, 2}), (std::vector<int>{2, 2}));
-  EXPECT_EQ(ImproveByAlphaExpansion(energy, {0, 1}), (std::vector<int>{2, 2}));
-  EXPECT_EQ(ImproveByAlphaExpansion(energy, {0, 1}, {5, true}), (std::vector<int>{1, 1}));
-  EXPECT_EQ(ImproveByAlphaExpansion(energy, {0, 1}, {0, false}), (std::vector<int>{0, 1}));
+  EXPECT_EQ(MinimizeByAlphaExpansion(energy, 5), (std::vector<int>{2, 2}));
+  EXPECT_EQ(ImproveByAlphaExpansion(energy, {2, 2}, 5), (std::vector<int>{2, 2}));
+  EXPECT_EQ(ImproveByAlphaExpansion(energy, {0, 1}, 5), (std::vector<int>{1, 1}));
+  EXPECT_EQ(ImproveByAlphaExpansion(energy, {0, 1}, 0), (std::vector<int>{0, 1}));
 }
 
 TEST(EnergyOf, CountsCostsAndCutEdges) {

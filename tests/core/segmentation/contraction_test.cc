@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/core/segmentation/energy_of.h"
+
 namespace fovea {
 namespace {
 

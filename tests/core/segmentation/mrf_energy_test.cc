@@ -34,7 +34,7 @@ Voxel At(float x, const Eigen::Vector3f& normal) {
 }
 
 TEST(PairwiseWeight, FallsWithGroovesAndSteps) {
-  MrfOptions options{.lambda = 7, .concave_angle_deg = 12};
+  MrfOptions options{.lambda = 7, .concave_angle_deg = 12, .step_weight = 0};
   const Eigen::Vector3f left(-1, 0, -1);
   const Eigen::Vector3f right(1, 0, -1);
   const Eigen::Vector3f front(0, 0, -1);
@@ -52,9 +52,9 @@ TEST(PairwiseWeight, FallsWithGroovesAndSteps) {
 MeanColor Color(double hue) { return {{0, hue, 0}, 1}; }
 
 TEST(ColorShare, FallsWithTheDistanceOfTheColors) {
-  const MrfOptions options{.color_floor = 0.3, .color_distance = 10, .color_scale = 5};
-  EXPECT_EQ(ColorShare(Color(0), Color(10), options), 1);
-  EXPECT_NEAR(ColorShare(Color(0), Color(15), options), 0.3 + 0.7 * std::exp(-1), 1e-6);
+  const MrfOptions options{.color_floor = 0.3};
+  EXPECT_EQ(ColorShare(Color(0), Color(12), options), 1);
+  EXPECT_NEAR(ColorShare(Color(0), Color(20), options), 0.3 + 0.7 * std::exp(-1), 1e-6);
   EXPECT_EQ(ColorShare(Color(3), Color(18), options), ColorShare(Color(18), Color(3), options));
   EXPECT_NEAR(ColorShare(Color(0), Color(1000), options), 0.3, 1e-6);
 }

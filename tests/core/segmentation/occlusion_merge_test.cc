@@ -14,6 +14,7 @@ namespace {
 const Eigen::Vector3f kUp = -Eigen::Vector3f::UnitY();
 const CameraIntrinsics kIntrinsics{.fx_px = 200, .fy_px = 200, .cx_px = 0, .cy_px = 0};
 const cv::Vec3b kGrey(100, 100, 100);
+const cv::Vec3b kLightGrey(200, 200, 200);
 const cv::Vec3b kWhite(255, 255, 255);
 
 struct Pixel {
@@ -99,7 +100,12 @@ Scene HiddenMiddle(const Halves& halves) {
   });
 }
 
-constexpr OcclusionMergeOptions kBehind{.min_shared_surface = 0.5};
+// The bend that the inside of something hollow needs.
+constexpr OcclusionMergeOptions Hollow(double curvature_per_m) {
+  return {.min_shared_surface = 0, .min_hollow_curvature_per_m = curvature_per_m};
+}
+constexpr OcclusionMergeOptions kHollow = Hollow(5);
+constexpr OcclusionMergeOptions kBehind{.min_shared_surface = 0.5, .min_hollow_curvature_per_m = 0};
 
 TEST(MergeOccluded, JoinsThePartsOfAPlaneBehindAnOccluder) {
   const Scene scene = HiddenMiddle({});
@@ -111,25 +117,27 @@ TEST(MergeOccluded, JoinsThePartsOfAPlaneBehindAnOccluder) {
 
 TEST(MergeOccluded, KeepsPlanesApartThatAreOffset) {
   EXPECT_FALSE(AreJoined(HiddenMiddle({.offset_m = 0.03F}), kLeft, kRight, kBehind));
-  EXPECT_TRUE(AreJoined(HiddenMiddle({.offset_m = 0.03F}), kLeft, kRight,
-                        {.min_shared_surface = 0.5, .max_offset_m = 0.04}));
+  EXPECT_FALSE(AreJoined(HiddenMiddle({.offset_m = 0.012F}), kLeft, kRight, kBehind));
+  EXPECT_TRUE(AreJoined(HiddenMiddle({.offset_m = 0.008F}), kLeft, kRight, kBehind));
 }
 
 TEST(MergeOccluded, KeepsPlanesApartThatAreTurned) {
   Scene scene = HiddenMiddle({});
-  for (std::size_t v = 0; v < scene.labels.size(); ++v) {
-    if (scene.labels[v] == kRight) {
-      scene.grid.voxels[v].normal = Eigen::Vector3f(0.4F, 0, -1).normalized();  // 22°
+  const auto turn_right_half = [&](float slope) {
+    for (std::size_t v = 0; v < scene.labels.size(); ++v) {
+      if (scene.labels[v] != kRight) continue;
+      scene.grid.voxels[v].normal = Eigen::Vector3f(0, slope, -1).normalized();
     }
-  }
+  };
+  turn_right_half(0.4F);  // 22°
   EXPECT_FALSE(AreJoined(scene, kLeft, kRight, kBehind));
+  turn_right_half(0.2F);  // 11°
+  EXPECT_TRUE(AreJoined(scene, kLeft, kRight, kBehind));
 }
 
 TEST(MergeOccluded, KeepsDifferentColorsApart) {
-  const Scene scene = HiddenMiddle({.right_color = kWhite});  // L* 42 against 100, × 1.75 in grey
-  EXPECT_FALSE(AreJoined(scene, kLeft, kRight, kBehind));
-  EXPECT_TRUE(
-      AreJoined(scene, kLeft, kRight, {.min_shared_surface = 0.5, .max_color_distance = 110}));
+  EXPECT_FALSE(AreJoined(HiddenMiddle({.right_color = kWhite}), kLeft, kRight, kBehind));
+  EXPECT_TRUE(AreJoined(HiddenMiddle({.right_color = kLightGrey}), kLeft, kRight, kBehind));
 }
 
 TEST(MergeOccluded, KeepsPartsApartBetweenWhichTheBackgroundIsSeen) {
@@ -148,7 +156,8 @@ TEST(MergeOccluded, NeedsAnOccluder) {
 
 TEST(MergeOccluded, IsOffAtZero) {
   const Scene scene = HiddenMiddle({});
-  EXPECT_EQ(Merge(scene, {}), scene.labels);
+  EXPECT_EQ(Merge(scene, Hollow(0)), scene.labels);
+  EXPECT_EQ(Merge(scene, kHollow), scene.labels);
 }
 
 constexpr int kInside = 1;
@@ -173,8 +182,6 @@ Scene Cup(float back_sign = 1, float lift_m = 0) {
             .label = kOutside};
   });
 }
-
-constexpr OcclusionMergeOptions kHollow{.min_hollow_curvature_per_m = 5};
 
 TEST(MergeOccluded, JoinsTheInsideOfACupWithItsOutside) {
   EXPECT_TRUE(AreJoined(Cup(), kInside, kOutside, kHollow));
@@ -207,8 +214,8 @@ TEST(MergeOccluded, WhatFacesTheAxisOfACupIsNotItsOutside) {
 
 TEST(MergeOccluded, TheInsideBendsAtLeastAsMuchAsAsked) {
   // The radius of 4 cm is a curvature of 25/m.
-  EXPECT_TRUE(AreJoined(Cup(), kInside, kOutside, {.min_hollow_curvature_per_m = 24}));
-  EXPECT_FALSE(AreJoined(Cup(), kInside, kOutside, {.min_hollow_curvature_per_m = 26}));
+  EXPECT_TRUE(AreJoined(Cup(), kInside, kOutside, Hollow(24)));
+  EXPECT_FALSE(AreJoined(Cup(), kInside, kOutside, Hollow(26)));
 }
 
 TEST(MergeOccluded, HollowIsOffAtZero) {

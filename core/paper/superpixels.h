@@ -4,7 +4,7 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-namespace fovea {
+namespace fovea::paper {
 
 struct Superpixel {
   float x_px = 0;  // centroid
@@ -26,4 +26,4 @@ struct Superpixels {
 // `map`: CV_32FC1; a value that is not finite = none. `count` ≥ 1, `compactness` in the map's unit.
 Superpixels DivideIntoSuperpixels(const cv::Mat& map, int count, float compactness);
 
-}  // namespace fovea
+}  // namespace fovea::paper

@@ -1,11 +1,11 @@
-#include "core/saliency/superpixels.h"
+#include "core/paper/superpixels.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <opencv2/core.hpp>
 
-namespace fovea {
+namespace fovea::paper {
 namespace {
 
 TEST(DivideIntoSuperpixels, DividesAConstantMapIntoAGrid) {
@@ -52,4 +52,4 @@ TEST(DivideIntoSuperpixels, TakesMoreSuperpixelsThanPixels) {
 }
 
 }  // namespace
-}  // namespace fovea
+}  // namespace fovea::paper

@@ -1,4 +1,4 @@
-#include "core/saliency/superpixels.h"
+#include "core/paper/superpixels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "core/types/interruption.h"
 
-namespace fovea {
+namespace fovea::paper {
 namespace {
 
 constexpr int kIterations = 5;  // Achanta et al.: 10; from a grid, hardly a pixel moves after 5
@@ -125,4 +125,4 @@ Superpixels DivideIntoSuperpixels(const cv::Mat& map, int count, float compactne
   return superpixels;
 }
 
-}  // namespace fovea
+}  // namespace fovea::paper
