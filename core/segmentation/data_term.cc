@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "core/segmentation/neighborhoods.h"
 #include "core/types/interruption.h"
 #include "core/types/too_complex.h"
 
@@ -27,13 +28,36 @@ void ForEachPoint(const VoxelGrid& grid, const cv::Mat& points,
   }
 }
 
+// The voxels that are not background.
+struct Foreground {
+  std::vector<int> voxels;
+  std::vector<Eigen::Vector3f> means;
+};
+
+Foreground CollectForeground(const VoxelGrid& grid, const std::vector<char>& is_background) {
+  Foreground foreground;
+  for (int v = 0; v < static_cast<int>(is_background.size()); ++v) {
+    if (is_background[v]) continue;
+    foreground.voxels.push_back(v);
+    foreground.means.push_back(grid.voxels[v].mean);
+  }
+  return foreground;
+}
+
 using Positions = Eigen::Array<float, Eigen::Dynamic, 3>;  // a row each
 
-Positions PositionsOf(const std::vector<Seed>& seeds) {
-  Positions positions(static_cast<Eigen::Index>(seeds.size()), 3);
-  for (std::size_t i = 0; i < seeds.size(); ++i) {
-    positions.row(static_cast<Eigen::Index>(i)) = seeds[i].position.array().transpose();
+Positions Chosen(const std::vector<Eigen::Vector3f>& positions, const std::vector<int>& indices) {
+  Positions chosen(static_cast<Eigen::Index>(indices.size()), 3);
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    chosen.row(static_cast<Eigen::Index>(i)) = positions[indices[i]].array().transpose();
   }
+  return chosen;
+}
+
+std::vector<Eigen::Vector3f> PositionsOf(const std::vector<Seed>& seeds) {
+  std::vector<Eigen::Vector3f> positions;
+  positions.reserve(seeds.size());
+  for (const Seed& seed : seeds) positions.push_back(seed.position);
   return positions;
 }
 
@@ -57,6 +81,30 @@ std::vector<Eigen::Vector3f> NearSeeds(const Voxel& voxel, float radius, const P
   return near;
 }
 
+// The same of each voxel, without those from which no point of it is within `reach_m`.
+std::vector<std::vector<Eigen::Vector3f>> FindNearSeeds(const VoxelGrid& grid,
+                                                        const Foreground& foreground,
+                                                        const std::vector<float>& squared_radius,
+                                                        const std::vector<Seed>& seeds,
+                                                        float reach_m) {
+  std::vector<std::vector<Eigen::Vector3f>> near_seeds(grid.voxels.size());
+  if (foreground.voxels.empty()) return near_seeds;
+  const std::vector<Eigen::Vector3f> positions = PositionsOf(seeds);
+  const float max_radius = std::sqrt(std::ranges::max(squared_radius));
+  LongLoop loop;
+  ForEachNeighborhood(foreground.means, positions, reach_m + max_radius,
+                      [&](const std::vector<int>& members, const std::vector<int>& near) {
+                        const Positions around = Chosen(positions, near);
+                        for (const int i : members) {
+                          loop.Turn();
+                          const int v = foreground.voxels[i];
+                          near_seeds[v] =
+                              NearSeeds(grid.voxels[v], std::sqrt(squared_radius[v]), around);
+                        }
+                      });
+  return near_seeds;
+}
+
 // What the data term needs of a voxel's points.
 struct PointStatistics {
   std::vector<float> variance;         // mean squared distance of the points to their mean
@@ -70,9 +118,15 @@ float BackgroundCost(float squared_distance, const DataTermOptions& options) {
       -std::log(options.alpha * std::max(1 - p_object, options.min_probability)));
 }
 
+// From where on Eq. 5 leaves nothing of Eq. 6: less than half of the last bit of one.
+float BackgroundReach(const DataTermOptions& options) {
+  return static_cast<float>(std::sqrt(38 / options.gamma_per_m2));
+}
+
 PointStatistics Collect(const VoxelGrid& grid, const cv::Mat& points,
-                        const std::vector<char>& is_background, const cv::Mat& on_support,
-                        const std::vector<Seed>& seeds, const DataTermOptions& options) {
+                        const std::vector<char>& is_background, const Foreground& foreground,
+                        const cv::Mat& on_support, const std::vector<Seed>& seeds,
+                        const DataTermOptions& options) {
   const std::size_t num_voxels = grid.voxels.size();
   PointStatistics statistics{std::vector<float>(num_voxels), std::vector<float>(num_voxels)};
   std::vector<float> squared_radius(num_voxels);
@@ -83,14 +137,8 @@ PointStatistics Collect(const VoxelGrid& grid, const cv::Mat& points,
     squared_radius[v] = std::max(squared_radius[v], squared_distance);
   });
 
-  const Positions positions = PositionsOf(seeds);
-  LongLoop loop;
-  std::vector<std::vector<Eigen::Vector3f>> near_seeds(num_voxels);
-  for (std::size_t v = 0; v < num_voxels; ++v) {
-    loop.Turn();
-    if (is_background[v]) continue;
-    near_seeds[v] = NearSeeds(grid.voxels[v], std::sqrt(squared_radius[v]), positions);
-  }
+  const std::vector<std::vector<Eigen::Vector3f>> near_seeds =
+      FindNearSeeds(grid, foreground, squared_radius, seeds, BackgroundReach(options));
   ForEachPoint(grid, points, is_background, [&](int v, const Eigen::Vector3f& x, cv::Point at) {
     if (!on_support.empty() && on_support.at<std::uint8_t>(at) != 0) return;  // -ln 1
     float nearest = std::numeric_limits<float>::infinity();
@@ -104,42 +152,41 @@ PointStatistics Collect(const VoxelGrid& grid, const cv::Mat& points,
 
 constexpr std::size_t kMaxChoices = std::size_t{1} << 25U;
 
-// The voxels that are not background.
-struct Foreground {
-  std::vector<int> voxels;
-  Positions means;
-  std::vector<float> variances;
-};
+void RequireFewChoices(std::size_t num_choices) {
+  if (num_choices <= kMaxChoices) return;
+  throw TooComplex(
+      "mrf: too many voxels within reach of too many seeds; raise mrf.gamma_per_m2 or "
+      "voxels.size_m");
+}
 
-Foreground CollectForeground(const VoxelGrid& grid, const std::vector<char>& is_background,
-                             const std::vector<float>& variances) {
-  Foreground foreground;
-  for (int v = 0; v < static_cast<int>(is_background.size()); ++v) {
-    if (!is_background[v]) foreground.voxels.push_back(v);
-  }
-  foreground.means.resize(static_cast<Eigen::Index>(foreground.voxels.size()), 3);
-  for (const int v : foreground.voxels) {
-    const auto row = static_cast<Eigen::Index>(foreground.variances.size());
-    foreground.means.row(row) = grid.voxels[v].mean.array().transpose();
-    foreground.variances.push_back(variances[v]);
-  }
-  return foreground;
+float MaxCost(const DataTermOptions& options) {
+  return static_cast<float>(-std::log(options.min_probability));
+}
+
+// From where on no voxel has the hypothesis of a seed for a choice.
+float ChoiceReach(const DataTermOptions& options) {
+  return static_cast<float>(
+      std::min(options.reach_m, std::sqrt(MaxCost(options) / options.gamma_per_m2)));
 }
 
 // Eq. 2 and 5 in closed form: the mean of γ‖x − x₀‖² over a voxel's points is
 // γ(‖mean − x₀‖² + variance).
-std::vector<PottsEnergy::Choice> ChoicesOfSeed(const Foreground& foreground, const Seed& seed,
-                                               const DataTermOptions& options) {
-  const float max_cost = static_cast<float>(-std::log(options.min_probability));
+// `near`: of the foreground, ascending, with their means.
+std::vector<PottsEnergy::Choice> ChoicesOfSeed(const Foreground& foreground,
+                                               const std::vector<float>& variance,
+                                               const std::vector<int>& near, const Positions& means,
+                                               const Seed& seed, const DataTermOptions& options) {
+  const float max_cost = MaxCost(options);
   const float max_squared_distance = static_cast<float>(options.reach_m * options.reach_m);
-  const Eigen::ArrayXf squared_distances = SquaredDistances(foreground.means, seed.position);
+  const Eigen::ArrayXf squared_distances = SquaredDistances(means, seed.position);
   std::vector<PottsEnergy::Choice> choices;
-  for (std::size_t i = 0; i < foreground.voxels.size(); ++i) {
+  for (std::size_t i = 0; i < near.size(); ++i) {
     const float squared_distance = squared_distances[static_cast<Eigen::Index>(i)];
     if (squared_distance > max_squared_distance) continue;
-    const double squared = squared_distance + foreground.variances[i];
+    const int v = foreground.voxels[near[i]];
+    const double squared = squared_distance + variance[v];
     const auto cost = static_cast<float>(options.gamma_per_m2 * squared);
-    if (cost < max_cost) choices.push_back({foreground.voxels[i], cost});
+    if (cost < max_cost) choices.push_back({v, cost});
   }
   return choices;
 }
@@ -151,25 +198,26 @@ std::vector<std::vector<PottsEnergy::Choice>> DataTerm(const VoxelGrid& grid, co
                                                        const cv::Mat& on_support,
                                                        const std::vector<Seed>& seeds,
                                                        const DataTermOptions& options) {
+  const Foreground foreground = CollectForeground(grid, is_background);
   const PointStatistics statistics =
-      Collect(grid, points, is_background, on_support, seeds, options);
-  std::vector<std::vector<PottsEnergy::Choice>> choices(1);
+      Collect(grid, points, is_background, foreground, on_support, seeds, options);
+  std::vector<std::vector<PottsEnergy::Choice>> choices(seeds.size() + 1);
   InterruptionPoint();
   for (int v = 0; v < static_cast<int>(grid.voxels.size()); ++v) {
     choices[0].push_back({v, statistics.background_cost[v]});
   }
-  const Foreground foreground = CollectForeground(grid, is_background, statistics.variance);
   std::size_t num_choices = 0;
-  for (const Seed& seed : seeds) {
-    InterruptionPoint();
-    choices.push_back(ChoicesOfSeed(foreground, seed, options));
-    num_choices += choices.back().size();
-    if (num_choices > kMaxChoices) {
-      throw TooComplex(
-          "mrf: too many voxels within reach of too many seeds; raise mrf.gamma_per_m2 or "
-          "voxels.size_m");
+  const auto add_choices = [&](const std::vector<int>& members, const std::vector<int>& near) {
+    const Positions means = Chosen(foreground.means, near);
+    for (const int i : members) {
+      InterruptionPoint();
+      choices[i + 1] =
+          ChoicesOfSeed(foreground, statistics.variance, near, means, seeds[i], options);
+      num_choices += choices[i + 1].size();
+      RequireFewChoices(num_choices);
     }
-  }
+  };
+  ForEachNeighborhood(PositionsOf(seeds), foreground.means, ChoiceReach(options), add_choices);
   return choices;
 }
 
