@@ -74,7 +74,7 @@ struct Seed {
 
 // A salient position that did not become a seed.
 struct RemovedSeed {
-  enum class Reason { kWithoutDepth, kOnSupport };  // on or below the support surface, or beside it
+  enum class Reason { kWithoutDepth, kOnSupport };  // on it, below, beside or too high above
   cv::Point pixel;
   Seed::Source source = Seed::Source::kColorSaliency;
   Reason reason = Reason::kOnSupport;
@@ -84,6 +84,7 @@ struct RemovedSeed {
 struct Diagnostics {
   std::size_t num_pixels = 0;
   std::size_t num_measured = 0;      // pixels with depth in the frame
+  std::size_t num_too_far = 0;       // of these, beyond max_depth_m
   std::size_t num_points = 0;        // after hole filling and the range limit
   std::size_t seeds_from_color = 0;  // regional maxima of the colour saliency map
   std::size_t seeds_from_depth = 0;  // regional maxima of the depth saliency map

@@ -21,6 +21,7 @@
 namespace fovea {
 namespace {
 
+using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
@@ -108,6 +109,14 @@ TEST(Noise, CanBeStoppedInEachStage) {
   const LabelledScene scene{grid,  labels,   points, frame.color_rgb, colors, frame.intrinsics,
                             -down, supports, on_wall};
   ExpectToStop("refinement", 40 * kRows, [&] { Refine(scene, options); });
+}
+
+TEST(Noise, IsCalledNoise) {
+  const RgbdFrame frame = Noise({160, 120});
+  const Diagnostics found = Detect(frame, OptionsOfProfile("default")).diagnostics;
+  EXPECT_EQ(found.num_too_far, static_cast<std::size_t>(cv::countNonZero(frame.depth_m > 3)));
+  EXPECT_LT(2 * found.num_points, found.num_measured);
+  EXPECT_THAT(found.messages, Contains(HasSubstr("mostly noise")));
 }
 
 TEST(Noise, WithMoreSegmentsThanAnImageHoldsIsRefused) {
