@@ -2,7 +2,6 @@
 find_package(Threads REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs saliency)
-find_package(PCL REQUIRED QUIET COMPONENTS common)
 find_package(Protobuf REQUIRED) # module mode, before gRPC: Debian ships no protobuf CMake config
 find_package(gRPC CONFIG REQUIRED)
 find_package(spdlog REQUIRED)

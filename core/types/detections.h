@@ -2,9 +2,6 @@
 // z forward) in metres; colours are RGB.
 #pragma once
 
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
-
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
@@ -49,6 +46,11 @@ struct Grasp {
   float opening_m = 0;  // distance between the fingers that the object needs, without clearance
 };
 
+struct ColoredPoint {
+  float x = 0, y = 0, z = 0;  // camera frame, metres
+  std::uint8_t r = 0, g = 0, b = 0;
+};
+
 struct DetectedObject {
   int label = 0;               // 1, 2, … : its value in Detections::labels
   float confidence = 0;        // 0 … 1: the probability that it is an object with this box
@@ -61,7 +63,7 @@ struct DetectedObject {
   std::optional<float> height_above_support_m;         // of its lowest point
   bool truncated = false;                              // the mask ends with the image or its depth
   std::vector<Grasp> grasps;                           // best first
-  pcl::PointCloud<pcl::PointXYZRGB> cloud;             // one point per mask pixel, row-major order
+  std::vector<ColoredPoint> cloud;                     // one point per mask pixel, row-major order
 };
 
 // A position at which an object is looked for.
