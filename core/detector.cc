@@ -58,6 +58,7 @@ void FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* 
   InterruptionPoint();
   counts.num_pixels = measured.total();
   counts.num_measured = CountMeasured(measured);
+  counts.num_too_far = CountBeyond(measured, options.max_depth_m);
   counts.num_points = CountMeasured(ChannelZ(points));
   clock.Begin("normals");
 

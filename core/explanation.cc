@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace fovea {
 namespace {
 
@@ -13,39 +15,53 @@ std::string DepthLoss(const Diagnostics& d) {
   if (d.num_measured == 0) {
     return "no pixel has depth: check that depth is sent, its encoding and its unit";
   }
-  if (d.num_points == 0) {
+  if (d.num_too_far == d.num_measured) {
     return "every measured depth is beyond max_depth_m: check the depth unit";
   }
   if (2 * d.num_points < d.num_measured) {
-    return "more than half of the measured depth is beyond max_depth_m: raise it, or check the "
-           "depth unit";
+    if (2 * d.num_too_far > d.num_measured) {
+      return "more than half of the measured depth is beyond max_depth_m: raise it, or check the "
+             "depth unit";
+    }
+    return "more than half of the measured depth is no surface (flying_pixels.max_angle_deg) or "
+           "beyond max_depth_m: it may be mostly noise";
   }
   const double measured = Percent(d.num_measured, d.num_pixels);
   if (measured < 20) return fmt::format("only {:.1f} % of the pixels have depth", measured);
   return "";
 }
 
-std::string SeedLoss(const Diagnostics& d, std::size_t num_seeds) {
+std::string SeedLoss(const Diagnostics& d) {
+  if (d.num_seeds > 0) return "";
   const std::size_t found = d.seeds_from_color + d.seeds_from_depth;
   if (found == 0) return "nothing stands out in colour or depth, so there are no seeds";
-  if (num_seeds > 0) return "";
   return fmt::format(
-      "none of the {} salient positions became a seed: {} lie where there is no depth, {} on or "
-      "below the support surface",
+      "none of the {} salient positions became a seed: {} lie where there is no depth up to "
+      "max_depth_m, {} on, below or beside the support surface or too high above it",
       found, d.seeds_without_depth, d.seeds_on_support);
 }
 
-std::string SegmentLoss(const Diagnostics& d) {
-  if (d.num_segments == 0) return "everything is background, or outside of region.*";
+// Where nothing is reported.
+std::vector<std::string> SegmentLosses(const Diagnostics& d) {
+  if (d.num_segments == 0) return {"everything is background, or outside of region.*"};
+  std::vector<std::string> losses;
   if (d.segments_too_small > 0) {
-    return fmt::format("{} of {} segments are smaller than objects.min_pixels",
-                       d.segments_too_small, d.num_segments - d.num_merged);
+    losses.push_back(
+        fmt::format("all {} segments that may be objects are smaller than "
+                    "objects.min_pixels",
+                    d.segments_too_small));
   }
-  if (d.segments_implausible == 0) return "";
-  return fmt::format(
-      "{} possible objects were considered and none is likely enough one: return_rejected tells "
-      "why, objects.min_probability how likely is enough",
-      d.segments_implausible);
+  if (d.segments_implausible > 0) {
+    losses.push_back(fmt::format(
+        "{} possible objects were considered and are not likely enough: return_rejected tells why, "
+        "objects.min_probability how likely is enough",
+        d.segments_implausible));
+  }
+  if (losses.empty()) {
+    losses.push_back(
+        fmt::format("none of {} segments is likely an object and of some size", d.num_segments));
+  }
+  return losses;
 }
 
 }  // namespace
@@ -62,12 +78,14 @@ std::vector<std::string> ExplainLosses(const Detections& detections) {
     say("no support surface was found: no level surface is large enough, or gravity or the depth "
         "unit is wrong");
   }
-  say(SeedLoss(d, d.num_seeds));
+  say(SeedLoss(d));
   if (d.objects_less_salient > 0) {
     say(fmt::format("{} less salient objects were left out, as objects.max_objects asks for",
                     d.objects_less_salient));
   }
-  if (d.num_seeds > 0 && detections.objects.empty()) say(SegmentLoss(d));
+  if (d.num_seeds > 0 && detections.objects.empty()) {
+    for (std::string& loss : SegmentLosses(d)) say(std::move(loss));
+  }
   return messages;
 }
 

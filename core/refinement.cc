@@ -3,6 +3,7 @@
 #include "core/objects/rejection.h"
 #include "core/segmentation/labels.h"
 #include "core/segmentation/segment_graph.h"
+#include "core/types/interruption.h"
 
 namespace fovea {
 namespace {
@@ -29,14 +30,17 @@ RefinedScene Refine(const LabelledScene& scene, const DetectorOptions& options) 
   RequireFewSegments(result.segments);
   result.tree = JoinSegments(scene, result.segments, options);
   result.evidence = CollectEvidence(scene, result.segments, result.tree, options.support);
+  InterruptionPoint();
   const std::vector<double> probabilities =
       ObjectProbabilities(result.tree, options.object_model->LogWeights(result.evidence));
+  InterruptionPoint();
   const std::vector<int> chosen = ChooseObjects(result.tree, probabilities, options.choice);
   result.objects = LabelsOfChosen(result.tree, chosen, result.segments);
   for (const int node : chosen) {
     result.confidences.push_back(static_cast<float>(probabilities[node]));
     result.num_merged += result.evidence[node].num_segments - 1;
   }
+  InterruptionPoint();
   result.rejected =
       FindRejected(result.tree, chosen, result.evidence, probabilities, *options.object_model);
   return result;

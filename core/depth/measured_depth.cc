@@ -17,6 +17,10 @@ std::size_t CountMeasured(const cv::Mat& depth_m) {
   return static_cast<std::size_t>(cv::countNonZero(depth_m == depth_m));  // false for NaN
 }
 
+std::size_t CountBeyond(const cv::Mat& depth_m, double limit_m) {
+  return static_cast<std::size_t>(cv::countNonZero(depth_m > static_cast<float>(limit_m)));
+}
+
 cv::Mat ChannelZ(const cv::Mat& points) {
   cv::Mat z;
   cv::extractChannel(points, z, 2);

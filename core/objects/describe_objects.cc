@@ -85,7 +85,7 @@ DetectedObject Describe(const RgbdFrame& frame, const cv::Mat& points, const Can
   SetColoredCloud(frame, points, pixels, object);
 
   std::vector<Eigen::Vector3f> positions;
-  for (const pcl::PointXYZRGB& p : object.cloud) positions.emplace_back(p.x, p.y, p.z);
+  for (const ColoredPoint& p : object.cloud) positions.emplace_back(p.x, p.y, p.z);
   InterruptionPoint();
   const std::optional<SupportSurface> support = OwnSupport(supports, positions);
   object.box =

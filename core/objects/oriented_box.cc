@@ -7,7 +7,7 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
-#include "core/scene/level_axes.h"
+#include "core/types/level_axes.h"
 
 namespace fovea {
 namespace {

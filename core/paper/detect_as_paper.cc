@@ -26,6 +26,7 @@ void FindObjects(const RgbdFrame& frame, const PaperOptions& options, Trace* tra
   const cv::Mat points = BackProject(depth, frame.intrinsics, options.max_depth_m);
   counts.num_pixels = measured.total();
   counts.num_measured = CountMeasured(measured);
+  counts.num_too_far = CountBeyond(measured, options.max_depth_m);
   counts.num_points = CountMeasured(ChannelZ(points));
   clock.Begin("normals");
   const NormalMap normals = EstimateNormals(points, frame.intrinsics, options.normals);

@@ -5,8 +5,8 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "core/scene/level_axes.h"
 #include "core/types/detections.h"
+#include "core/types/level_axes.h"
 
 namespace fovea {
 

@@ -20,14 +20,16 @@ constexpr std::size_t kMinVoxels = 20;  // of a connected part; fewer are noise
 constexpr float kMaxExtentM = 1.5F;
 constexpr float kUnreached = std::numeric_limits<float>::infinity();
 
+using Neighbors = Adjacency<int>;  // voxels
+
 // Distance of every voxel to the nearest source along the surface, kept up to date as sources are
 // added.
 class SurfaceDistance {
  public:
-  SurfaceDistance(const VoxelGrid& grid, const Adjacency& adjacency,
+  SurfaceDistance(const VoxelGrid& grid, const Neighbors& neighbors,
                   const std::vector<char>& is_background)
       : grid_(grid),
-        adjacency_(adjacency),
+        neighbors_(neighbors),
         is_background_(is_background),
         distance_(grid.voxels.size(), kUnreached) {}
 
@@ -44,7 +46,7 @@ class SurfaceDistance {
       const auto [distance, voxel] = queue.top();
       queue.pop();
       if (distance > distance_[voxel]) continue;
-      for (const int neighbor : adjacency_.NeighborsOf(voxel)) {
+      for (const int neighbor : neighbors_.Of(voxel)) {
         if (is_background_[neighbor]) continue;
         const float step = (grid_.voxels[neighbor].mean - grid_.voxels[voxel].mean).norm();
         if (distance + step >= distance_[neighbor]) continue;
@@ -56,7 +58,7 @@ class SurfaceDistance {
 
  private:
   const VoxelGrid& grid_;
-  const Adjacency& adjacency_;
+  const Neighbors& neighbors_;
   const std::vector<char>& is_background_;
   std::vector<float> distance_;
 };
@@ -136,9 +138,10 @@ std::vector<cv::Point> PixelsOfVoxels(const VoxelGrid& grid) {
 std::vector<Seed> CoverWithSeeds(const VoxelGrid& grid, const std::vector<char>& is_background,
                                  const std::vector<Seed>& seeds, const CoverOptions& options) {
   if (options.spacing_m <= 0) return seeds;
-  const Adjacency adjacency(grid);
+  const Neighbors neighbors(grid.voxels.size(), grid.edges,
+                            [](const VoxelEdge& /*edge*/, int voxel) { return voxel; });
   InterruptionPoint();
-  SurfaceDistance distance(grid, adjacency, is_background);
+  SurfaceDistance distance(grid, neighbors, is_background);
   for (const Seed& seed : seeds) {
     const int voxel = grid.voxel_of_pixel.at<int>(seed.pixel);
     if (voxel >= 0 && !is_background[voxel]) distance.AddSource(voxel);

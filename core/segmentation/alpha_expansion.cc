@@ -3,41 +3,26 @@
 #include <limits>
 #include <utility>
 
+#include "core/segmentation/adjacency.h"
 #include "core/segmentation/binary_energy.h"
 #include "core/types/interruption.h"
 
 namespace fovea {
 namespace {
 
-// The edges of each node, so that an expansion only looks at its own part of the graph.
-class Adjacency {
- public:
-  explicit Adjacency(const PottsEnergy& energy) : first_(energy.num_nodes + 1, 0) {
-    for (const PottsEnergy::Edge& edge : energy.edges) {
-      ++first_[edge.a + 1];
-      ++first_[edge.b + 1];
-    }
-    for (std::size_t node = 1; node < first_.size(); ++node) first_[node] += first_[node - 1];
-    links_.resize(first_.back());
-    InterruptionPoint();
-    std::vector<int> next(first_.begin(), first_.end() - 1);
-    for (const PottsEnergy::Edge& edge : energy.edges) {
-      links_[next[edge.a]++] = {edge.b, edge.weight};
-      links_[next[edge.b]++] = {edge.a, edge.weight};
-    }
-  }
-
-  struct Link {
-    int node;
-    float weight;
-  };
-  const Link* begin(int node) const { return links_.data() + first_[node]; }
-  const Link* end(int node) const { return links_.data() + first_[node + 1]; }
-
- private:
-  std::vector<int> first_;
-  std::vector<Link> links_;
+struct Link {
+  int node = 0;
+  float weight = 0;
 };
+
+// So that an expansion only looks at its own part of the graph.
+using Links = Adjacency<Link>;
+
+Links LinksOf(const PottsEnergy& energy) {
+  return Links(energy.num_nodes, energy.edges, [](const PottsEnergy::Edge& edge, int node) {
+    return Link{node, edge.weight};
+  });
+}
 
 struct Labelling {
   std::vector<int> labels;
@@ -62,9 +47,9 @@ Labelling CheapestLabels(const PottsEnergy& energy) {
 // `variable_of` is scratch: -1 for every node, before and after.
 class Expansion {
  public:
-  Expansion(const PottsEnergy& energy, const Adjacency& adjacency, const Labelling& current,
-            int alpha, std::vector<int>& variable_of)
-      : adjacency_(adjacency), current_(current), alpha_(alpha), variable_of_(variable_of) {
+  Expansion(const PottsEnergy& energy, const Links& links, const Labelling& current, int alpha,
+            std::vector<int>& variable_of)
+      : links_(links), current_(current), alpha_(alpha), variable_of_(variable_of) {
     for (const PottsEnergy::Choice& choice : energy.choices[alpha]) {
       if (current.labels[choice.node] == alpha) continue;
       variable_of_[choice.node] = static_cast<int>(moves_.size());
@@ -89,24 +74,24 @@ class Expansion {
     const int node = moves_[a].node;
     float keep_cost = current_.costs[node];
     float take_cost = moves_[a].cost;
-    for (const auto* link = adjacency_.begin(node); link != adjacency_.end(node); ++link) {
-      const int b = variable_of_[link->node];
-      const bool differ = current_.labels[node] != current_.labels[link->node];
+    for (const Link& link : links_.Of(node)) {
+      const int b = variable_of_[link.node];
+      const bool differ = current_.labels[node] != current_.labels[link.node];
       if (b < 0) {  // the neighbour stays as it is
-        if (differ) keep_cost += link->weight;
-        if (current_.labels[link->node] != alpha_) take_cost += link->weight;
+        if (differ) keep_cost += link.weight;
+        if (current_.labels[link.node] != alpha_) take_cost += link.weight;
       } else if (a < b && !differ) {
-        energy_.pairs.push_back({a, b, link->weight, link->weight});
+        energy_.pairs.push_back({a, b, link.weight, link.weight});
       } else if (a < b) {
         // Costs the weight unless both take.
-        keep_cost += link->weight;
-        energy_.pairs.push_back({a, b, link->weight, 0});
+        keep_cost += link.weight;
+        energy_.pairs.push_back({a, b, link.weight, 0});
       }
     }
     energy_.costs.push_back(take_cost - keep_cost);
   }
 
-  const Adjacency& adjacency_;
+  const Links& links_;
   const Labelling& current_;
   int alpha_;
   std::vector<int>& variable_of_;
@@ -126,7 +111,7 @@ class Sweeps {
  public:
   Sweeps(const PottsEnergy& energy, Labelling start)
       : energy_(energy),
-        adjacency_(energy),
+        links_(LinksOf(energy)),
         current_(std::move(start)),
         scratch_(energy.num_nodes, -1) {}
 
@@ -148,7 +133,7 @@ class Sweeps {
   bool Expand(int alpha) {
     InterruptionPoint();
     const std::vector<PottsEnergy::Choice> moves =
-        Expansion(energy_, adjacency_, current_, alpha, scratch_).Solve();
+        Expansion(energy_, links_, current_, alpha, scratch_).Solve();
     for (const PottsEnergy::Choice& move : moves) {
       current_.labels[move.node] = alpha;
       current_.costs[move.node] = move.cost;
@@ -157,7 +142,7 @@ class Sweeps {
   }
 
   const PottsEnergy& energy_;
-  Adjacency adjacency_;
+  Links links_;
   Labelling current_;
   std::vector<int> scratch_;
 };

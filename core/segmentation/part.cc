@@ -1,8 +1,8 @@
 #include "core/segmentation/part.h"
 
-#include "core/scene/level_axes.h"
 #include "core/segmentation/labels.h"
 #include "core/types/interruption.h"
+#include "core/types/level_axes.h"
 
 namespace fovea {
 

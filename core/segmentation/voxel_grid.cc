@@ -134,8 +134,9 @@ CellIndex CollectVoxels(const cv::Mat& points, const NormalMap& normals,
 }
 
 void Finish(std::vector<Voxel>& voxels) {
-  InterruptionPoint();
+  LongLoop loop;
   for (Voxel& voxel : voxels) {
+    loop.Turn();
     voxel.mean /= static_cast<float>(voxel.num_points);
     const float length = voxel.normal.norm();
     if (length > 1e-3F) voxel.normal /= length;
@@ -161,7 +162,9 @@ void SmoothNormals(VoxelGrid& grid) {
   InterruptionPoint();
   std::vector<Eigen::Vector3f> sums;
   for (const Voxel& voxel : grid.voxels) sums.push_back(voxel.normal);
+  LongLoop loop;
   for (const VoxelEdge& edge : grid.edges) {
+    loop.Turn();
     sums[edge.a] += grid.voxels[edge.b].normal;
     sums[edge.b] += grid.voxels[edge.a].normal;
   }

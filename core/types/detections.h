@@ -2,9 +2,6 @@
 // z forward) in metres; colours are RGB.
 #pragma once
 
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
-
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
@@ -49,6 +46,11 @@ struct Grasp {
   float opening_m = 0;  // distance between the fingers that the object needs, without clearance
 };
 
+struct ColoredPoint {
+  float x = 0, y = 0, z = 0;  // camera frame, metres
+  std::uint8_t r = 0, g = 0, b = 0;
+};
+
 struct DetectedObject {
   int label = 0;               // 1, 2, … : its value in Detections::labels
   float confidence = 0;        // 0 … 1: the probability that it is an object with this box
@@ -63,7 +65,7 @@ struct DetectedObject {
   bool depth_missing = false;  // of most of the mask: it was seen as a hole in its support, the box
                                // is as deep as wide, and the grasp not more than a proposal
   std::vector<Grasp> grasps;   // best first
-  pcl::PointCloud<pcl::PointXYZRGB> cloud;  // one point per mask pixel, row-major order
+  std::vector<ColoredPoint> cloud;  // one point per mask pixel, row-major order
 };
 
 // A position at which an object is looked for.
@@ -76,7 +78,7 @@ struct Seed {
 
 // A salient position that did not become a seed.
 struct RemovedSeed {
-  enum class Reason { kWithoutDepth, kOnSupport };  // on or below the support surface, or beside it
+  enum class Reason { kWithoutDepth, kOnSupport };  // on it, below, beside or too high above
   cv::Point pixel;
   Seed::Source source = Seed::Source::kColorSaliency;
   Reason reason = Reason::kOnSupport;
@@ -86,6 +88,7 @@ struct RemovedSeed {
 struct Diagnostics {
   std::size_t num_pixels = 0;
   std::size_t num_measured = 0;      // pixels with depth in the frame
+  std::size_t num_too_far = 0;       // of these, beyond max_depth_m
   std::size_t num_points = 0;        // after hole filling and the range limit
   std::size_t seeds_from_color = 0;  // regional maxima of the colour saliency map
   std::size_t seeds_from_depth = 0;  // regional maxima of the depth saliency map

@@ -59,7 +59,7 @@ v1::Object ToProto(const DetectedObject& object, const std::string& frame_id,
   return proto;
 }
 
-v1::PointCloud CloudToProto(const pcl::PointCloud<pcl::PointXYZRGB>& cloud) {
+v1::PointCloud CloudToProto(const std::vector<ColoredPoint>& cloud) {
   v1::PointCloud proto;
   proto.mutable_positions()->Reserve(static_cast<int>(3 * cloud.size()));
   proto.mutable_colors()->reserve(3 * cloud.size());

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/types/detections.h"
 #include "fovea/v1/detection.pb.h"
@@ -13,6 +14,6 @@ namespace fovea::server {
 v1::Object ToProto(const DetectedObject& object, const std::string& frame_id,
                    const std::optional<Eigen::Isometry3d>& reference_from_camera);
 
-v1::PointCloud CloudToProto(const pcl::PointCloud<pcl::PointXYZRGB>& cloud);
+v1::PointCloud CloudToProto(const std::vector<ColoredPoint>& cloud);
 
 }  // namespace fovea::server

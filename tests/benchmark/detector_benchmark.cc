@@ -22,7 +22,7 @@ void DetectFrame(benchmark::State& state) {
     }
   }
   for (auto& [stage, counter] : state.counters) counter.flags = benchmark::Counter::kAvgIterations;
-  state.SetLabel(profile + ", " + name);
+  state.SetLabel(profile + ", " + SourceOf(name));
 }
 
 BENCHMARK(DetectFrame)

@@ -30,6 +30,11 @@ const std::vector<std::string>& FrameNames() {
   return names;
 }
 
+std::string SourceOf(const std::string& frame) {
+  const bool is_recorded = DataPath(frame + "_color.png") && DataPath(frame + "_depth.png");
+  return is_recorded ? frame : "generated, there is no " + frame;
+}
+
 cv::Mat ReadColor(const std::string& frame) {
   const auto path = DataPath(frame + "_color.png");
   if (!path) return GeneratedColor();

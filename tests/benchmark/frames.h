@@ -1,4 +1,4 @@
-// Frames of 640×480 to time stages on: recorded ones where they are, else generated ones.
+// Frames of 640×480 to time stages on: recorded ones where they are, else a generated one.
 #pragma once
 
 #include <string>
@@ -10,6 +10,9 @@ namespace fovea {
 
 // Three tables of growing clutter and a floor.
 const std::vector<std::string>& FrameNames();
+
+// What a frame of this name really is: its name, or that a generated one stands for it.
+std::string SourceOf(const std::string& frame);
 
 // CV_8UC3, R first.
 cv::Mat ReadColor(const std::string& frame);

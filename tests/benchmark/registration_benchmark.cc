@@ -20,7 +20,7 @@ void Registration(benchmark::State& state) {
   for (auto _ : state) {
     benchmark::DoNotOptimize(RegisterDepth(depth, depth_camera, beside, color_camera, size));
   }
-  state.SetLabel(frame);
+  state.SetLabel(SourceOf(frame));
 }
 BENCHMARK(Registration)
     ->ArgNames({"frame", "width", "height"})

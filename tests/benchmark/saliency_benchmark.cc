@@ -17,7 +17,7 @@ void SaliencyOfColor(benchmark::State& state) {
     benchmark::DoNotOptimize(
         StrengthSaliency(rgb, {.downscale = static_cast<int>(state.range(1))}));
   }
-  state.SetLabel(frame);
+  state.SetLabel(SourceOf(frame));
 }
 BENCHMARK(SaliencyOfColor)
     ->ArgNames({"frame", "downscale"})
@@ -28,6 +28,7 @@ void SaliencyOfDepth(benchmark::State& state) {
   const cv::Mat depth = ReadDepth(FrameNames()[1]);
   const Contrast contrast = paper::ContrastOfSuperpixels(static_cast<double>(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(DepthSaliency(depth, {}, contrast));
+  state.SetLabel(SourceOf(FrameNames()[1]));
 }
 BENCHMARK(SaliencyOfDepth)->ArgName("superpixels")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 
@@ -36,6 +37,7 @@ void Erosion(benchmark::State& state) {
   for (auto _ : state) {
     benchmark::DoNotOptimize(ErodeByDisk(map, static_cast<int>(state.range(0))));
   }
+  state.SetLabel(SourceOf(FrameNames()[1]));
 }
 BENCHMARK(Erosion)->ArgName("radius")->Arg(5)->Arg(10)->Arg(20)->Unit(benchmark::kMillisecond);
 
@@ -43,6 +45,7 @@ void Reconstruction(benchmark::State& state) {
   const cv::Mat map = StrengthSaliency(ReadColor(FrameNames()[1]));
   const cv::Mat marker = ErodeByDisk(map, static_cast<int>(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(ReconstructByDilation(marker, map));
+  state.SetLabel(SourceOf(FrameNames()[1]));
 }
 BENCHMARK(Reconstruction)->ArgName("radius")->Arg(5)->Arg(20)->Unit(benchmark::kMillisecond);
 
@@ -51,6 +54,7 @@ void RegionalMaxima(benchmark::State& state) {
   const cv::Mat opened =
       ReconstructByDilation(ErodeByDisk(map, static_cast<int>(state.range(0))), map);
   for (auto _ : state) benchmark::DoNotOptimize(LabelRegionalMaxima(opened));
+  state.SetLabel(SourceOf(FrameNames()[1]));
 }
 BENCHMARK(RegionalMaxima)->ArgName("radius")->Arg(5)->Arg(20)->Unit(benchmark::kMillisecond);
 

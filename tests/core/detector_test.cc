@@ -182,7 +182,7 @@ std::vector<float> DepthsAtRims(const scenes::LabelledFrame& truth, double max_a
   options.flying_pixels.max_angle_deg = max_angle_deg;
   std::vector<float> found;
   for (const DetectedObject& object : Detect(frame, options).objects) {
-    for (const pcl::PointXYZRGB& point : object.cloud) {
+    for (const ColoredPoint& point : object.cloud) {
       if (std::find(moved.begin(), moved.end(), point.z) != moved.end()) found.push_back(point.z);
     }
   }

@@ -41,13 +41,31 @@ TEST(ExplainLosses, AllTooFarExplainsAllElse) {
   Detections detections;
   detections.diagnostics.num_pixels = 1000;
   detections.diagnostics.num_measured = 800;
-  EXPECT_THAT(ExplainLosses(detections), ElementsAre(HasSubstr("beyond max_depth_m")));
+  detections.diagnostics.num_too_far = 800;
+  EXPECT_THAT(ExplainLosses(detections), ElementsAre(HasSubstr("every measured depth is beyond")));
 }
 
 TEST(ExplainLosses, MostlyTooFarIsNotCalledUnmeasured) {
   Detections detections = Usual();
   detections.diagnostics.num_points = detections.diagnostics.num_measured / 2 - 1;
-  EXPECT_THAT(ExplainLosses(detections), ElementsAre(HasSubstr("beyond max_depth_m")));
+  detections.diagnostics.num_too_far = detections.diagnostics.num_measured / 2 + 1;
+  EXPECT_THAT(ExplainLosses(detections), ElementsAre(HasSubstr("is beyond max_depth_m: raise")));
+}
+
+TEST(ExplainLosses, WhatIsLeftOutAsNoiseIsNotCalledTooFar) {
+  Detections detections = Usual();
+  detections.diagnostics.num_points = detections.diagnostics.num_measured / 2 - 1;
+  detections.diagnostics.num_too_far = detections.diagnostics.num_measured / 2 - 1;
+  EXPECT_THAT(ExplainLosses(detections), ElementsAre(HasSubstr("mostly noise")));
+  detections.diagnostics.num_points = 0;
+  EXPECT_THAT(ExplainLosses(detections), ElementsAre(HasSubstr("mostly noise")));
+}
+
+TEST(ExplainLosses, SeedsMayComeFromElsewhere) {
+  Detections detections = Usual();
+  detections.diagnostics.seeds_from_color = 0;
+  detections.diagnostics.seeds_from_depth = 0;
+  EXPECT_THAT(ExplainLosses(detections), IsEmpty());
 }
 
 TEST(ExplainLosses, LittleDepthIsGivenInPercent) {
@@ -81,7 +99,8 @@ TEST(ExplainLosses, NoSalientPositionBecameASeed) {
   detections.diagnostics.seeds_on_support = 7;
   EXPECT_THAT(ExplainLosses(detections),
               ElementsAre("none of the 10 salient positions became a seed: 3 lie where there is "
-                          "no depth, 7 on or below the support surface"));
+                          "no depth up to max_depth_m, 7 on, below or beside the support surface "
+                          "or too high above it"));
 }
 
 TEST(ExplainLosses, AllBackground) {
@@ -97,15 +116,24 @@ TEST(ExplainLosses, NothingIsLikelyEnough) {
   detections.objects.clear();
   detections.diagnostics.segments_implausible = 5;
   EXPECT_THAT(ExplainLosses(detections),
-              ElementsAre(HasSubstr("5 possible objects were considered and none is likely")));
+              ElementsAre(HasSubstr("5 possible objects were considered and are not likely")));
 }
 
-TEST(ExplainLosses, SmallSegmentsAreCountedAfterMerging) {
+TEST(ExplainLosses, WhatIsTooSmallAndWhatIsNotLikelyAreBothTold) {
   Detections detections = Usual();
   detections.objects.clear();
   detections.diagnostics.segments_too_small = 5;
-  EXPECT_THAT(ExplainLosses(detections),
-              ElementsAre("5 of 5 segments are smaller than objects.min_pixels"));
+  const std::string small =
+      "all 5 segments that may be objects are smaller than objects.min_pixels";
+  EXPECT_THAT(ExplainLosses(detections), ElementsAre(small));
+  detections.diagnostics.segments_implausible = 2;
+  EXPECT_THAT(ExplainLosses(detections), ElementsAre(small, HasSubstr("2 possible objects")));
+}
+
+TEST(ExplainLosses, NothingIsLeftUnexplained) {
+  Detections detections = Usual();
+  detections.objects.clear();
+  EXPECT_THAT(ExplainLosses(detections), ElementsAre(HasSubstr("none of 8 segments")));
 }
 
 TEST(ExplainLosses, SegmentsMayBeLostAsLongAsObjectsAreLeft) {

@@ -7,13 +7,17 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace fovea::testing {
 
-// What is logged while it lives.
+// What is logged while it lives. A line that holds `fails_at` is not: it throws what spdlog hands
+// on.
 class CapturedLog {
  public:
-  CapturedLog() : before_(spdlog::default_logger()) {
+  explicit CapturedLog(const std::string& fails_at = "")
+      : text_(std::make_shared<Text>(fails_at)), before_(spdlog::default_logger()) {
     spdlog::set_default_logger(std::make_shared<spdlog::logger>("captured", text_));
   }
   ~CapturedLog() { spdlog::set_default_logger(before_); }
@@ -28,6 +32,7 @@ class CapturedLog {
  private:
   class Text : public spdlog::sinks::base_sink<std::mutex> {
    public:
+    explicit Text(std::string fails_at) : fails_at_(std::move(fails_at)) {}
     std::string text() {
       const std::lock_guard lock(mutex_);
       return text_;
@@ -41,17 +46,20 @@ class CapturedLog {
     void sink_it_(const spdlog::details::log_msg& message) override {
       spdlog::memory_buf_t line;
       formatter_->format(message, line);
+      const std::string_view view(line.data(), line.size());
+      if (!fails_at_.empty() && view.find(fails_at_) != view.npos) throw 1;
       text_.append(line.data(), line.size());
       changed_.notify_all();
     }
     void flush_() override {}
 
    private:
+    const std::string fails_at_;
     std::string text_;
     std::condition_variable changed_;
   };
 
-  const std::shared_ptr<Text> text_ = std::make_shared<Text>();
+  const std::shared_ptr<Text> text_;
   const std::shared_ptr<spdlog::logger> before_;
 };
 

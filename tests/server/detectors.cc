@@ -16,7 +16,7 @@ Detections FindOne(const RgbdFrame& frame, const DetectorOptions& /*options*/, T
   object.box.center = {0.1F, 0.2F, 1.0F};
   object.box.size_m = {0.3F, 0.2F, 0.1F};
   object.grasps.resize(1);
-  object.cloud.push_back(pcl::PointXYZRGB(1.0F, 2.0F, 3.0F));
+  object.cloud.push_back({.x = 1, .y = 2, .z = 3});
   detections.objects = {object};
   detections.stage_times = {{"first", 1.5}};
   if (trace != nullptr) {

@@ -74,6 +74,31 @@ TEST(DataTerm, HasTheDataTermAsPrinted) {
   }
 }
 
+// The same where hypotheses reach a fraction of the scene: what is left out costs nothing else.
+TEST(DataTerm, LeavesOutNothingWithinReach) {
+  const Scene scene = RandomScene(15, 0.01);
+  const DataTermOptions options{.gamma_per_m2 = 10'000, .min_probability = 1e-3};
+  const std::vector<char> none(scene.grid.voxels.size(), 0);
+  const auto choices = DataTerm(scene.grid, scene.points, none, {}, scene.seeds, options);
+  const double max_cost = -std::log(options.min_probability);
+  for (int label = 0; label < 4; ++label) {
+    auto choice = choices[label].begin();
+    for (int v = 0; v < static_cast<int>(scene.grid.voxels.size()); ++v) {
+      const double cost = LiteralCost(scene, v, label, options);
+      if (label > 0 && cost > 0.99 * max_cost) {
+        if (choice != choices[label].end() && choice->node == v) ++choice;
+        continue;  // about the limit or beyond it
+      }
+      ASSERT_NE(choice, choices[label].end());
+      ASSERT_EQ(choice->node, v) << "label " << label;
+      EXPECT_NEAR(choice->cost, cost, 2e-3) << "voxel " << v << " label " << label;
+      ++choice;
+    }
+    if (label == 0) continue;
+    EXPECT_LT(choices[label].size(), scene.grid.voxels.size());
+  }
+}
+
 // Their only point is as far from the nearest seed as their mean: rounding must not lose that seed.
 TEST(DataTerm, BackgroundOfSinglePointsKnowsTheirNearestSeed) {
   const Scene scene = RandomScene(12, 1e-4);

@@ -1,0 +1,109 @@
+#include "core/segmentation/point_statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "core/segmentation/neighborhoods.h"
+#include "core/types/interruption.h"
+
+namespace fovea {
+namespace {
+
+// Calls visit(voxel, point, pixel) for every point of a voxel that is not background.
+template <typename Visit>
+void ForEachPoint(const VoxelGrid& grid, const cv::Mat& points,
+                  const std::vector<char>& is_background, Visit visit) {
+  for (int row = 0; row < points.rows; ++row) {
+    InterruptionPoint();
+    const int* voxel_of_pixel = grid.voxel_of_pixel.ptr<int>(row);
+    const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
+    for (int col = 0; col < points.cols; ++col) {
+      const int v = voxel_of_pixel[col];
+      if (v < 0 || is_background[v]) continue;
+      visit(v, Eigen::Vector3f(point[col][0], point[col][1], point[col][2]), cv::Point(col, row));
+    }
+  }
+}
+
+// The seeds that may be the nearest to a point of the voxel: by the triangle inequality those not
+// farther from its mean than the nearest one is, plus twice the voxel's radius.
+std::vector<Eigen::Vector3f> NearSeeds(const Voxel& voxel, float radius, const Positions& seeds) {
+  if (seeds.rows() == 0) return {};
+  const Eigen::ArrayXf squared_distance = SquaredDistances(seeds, voxel.mean);
+  // A little more for rounding, also where the voxel is a single point.
+  const float limit = 1.00001F * std::sqrt(squared_distance.minCoeff()) + 2.01F * radius;
+  std::vector<Eigen::Vector3f> near;
+  for (Eigen::Index i = 0; i < seeds.rows(); ++i) {
+    if (squared_distance[i] <= limit * limit) near.emplace_back(seeds.row(i).matrix());
+  }
+  return near;
+}
+
+// The same of each voxel, without those from which no point of it is within `reach_m`.
+std::vector<std::vector<Eigen::Vector3f>> FindNearSeeds(const VoxelGrid& grid,
+                                                        const Foreground& foreground,
+                                                        const std::vector<float>& squared_radius,
+                                                        const std::vector<Seed>& seeds,
+                                                        float reach_m) {
+  std::vector<std::vector<Eigen::Vector3f>> near_seeds(grid.voxels.size());
+  if (foreground.voxels.empty()) return near_seeds;
+  const std::vector<Eigen::Vector3f> positions = PositionsOf(seeds);
+  const float max_radius = std::sqrt(std::ranges::max(squared_radius));
+  LongLoop loop;
+  ForEachNeighborhood(foreground.means, positions, reach_m + max_radius,
+                      [&](const std::vector<int>& members, const std::vector<int>& near) {
+                        const Positions around = Chosen(positions, near);
+                        for (const int i : members) {
+                          loop.Turn();
+                          const int v = foreground.voxels[i];
+                          near_seeds[v] =
+                              NearSeeds(grid.voxels[v], std::sqrt(squared_radius[v]), around);
+                        }
+                      });
+  return near_seeds;
+}
+
+// Eq. 6: −ln(α · min_c(1 − p(c|x))). The minimum is at the nearest seed.
+float BackgroundCost(float squared_distance, const DataTermOptions& options) {
+  const double p_object = std::exp(-options.gamma_per_m2 * squared_distance);
+  return static_cast<float>(
+      -std::log(options.alpha * std::max(1 - p_object, options.min_probability)));
+}
+
+// From where on Eq. 5 leaves nothing of Eq. 6: less than half of the last bit of one.
+float BackgroundReach(const DataTermOptions& options) {
+  return static_cast<float>(std::sqrt(38 / options.gamma_per_m2));
+}
+
+}  // namespace
+
+PointStatistics CollectStatistics(const VoxelGrid& grid, const cv::Mat& points,
+                                  const std::vector<char>& is_background,
+                                  const Foreground& foreground, const cv::Mat& on_support,
+                                  const std::vector<Seed>& seeds, const DataTermOptions& options) {
+  const std::size_t num_voxels = grid.voxels.size();
+  PointStatistics statistics{std::vector<float>(num_voxels), std::vector<float>(num_voxels)};
+  std::vector<float> squared_radius(num_voxels);
+  const auto share = [&](int v) { return 1.0F / static_cast<float>(grid.voxels[v].num_points); };
+  ForEachPoint(grid, points, is_background, [&](int v, const Eigen::Vector3f& x, cv::Point) {
+    const float squared_distance = (x - grid.voxels[v].mean).squaredNorm();
+    statistics.variance[v] += share(v) * squared_distance;
+    squared_radius[v] = std::max(squared_radius[v], squared_distance);
+  });
+
+  const std::vector<std::vector<Eigen::Vector3f>> near_seeds =
+      FindNearSeeds(grid, foreground, squared_radius, seeds, BackgroundReach(options));
+  ForEachPoint(grid, points, is_background, [&](int v, const Eigen::Vector3f& x, cv::Point at) {
+    if (!on_support.empty() && on_support.at<std::uint8_t>(at) != 0) return;  // -ln 1
+    float nearest = std::numeric_limits<float>::infinity();
+    for (const Eigen::Vector3f& seed : near_seeds[v]) {
+      nearest = std::min(nearest, (x - seed).squaredNorm());
+    }
+    statistics.background_cost[v] += share(v) * BackgroundCost(nearest, options);
+  });
+  return statistics;
+}
+
+}  // namespace fovea
