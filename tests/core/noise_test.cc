@@ -104,10 +104,11 @@ TEST(Noise, CanBeStoppedInEachStage) {
   std::vector<int> labels;
   ExpectToStop("graph_cut", static_cast<int>(seeds.size()), [&] {
     const Contraction contraction = Contract(energy, options.mrf.cluster_voxels, 1);
-    labels = Expand(contraction, MinimizeByAlphaExpansion(contraction.energy, {.max_sweeps = 1}));
+    labels = Expand(contraction, MinimizeByAlphaExpansion(contraction.energy, 1));
   });
-  const LabelledScene scene{grid,  labels,   points, frame.color_rgb, colors, frame.intrinsics,
-                            -down, supports, on_wall};
+  const cv::Mat standing = cv::Mat::zeros(depth.size(), CV_8UC1);
+  const LabelledScene scene{grid,  labels,   points,   frame.color_rgb, colors, frame.intrinsics,
+                            -down, supports, standing, on_wall};
   ExpectToStop("refinement", 40 * kRows, [&] { Refine(scene, options); });
 }
 
