@@ -28,7 +28,7 @@ struct Flags {
   std::vector<std::string> mosd;
   std::vector<std::string> plain;
   std::vector<double> intrinsics = {525, 525, 319.5, 239.5};
-  double penalty = 2;
+  double penalty = 1.5;
   bool leave_one_out = false;
   int num_threads = 1;
   std::string source;
