@@ -99,7 +99,7 @@ void AddDecided(Page& page, const cv::Mat& color, const cv::Mat& filled,
   page.Add("09_segments.png", LabelsPicture(color, trace.segments()),
            "Segments before those of one object are joined.");
   page.Add("10_merged.png", LabelsPicture(color, trace.merged()),
-           "And after (section 3.3; Fig. 4 c), before what can be no object is dropped.");
+           "And after (section 3.3; Fig. 4 c), before it is decided what is an object.");
   v1::Detections objects = detections;
   objects.clear_seeds();
   page.Add("11_objects.png", DrawOverlay(color, settings.intrinsics, objects),

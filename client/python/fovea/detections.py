@@ -59,7 +59,7 @@ class Trace:
     # 0 = background.
     hypotheses: npt.NDArray[np.uint16]  # after the graph cut: k where hypothesis k won
     segments: npt.NDArray[np.uint16]  # before those of one object are joined
-    merged: npt.NDArray[np.uint16]  # after, before what can be no object is dropped
+    merged: npt.NDArray[np.uint16]  # after, before it is decided what is an object
 
 
 @dataclass(frozen=True)
