@@ -7,7 +7,7 @@ namespace fovea {
 namespace {
 
 // Beyond these a number says no more, or nothing.
-constexpr double kMinArea_m2 = 1e-5;
+constexpr double kMinArea = 1e-5;  // m²
 constexpr double kMinExtent_m = 0.005;
 constexpr double kMinHeight_m = 0.003;
 constexpr double kMaxDistance_m = 3;
@@ -52,7 +52,7 @@ void SetShape(const ObjectEvidence& evidence, const auto& set) {
   const Eigen::Vector3d extent = part.extent.sizes().cast<double>();
   const double height = extent.z();
   const auto [narrow, wide] = std::minmax(extent.x(), extent.y());
-  set(ObjectTerm::kArea, ClampedLog(part.area_m2, kMinArea_m2));
+  set(ObjectTerm::kArea, ClampedLog(part.area_m2, kMinArea));
   set(ObjectTerm::kLargestExtent, ClampedLog(extent.maxCoeff(), kMinExtent_m));
   set(ObjectTerm::kHeight, ClampedLog(height, kMinHeight_m));
   set(ObjectTerm::kSlenderness, ClampedLog(narrow / std::max(wide, 1e-4), 0.02));
