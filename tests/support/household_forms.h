@@ -28,4 +28,17 @@ Body Slab(Random& random);   // a phone, a notebook, a bar of chocolate
 Body Bag(Random& random);    // of chips or coffee, creased; lying or standing
 Body Cloth(Random& random);  // folded or crumpled
 
+// Thin things, lying.
+Body Spoon(Random& random);
+Body Knife(Random& random);
+Body Scissors(Random& random);  // a little open
+Body Screwdriver(Random& random);
+Body Brush(Random& random);
+Body Whisk(Random& random);
+
+// Large things for floors.
+Body Carton(Random& random);    // of cardboard or painted, often printed on
+Body Backpack(Random& random);  // lying or standing
+Body Slipper(Random& random);
+
 }  // namespace fovea::scenes

@@ -12,6 +12,9 @@ constexpr std::array kVesselsAndTools = {Mug,     Mug, Bottle,      Bottle, Flat
                                          Pitcher, Pan, SprayBottle, Banana, Hammer,     Wrench};
 constexpr std::array kSupplies = {Bag,  Bag,  Bag,      Cloth, Cloth, Plate,
                                   Slab, Slab, Keyboard, Torch, Pear};
+constexpr std::array kTools = {Spoon, Knife,  Scissors, Scissors, Screwdriver, Brush,
+                               Whisk, Hammer, Wrench,   Torch,    Plate,       Slab};
+constexpr std::array kLuggage = {Carton, Carton, Carton, Carton, Backpack, Slipper, Slipper};
 
 Material RandomPaint(Random& random) {
   const double saturation = random.Chance(0.35) ? random.Uniform(0, 0.08)  // black, grey, white
@@ -28,11 +31,10 @@ void Paint(Body& body, Random& random) {
   if (body.name == "bottle") body.other_materials[1] = RandomMaterial(random);  // the label
 }
 
-// One of the forms or, two times in five, an object of random_objects.h.
+// One of the forms or, in a share of all cases, an object of random_objects.h.
 template <typename Forms>
-Body RandomBody(const Forms& forms, Random& random) {
-  constexpr double kOrdinary = 0.4;
-  if (random.Chance(kOrdinary)) return RandomObject(random, 1);
+Body RandomBody(const Forms& forms, double ordinary, Random& random) {
+  if (random.Chance(ordinary)) return RandomObject(random, 1);
   Body body = random.Pick(forms)(random);
   if (body.other_materials.empty()) Paint(body, random);
   body.is_object = true;
@@ -42,8 +44,12 @@ Body RandomBody(const Forms& forms, Random& random) {
 
 }  // namespace
 
-Body RandomHouseholdObject(Random& random) { return RandomBody(kVesselsAndTools, random); }
+Body RandomHouseholdObject(Random& random) { return RandomBody(kVesselsAndTools, 0.4, random); }
 
-Body RandomSupply(Random& random) { return RandomBody(kSupplies, random); }
+Body RandomSupply(Random& random) { return RandomBody(kSupplies, 0.4, random); }
+
+Body RandomTool(Random& random) { return RandomBody(kTools, 0.15, random); }
+
+Body RandomLuggage(Random& random) { return RandomBody(kLuggage, 0, random); }
 
 }  // namespace fovea::scenes

@@ -13,4 +13,10 @@ Body RandomHouseholdObject(Random& random);
 // The same with those forms that are soft, flat or small.
 Body RandomSupply(Random& random);
 
+// Most of them thin: cutlery, scissors, tools, plates.
+Body RandomTool(Random& random);
+
+// Cartons, backpacks and slippers, without the small solids.
+Body RandomLuggage(Random& random);
+
 }  // namespace fovea::scenes

@@ -79,7 +79,8 @@ TEST(HouseholdObjects, ABottleHasACapAboveANarrowNeckAndAShoulder) {
 }
 
 // Of the objects that `draw` gives, those that are not of random_objects.h.
-std::set<std::string> NamesOfForms(Body (*draw)(Random&), const std::set<std::string>& flat) {
+std::set<std::string> NamesOfForms(Body (*draw)(Random&), const std::set<std::string>& flat,
+                                   double longest_m = 0.45) {
   std::set<std::string> names;
   const std::set<std::string> simple = {"box", "book", "can", "tube", "ball", "bowl", "cup"};
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
@@ -89,7 +90,7 @@ std::set<std::string> NamesOfForms(Body (*draw)(Random&), const std::set<std::st
     if (simple.count(body.name) > 0) continue;
     names.insert(body.name);
     EXPECT_EQ(HasFlatTop(body), flat.count(body.name) > 0) << body.name;
-    EXPECT_LT(body.shape.size_m.maxCoeff(), 0.45) << body.name;
+    EXPECT_LT(body.shape.size_m.maxCoeff(), longest_m) << body.name;
     for (const Part& part : body.shape.parts) {
       EXPECT_NO_THROW(MaterialAt(body, {0, Vector3d::UnitZ(), part.material})) << body.name;
     }
@@ -103,6 +104,29 @@ TEST(HouseholdObjects, AllFormsComeUpAndStandOnZero) {
                                    "spray bottle", "banana", "hammer", "wrench"}));
   EXPECT_EQ(NamesOfForms(RandomSupply, {"slab"}),
             (std::set<std::string>{"bag", "cloth", "plate", "slab", "keyboard", "torch", "pear"}));
+  EXPECT_EQ(NamesOfForms(RandomTool, {"slab"}),
+            (std::set<std::string>{"spoon", "knife", "scissors", "screwdriver", "brush", "whisk",
+                                   "hammer", "wrench", "torch", "plate", "slab"}));
+  EXPECT_EQ(NamesOfForms(RandomLuggage, {"carton"}, 0.7),
+            (std::set<std::string>{"carton", "backpack", "slipper"}));
+}
+
+TEST(HouseholdObjects, ThinToolsAreThinAndScissorsHaveRingsThatOneCanSeeThrough) {
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    for (const auto form : {Spoon, Knife, Scissors}) {
+      Random random(seed);
+      const Body body = form(random);
+      EXPECT_LT(body.shape.size_m.z(), 0.02) << body.name << ", seed " << seed;
+    }
+    Random random(seed);
+    const Shape scissors = Scissors(random).shape;
+    const double ring_m = 0.5 * scissors.size_m.y() / 2;  // half of the width: the middle of a ring
+    bool any_hole = false, any_rim = false;
+    for (double x = -scissors.size_m.x() / 2; x < -0.2 * scissors.size_m.x(); x += 0.002) {
+      (FromAbove(scissors, x, ring_m) ? any_rim : any_hole) = true;
+    }
+    EXPECT_TRUE(any_rim && any_hole) << "seed " << seed;
+  }
 }
 
 }  // namespace

@@ -1,70 +1,25 @@
 #include "tests/support/random_scene.h"
 
 #include <algorithm>
-#include <array>
 #include <numbers>
 #include <opencv2/core.hpp>
-#include <stdexcept>
 
+#include "tests/support/containers.h"
 #include "tests/support/environment.h"
 #include "tests/support/household_objects.h"
 #include "tests/support/placement.h"
 #include "tests/support/random.h"
 #include "tests/support/random_objects.h"
 #include "tests/support/render.h"
+#include "tests/support/scene_recipes.h"
 
 namespace fovea::scenes {
 namespace {
 
-enum class Surfaces { kTable, kTwoTables, kFloor };
-enum class Objects { kSimple, kHousehold, kSupplies };  // of random_objects.h, household_objects.h
-
-struct Range {
-  double low, high;
-  double Draw(Random& random) const { return random.Uniform(low, high); }
-};
-
-struct Recipe {
-  const char* kind;
-  Surfaces surfaces;
-  int fewest, most;           // objects
-  double radius_m;            // of the area in which they stand
-  double beside, on_top;      // shares placed against, and on, others; the rest stands free
-  Range pitch_deg, distance;  // of the camera; metres to the middle of the area
-  bool furnished;
-  Objects objects = Objects::kSimple;
-};
-
 using enum Surfaces;
 using enum Objects;
 
-// The place in the table is part of a scene's seed: new kinds go to its end.
-constexpr std::array<Recipe, 15> kRecipes = {{
-    {"tabletop", kTable, 3, 6, 0.25, 0.0, 0.0, {32, 48}, {0.9, 1.1}, false},
-    {"cluttered", kTable, 9, 13, 0.28, 0.3, 0.1, {32, 50}, {0.95, 1.15}, false},
-    {"stacked", kTable, 5, 8, 0.22, 0.0, 0.6, {28, 45}, {0.9, 1.1}, false},
-    {"touching", kTable, 4, 8, 0.22, 0.7, 0.0, {30, 48}, {0.9, 1.1}, false},
-    {"occluded", kTable, 6, 9, 0.22, 0.0, 0.0, {16, 26}, {0.9, 1.1}, false},
-    {"steep", kTable, 3, 7, 0.22, 0.2, 0.1, {62, 80}, {0.8, 1.0}, false},
-    {"shallow", kTable, 3, 5, 0.25, 0.0, 0.1, {10, 18}, {0.9, 1.2}, true},
-    {"room", kTable, 4, 7, 0.35, 0.2, 0.1, {18, 30}, {1.6, 2.1}, true},
-    {"two_tables", kTwoTables, 5, 8, 0.25, 0.2, 0.1, {25, 40}, {1.5, 1.9}, true},
-    {"floor", kFloor, 3, 7, 0.45, 0.2, 0.1, {28, 50}, {1.3, 1.8}, true},
-    {"empty_table", kTable, 0, 0, 0.25, 0.0, 0.0, {30, 48}, {0.9, 1.2}, true},
-    {"household", kTable, 5, 9, 0.3, 0.25, 0.15, {25, 50}, {0.8, 1.3}, true, kHousehold},
-    {"household_floor", kFloor, 4, 8, 0.35, 0.25, 0.15, {25, 50}, {1.0, 1.5}, true, kHousehold},
-    {"supplies", kTable, 5, 9, 0.3, 0.25, 0.15, {25, 50}, {0.8, 1.3}, true, kSupplies},
-    {"supplies_floor", kFloor, 4, 8, 0.35, 0.25, 0.15, {25, 50}, {1.0, 1.5}, true, kSupplies},
-}};
-
 double Radians(double degrees) { return degrees * std::numbers::pi / 180; }
-
-const Recipe& RecipeOf(std::string_view kind) {
-  for (const Recipe& recipe : kRecipes) {
-    if (recipe.kind == kind) return recipe;
-  }
-  throw std::invalid_argument(std::string(kind) + ": there is no such kind of scene");
-}
 
 // Adds room, tables and furniture.
 void Furnish(Scene& scene, const Recipe& recipe, Random& random) {
@@ -83,6 +38,17 @@ void Furnish(Scene& scene, const Recipe& recipe, Random& random) {
     case kFloor:
       scene.supports.push_back({0, {0, 0}, {1.2, 1.2}});
       break;
+    case kTote:
+      AddTable(scene, {0, 0}, {1.3, 0.85}, height_m, random);
+      scene.supports.clear();
+      AddTote(scene, height_m, random);
+      break;
+    case kShelfBin:
+      AddShelfBin(scene, height_m, random);
+      break;
+    case kTablet:
+      AddTablet(scene, height_m, random);
+      break;
   }
   if (!recipe.furnished) return;
   const bool on_floor = recipe.surfaces == kFloor;
@@ -96,6 +62,10 @@ Body DrawObject(const Recipe& recipe, Random& random) {
       return RandomHouseholdObject(random);
     case kSupplies:
       return RandomSupply(random);
+    case kTools:
+      return RandomTool(random);
+    case kLuggage:
+      return RandomLuggage(random);
     case kSimple:
       break;
   }
@@ -116,9 +86,9 @@ void AddObjects(Scene& scene, const Recipe& recipe, int count, Random& random) {
 void PointCamera(Scene& scene, const Recipe& recipe, Random& random) {
   Eigen::Vector3d target(0, 0, scene.supports.at(0).height_m + 0.05);
   target.head<2>() += Eigen::Vector2d(random.Uniform(-0.04, 0.04), random.Uniform(-0.04, 0.04));
-  scene.camera.world_from_camera =
-      LookAt(target, recipe.distance.Draw(random), Radians(recipe.pitch_deg.Draw(random)),
-             Radians(random.Uniform(-25, 25)), Radians(random.Uniform(-4, 4)));
+  scene.camera.world_from_camera = LookAt(
+      target, recipe.distance.Draw(random), Radians(recipe.pitch_deg.Draw(random)),
+      Radians(random.Uniform(-25, 25)), Radians(random.Uniform(-recipe.roll_deg, recipe.roll_deg)));
 }
 
 void Illuminate(Scene& scene, Random& random) {
@@ -149,8 +119,8 @@ bool AllVisible(const Scene& scene) {
 const std::vector<std::string>& SceneKinds() {
   static const std::vector<std::string> kinds = [] {
     std::vector<std::string> names;
-    names.reserve(std::size(kRecipes));
-    for (const Recipe& recipe : kRecipes) names.emplace_back(recipe.kind);
+    names.reserve(Recipes().size());
+    for (const Recipe& recipe : Recipes()) names.emplace_back(recipe.kind);
     return names;
   }();
   return kinds;
@@ -158,7 +128,7 @@ const std::vector<std::string>& SceneKinds() {
 
 Scene RandomScene(std::string_view kind, std::uint64_t seed, const cv::Size& size_px) {
   const Recipe& recipe = RecipeOf(kind);
-  const auto kind_number = static_cast<std::uint64_t>(&recipe - kRecipes.data());
+  const auto kind_number = static_cast<std::uint64_t>(&recipe - Recipes().data());
   Random random(seed * 64 + kind_number);  // other objects in every kind
   Scene scene;
   scene.camera = CameraOfSize(size_px);

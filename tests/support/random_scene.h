@@ -11,9 +11,7 @@
 
 namespace fovea::scenes {
 
-// tabletop, cluttered, stacked, touching, occluded, steep, shallow (camera), room, two_tables,
-// floor, empty_table, household, household_floor, supplies, supplies_floor: see the table in
-// random_scene.cc.
+// Those of scene_recipes.cc: tabletop, cluttered, stacked, ... tote, shelf, tablet, desk.
 const std::vector<std::string>& SceneKinds();
 
 // A scene of a kind; the same seed gives the same scene. Every object shows at least some 300

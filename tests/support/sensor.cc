@@ -60,8 +60,12 @@ cv::Mat Unmatched(const Rendering& rendering, Random& random) {
   return (luminance < 0.02 + 0.007 * blobs) | ((contrast < 1e-5) & (blobs > 2.6));
 }
 
-cv::Mat MeasureWithStereo(const Rendering& rendering, double focal_length_px, Random& random) {
-  cv::Mat depth_m = WithStereoNoise(rendering.depth_m, focal_length_px, random);
+cv::Mat MeasureWithStereo(const Rendering& rendering, SensorKind sensor, double focal_length_px,
+                          Random& random) {
+  const cv::Mat edges_m = sensor == SensorKind::kHaloStereo
+                              ? WithHalos(rendering.depth_m, focal_length_px, random)
+                              : rendering.depth_m;
+  cv::Mat depth_m = WithStereoNoise(edges_m, focal_length_px, random);
   depth_m.setTo(kNone, rendering.in_second_view == 0);
   depth_m.setTo(kNone, rendering.cosine < std::cos(85 * std::numbers::pi / 180));
   depth_m.setTo(kNone, Unmatched(rendering, random));
@@ -76,6 +80,7 @@ double BaselineOf(SensorKind sensor) {
     case SensorKind::kKinect:
       return kKinectBaseline_m;
     case SensorKind::kRealSense:
+    case SensorKind::kHaloStereo:
       return kStereoBaseline_m;
     case SensorKind::kIdeal:
       break;
@@ -90,6 +95,7 @@ double DepthNoise_m(SensorKind sensor, double depth_m, double focal_length_px) {
       return squared / kKinectStep_m *
              std::sqrt(kKinectNoise_steps * kKinectNoise_steps + 1.0 / 12);
     case SensorKind::kRealSense:
+    case SensorKind::kHaloStereo:
       return squared * kStereoNoise_px / (focal_length_px * kStereoBaseline_m);
     case SensorKind::kIdeal:
       break;
@@ -103,7 +109,7 @@ cv::Mat MeasureDepth(const Rendering& rendering, SensorKind sensor, double focal
   if (sensor == SensorKind::kIdeal) return rendering.depth_m.clone();
   cv::Mat depth_m = sensor == SensorKind::kKinect
                         ? MeasureWithKinect(rendering, random)
-                        : MeasureWithStereo(rendering, focal_length_px, random);
+                        : MeasureWithStereo(rendering, sensor, focal_length_px, random);
   RoundToMillimetres(depth_m);
   return depth_m;
 }

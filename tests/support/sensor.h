@@ -9,9 +9,10 @@
 namespace fovea::scenes {
 
 enum class SensorKind {
-  kIdeal,      // every depth exact; no noise in colour either
-  kKinect,     // structured light, first Kinect
-  kRealSense,  // active stereo, D400 series
+  kIdeal,       // every depth exact; no noise in colour either
+  kKinect,      // structured light, first Kinect
+  kRealSense,   // active stereo, D400 series, at its best
+  kHaloStereo,  // the same as robots get it: edges run out over the table
 };
 
 // How far to the right of the camera the projector or the second eye is; 0 for the ideal sensor.
@@ -35,6 +36,8 @@ double DepthNoise_m(SensorKind sensor, double depth_m, double focal_length_px);
 // kRealSense: smooth noise over some 10 px, foreground fattened by 2 px at depth edges; holes
 //   where the other eye does not see, on dark surfaces, here and there on plain ones, and outside
 //   0.3 … 6 m.
+// kHaloStereo: as kRealSense, but what is nearer reaches some 8 px beyond its edges and slopes down
+//   to what is less than about 8 px of disparity behind it.
 cv::Mat MeasureDepth(const Rendering& rendering, SensorKind sensor, double focal_length_px,
                      std::uint64_t seed);
 

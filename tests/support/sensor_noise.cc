@@ -53,6 +53,23 @@ cv::Mat WithStereoNoise(const cv::Mat& depth_m, double focal_length_px, Random& 
   return noisy;
 }
 
+cv::Mat WithHalos(const cv::Mat& depth_m, double focal_length_px, Random& random) {
+  constexpr double kSlope_px = 2.5,
+                   kLargestStep_px = 8;  // of disparity, beyond which it breaks off
+  cv::Mat disparity_px = focal_length_px * kStereoBaseline_m / depth_m;
+  cv::patchNaNs(disparity_px, 0);
+  cv::Mat fattened_px, sloping_px;
+  cv::dilate(disparity_px, fattened_px, cv::getStructuringElement(cv::MORPH_ELLIPSE, {9, 7}));
+  cv::GaussianBlur(fattened_px, sloping_px, {}, kSlope_px);
+  const cv::Mat reach_px = kLargestStep_px + Noise(depth_m.size(), 4, random);
+  const cv::Mat close = (fattened_px - disparity_px < reach_px) & (disparity_px > 0);
+  cv::max(disparity_px, sloping_px, sloping_px);
+  sloping_px.copyTo(disparity_px, close);
+  cv::Mat smeared_m = focal_length_px * kStereoBaseline_m / disparity_px;
+  smeared_m.setTo(std::numeric_limits<float>::quiet_NaN(), disparity_px <= 0);
+  return smeared_m;
+}
+
 cv::Mat WithLateralNoise(const cv::Mat& depth_m, Random& random) {
   cv::Mat moved(depth_m.size(), CV_32FC1);
   for (int y = 0; y < depth_m.rows; ++y) {

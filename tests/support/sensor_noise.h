@@ -26,6 +26,10 @@ constexpr double kStereoNoise_px = 0.08;  // standard deviation of the disparity
 // over some pixels.
 cv::Mat WithStereoNoise(const cv::Mat& depth_m, double focal_length_px, Random& random);
 
+// The depth as a wide matching window and the camera's own filters leave it: what is nearer reaches
+// some 8 px beyond its edges, sloping down to what is behind it where that is close.
+cv::Mat WithHalos(const cv::Mat& depth_m, double focal_length_px, Random& random);
+
 // The depth as seen through pixels that wander by half a pixel (standard deviation).
 cv::Mat WithLateralNoise(const cv::Mat& depth_m, Random& random);
 

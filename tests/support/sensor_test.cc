@@ -14,7 +14,9 @@ namespace fovea::scenes {
 
 // Where gtest looks for it.
 inline void PrintTo(SensorKind kind, std::ostream* out) {
-  *out << (kind == SensorKind::kKinect ? "Kinect" : "RealSense");
+  *out << (kind == SensorKind::kKinect       ? "Kinect"
+           : kind == SensorKind::kHaloStereo ? "halo stereo"
+                                             : "RealSense");
 }
 
 namespace {
@@ -48,7 +50,8 @@ TEST_P(SensorNoise, HasTheStatedDeviationAndNoBias) {
 
 INSTANTIATE_TEST_SUITE_P(All, SensorNoise,
                          testing::Combine(testing::Values(SensorKind::kKinect,
-                                                          SensorKind::kRealSense),
+                                                          SensorKind::kRealSense,
+                                                          SensorKind::kHaloStereo),
                                           testing::Values(0.8, 1.5, 3.0)));
 
 TEST(Sensor, KinectNoiseAgreesWithNguyen2012) {
@@ -103,7 +106,30 @@ TEST_P(SensorHoles, ShadowFallsToTheLeftOfAnObject) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SensorHoles,
-                         testing::Values(SensorKind::kKinect, SensorKind::kRealSense));
+                         testing::Values(SensorKind::kKinect, SensorKind::kRealSense,
+                                         SensorKind::kHaloStereo));
+
+// A box of 60 mm on a table, seen from above: between its edge and the table the depth slopes.
+TEST(Sensor, HaloesSlopeFromAnObjectToTheTableAndLeaveBothAsTheyAre) {
+  Scene scene = WallAt(0.7);
+  scene.camera = CameraOfSize({640, 480});
+  scene.camera.world_from_camera = LookAt({0, 0.7, 0}, 0.7, 0, 0, 0);
+  scene.bodies.push_back(Block("box", {0, 0.67, 0}, {0.2, 0.06, 0.2}, scene.bodies[0].material));
+  const Rendering rendering = Render(scene, BaselineOf(SensorKind::kHaloStereo));
+  const cv::Mat depth_m = MeasureDepth(rendering, SensorKind::kHaloStereo, Focal(scene), 3);
+  const cv::Mat row = depth_m.row(240);
+  int edge = 320;  // the first pixel of the table to the right of the box
+  while (rendering.depth_m.at<float>(240, edge) < 0.68) ++edge;
+  EXPECT_NEAR(row.at<float>(edge - 20), 0.64, 0.006);
+  EXPECT_NEAR(row.at<float>(edge + 20), 0.70, 0.006);
+  EXPECT_LT(row.at<float>(edge + 2), 0.67) << "the box reaches beyond its edge";
+  int sloping = 0;
+  for (int x = edge; x < edge + 16; ++x) {
+    sloping += row.at<float>(x) > 0.65 && row.at<float>(x) < 0.69;
+  }
+  EXPECT_GE(sloping, 3);
+  EXPECT_LE(sloping, 12);
+}
 
 }  // namespace
 }  // namespace fovea::scenes
