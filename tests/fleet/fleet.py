@@ -48,6 +48,7 @@ class Member:
     def start(self) -> None:
         command = [os.environ["FOVEA_SERVER"], "--listen", str(self.address), "--log-level", "off"]
         command += ["--metrics-listen", str(self.metrics), "--compute-threads", "1", *self._flags]
+        command += ["--max-waiting", "8"]  # room for a frame of each robot, however slow we are
         self.process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
         assert self.process.stdout.readline().startswith("listening on ")
 

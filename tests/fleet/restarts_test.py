@@ -29,7 +29,7 @@ def test_no_call_fails_while_both_are_restarted(fleet: Fleet, scene: Scene) -> N
         while not stop.is_set():
             assert client.detect_frame(scene.frame()).objects
             num_answers[0] += 1
-            stop.wait(0.8)  # a load that one server can bear
+            stop.wait(0.2)
 
     robots = Robots(fleet, NUM_ROBOTS, call)
     fleet.restart_one_after_the_other()
