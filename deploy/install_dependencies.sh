@@ -5,7 +5,7 @@ set -eu
 
 packages="
 build-essential cmake ninja-build ccache pkg-config
-libeigen3-dev libopencv-dev libpcl-dev
+libeigen3-dev libhwy-dev libopencv-dev libpcl-dev
 libgrpc-dev libgrpc++-dev libprotobuf-dev protobuf-compiler protobuf-compiler-grpc grpc-proto
 libssl-dev libsystemd-dev prometheus-cpp-dev libspdlog-dev libfmt-dev libcli11-dev libzstd-dev libturbojpeg0-dev libspng-dev nlohmann-json3-dev
 libboost-dev

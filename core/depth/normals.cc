@@ -8,14 +8,36 @@
 #include <vector>
 
 #include "core/types/interruption.h"
-#include "core/types/lanes.h"
 
-namespace fovea {
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/depth/normals.cc"
+#include <hwy/foreach_target.h>
+// After foreach_target.h, which includes this file once more for each instruction set.
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace fovea::HWY_NAMESPACE {
 namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Centres side by side. Each lane computes what a float on its own would, so that the answer has
+// the same bits in registers of any width.
+using Tag = hn::CappedTag<float, 16>;
+using Lanes = hn::Vec<Tag>;
+constexpr int kLanes = static_cast<int>(hn::MaxLanes(Tag()));
+
+HWY_INLINE Lanes Load(const float* from) { return hn::LoadU(Tag(), from); }
+HWY_INLINE Lanes All(double value) { return hn::Set(Tag(), static_cast<float>(value)); }
 
 // Weighted sums of the linear fit of 1/z over the windows of the evaluated columns.
 struct FitSums {
-  Lanes n{}, u{}, v{}, uu{}, uv{}, vv{}, q{}, qu{}, qv{};
+  Lanes n = All(0), u = All(0), v = All(0);
+  Lanes uu = All(0), uv = All(0), vv = All(0);
+  Lanes q = All(0), qu = All(0), qv = All(0);
+
+  // Written out, so that it is compiled for the instruction set too.
+  HWY_INLINE FitSums() {}  // NOLINT(modernize-use-equals-default)
 };
 
 // Inverse depth with a margin around it, so that windows need no border checks; 0 = none. In each
@@ -56,10 +78,10 @@ class InverseDepth {
 };
 
 // The sums over the windows around the centres at `row` and col, col + step, …
-FOVEA_INLINE FitSums SumWindows(const InverseDepth& inverse, int row, int col,
-                                const NormalOptions& options) {
-  const Lanes at_center = LoadLanes(inverse.At(row, col));
-  const Lanes limit = at_center * static_cast<float>(options.max_depth_change);
+HWY_INLINE FitSums SumWindows(const InverseDepth& inverse, int row, int col,
+                              const NormalOptions& options) {
+  const Lanes at_center = Load(inverse.At(row, col));
+  const Lanes limit = at_center * All(options.max_depth_change);
   const int sample = options.sample_px;
   const int reach = options.window_radius_px / sample * sample;
   const std::ptrdiff_t stride = inverse.RowStride() * sample;
@@ -69,28 +91,28 @@ FOVEA_INLINE FitSums SumWindows(const InverseDepth& inverse, int row, int col,
     FitSums column;
     const float* place = inverse.At(row - reach, col + du);
     for (int dv_px = -reach; dv_px <= reach; dv_px += sample, place += stride) {
-      const auto dv = static_cast<float>(dv_px);
+      const Lanes dv = All(dv_px);
       // Relative to the centre, which keeps precision.
-      const Lanes difference = LoadLanes(place) - at_center;
-      const auto same_surface = Magnitude(difference) <= limit;
-      const Lanes weight = same_surface ? AllLanes(1) : Lanes{};
-      const Lanes value = same_surface ? difference : Lanes{};
-      column.n += weight;
-      column.v += weight * dv;
-      column.vv += weight * dv * dv;
-      column.q += value;
-      column.qv += value * dv;
+      const Lanes difference = Load(place) - at_center;
+      const auto same_surface = hn::Le(hn::Abs(difference), limit);
+      const Lanes weight = hn::IfThenElseZero(same_surface, All(1));
+      const Lanes value = hn::IfThenElseZero(same_surface, difference);
+      column.n = column.n + weight;
+      column.v = column.v + weight * dv;
+      column.vv = column.vv + weight * dv * dv;
+      column.q = column.q + value;
+      column.qv = column.qv + value * dv;
     }
-    const auto offset = static_cast<float>(du);
-    sums.n += column.n;
-    sums.u += column.n * offset;
-    sums.uu += column.n * offset * offset;
-    sums.v += column.v;
-    sums.uv += column.v * offset;
-    sums.vv += column.vv;
-    sums.q += column.q;
-    sums.qu += column.q * offset;
-    sums.qv += column.qv;
+    const Lanes offset = All(du);
+    sums.n = sums.n + column.n;
+    sums.u = sums.u + column.n * offset;
+    sums.uu = sums.uu + column.n * offset * offset;
+    sums.v = sums.v + column.v;
+    sums.uv = sums.uv + column.v * offset;
+    sums.vv = sums.vv + column.vv;
+    sums.q = sums.q + column.q;
+    sums.qu = sums.qu + column.q * offset;
+    sums.qv = sums.qv + column.qv;
   }
   return sums;
 }
@@ -100,8 +122,8 @@ struct PlaneFit {
   Lanes a, b, c;
 };
 
-FOVEA_INLINE PlaneFit Solve(const FitSums& s, const Lanes& at_center) {
-  const Lanes n = Larger(s.n, AllLanes(1));
+HWY_INLINE PlaneFit Solve(const FitSums& s, Lanes at_center) {
+  const Lanes n = hn::Max(s.n, All(1));
   // Normal equations of the centred fit.
   const Lanes uu = s.uu - s.u * s.u / n;
   const Lanes uv = s.uv - s.u * s.v / n;
@@ -109,38 +131,39 @@ FOVEA_INLINE PlaneFit Solve(const FitSums& s, const Lanes& at_center) {
   const Lanes qu = s.qu - s.q * s.u / n;
   const Lanes qv = s.qv - s.q * s.v / n;
   const Lanes determinant = uu * vv - uv * uv;
-  const Lanes none = AllLanes(std::numeric_limits<float>::quiet_NaN());
-  const Lanes a = determinant < 1e-3F ? none : (qu * vv - qv * uv) / determinant;  // on a line
+  const Lanes none = All(std::numeric_limits<float>::quiet_NaN());
+  const auto on_a_line = hn::Lt(determinant, All(1e-3));
+  const Lanes a = hn::IfThenElse(on_a_line, none, (qu * vv - qv * uv) / determinant);
   const Lanes b = (qv * uu - qu * uv) / determinant;
   return {a, b, at_center + (s.q - a * s.u - b * s.v) / n};
 }
 
-// Vectors, one a lane.
+// One a lane.
+using Values = std::array<float, kLanes>;
 struct Vectors {
-  std::array<float, kLanes> x, y, z;
+  Values x, y, z;
 };
+
+HWY_INLINE Values ValuesOf(Lanes lanes) {
+  Values values;
+  hn::StoreU(lanes, Tag(), values.data());
+  return values;
+}
 
 // 1/z = n·ray / d with ray = ((u - cx) / fx, (v - cy) / fy, 1); (du0, dv0) is the pixel relative
 // to the principal point.
-FOVEA_INLINE Vectors NormalsOf(const PlaneFit& fit, const Lanes& du0, float dv0,
-                               const CameraIntrinsics& k) {
-  const Lanes x = fit.a * static_cast<float>(k.fx_px);
-  const Lanes y = fit.b * static_cast<float>(k.fy_px);
-  const Lanes z = fit.c - fit.a * du0 - fit.b * dv0;
-  Vectors normals;
-  StoreLanes(x, normals.x.data());
-  StoreLanes(y, normals.y.data());
-  StoreLanes(z, normals.z.data());
-  std::array<float, kLanes> inverse_lengths;
+HWY_INLINE Vectors NormalsOf(const PlaneFit& fit, Lanes du0, float dv0, const CameraIntrinsics& k) {
+  const Lanes x = fit.a * All(k.fx_px);
+  const Lanes y = fit.b * All(k.fy_px);
+  const Lanes z = fit.c - fit.a * du0 - fit.b * All(dv0);
+  const Vectors unscaled{ValuesOf(x), ValuesOf(y), ValuesOf(z)};
+  Values inverse_lengths;
   for (int lane = 0; lane < kLanes; ++lane) {
-    const double nx = normals.x[lane], ny = normals.y[lane], nz = normals.z[lane];
+    const double nx = unscaled.x[lane], ny = unscaled.y[lane], nz = unscaled.z[lane];
     inverse_lengths[lane] = 1 / static_cast<float>(std::sqrt(nx * nx + ny * ny + nz * nz));
   }
-  const Lanes scale = LoadLanes(inverse_lengths.data());
-  StoreLanes(x * scale, normals.x.data());
-  StoreLanes(y * scale, normals.y.data());
-  StoreLanes(z * scale, normals.z.data());
-  return normals;
+  const Lanes scale = Load(inverse_lengths.data());
+  return {ValuesOf(x * scale), ValuesOf(y * scale), ValuesOf(z * scale)};
 }
 
 cv::Vec3f TowardsCamera(const cv::Vec3f& normal, const cv::Vec3f& point) {
@@ -164,19 +187,19 @@ struct RowFit {
   const CameraIntrinsics& intrinsics;
   const NormalOptions& options;
 
-  FOVEA_INLINE void Run(int row, cv::Mat& normals) const {
+  HWY_INLINE void Run(int row, cv::Mat& normals) const {
     const int step = options.step_px;
     const auto dv0 = static_cast<float>(row - intrinsics.cy_px);
     const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
     cv::Vec3f* normal = normals.ptr<cv::Vec3f>(row / step);
     for (int first = 0; first < points.cols; first += kLanes * step) {
-      const Lanes at_center = LoadLanes(inverse.At(row, first));
-      if (LargestLane(at_center) <= 0) continue;
+      const float* center = inverse.At(row, first);
+      const Lanes at_center = Load(center);
+      if (hn::AllTrue(Tag(), hn::Le(at_center, All(0)))) continue;
       const PlaneFit fit = Solve(SumWindows(inverse, row, first, options), at_center);
-      const Vectors n =
-          NormalsOf(fit, LoadLanes(relative_cols.data() + first / step), dv0, intrinsics);
+      const Vectors n = NormalsOf(fit, Load(relative_cols.data() + first / step), dv0, intrinsics);
       for (int lane = 0; lane < kLanes && first + lane * step < points.cols; ++lane) {
-        if (at_center[lane] <= 0 || std::isnan(fit.a[lane])) continue;
+        if (center[lane] <= 0 || std::isnan(n.x[lane])) continue;
         normal[first / step + lane] =
             TowardsCamera({n.x[lane], n.y[lane], n.z[lane]}, point[first + lane * step]);
       }
@@ -186,21 +209,34 @@ struct RowFit {
 
 }  // namespace
 
-NormalMap EstimateNormals(const cv::Mat& points, const CameraIntrinsics& intrinsics,
-                          const NormalOptions& options) {
+// NOLINTNEXTLINE(misc-use-internal-linkage): named in the table of instruction sets
+NormalMap FitNormals(const cv::Mat& points, const CameraIntrinsics& intrinsics,
+                     const NormalOptions& options) {
   const InverseDepth inverse(points, options);
   const int step = options.step_px;
   cv::Mat normals((points.rows + step - 1) / step, (points.cols + step - 1) / step, CV_32FC3,
                   cv::Scalar::all(std::numeric_limits<float>::quiet_NaN()));
   const std::vector<float> relative_cols = RelativeColumns(points.cols, step, intrinsics.cx_px);
   const RowFit fit{points, inverse, relative_cols, intrinsics, options};
-  RunInWidestRegisters([&] {
-    for (int row = 0; row < points.rows; row += step) {
-      InterruptionPoint();
-      fit.Run(row, normals);
-    }
-  });
+  for (int row = 0; row < points.rows; row += step) {
+    InterruptionPoint();
+    fit.Run(row, normals);
+  }
   return {normals, step};
 }
 
+}  // namespace fovea::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace fovea {
+
+HWY_EXPORT(FitNormals);
+
+NormalMap EstimateNormals(const cv::Mat& points, const CameraIntrinsics& intrinsics,
+                          const NormalOptions& options) {
+  return HWY_DYNAMIC_DISPATCH(FitNormals)(points, intrinsics, options);
+}
+
 }  // namespace fovea
+#endif

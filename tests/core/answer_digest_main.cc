@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdint>
 #include <fstream>
+#include <hwy/targets.h>
 #include <iostream>
 #include <opencv2/core.hpp>
 #include <random>
@@ -106,8 +107,10 @@ void PrintAnswers(const std::string& path) {
 }  // namespace
 }  // namespace fovea
 
-// usage: fovea-answer-digest FRAMES, which the test has written, or nothing for the library.
+// usage: fovea-answer-digest FRAMES [INSTRUCTION_SET], which the test has written and Highway's
+// number of it, or nothing for the library.
 int main(int argc, char** argv) {
+  if (argc > 2) hwy::SetSupportedTargetsForTest(std::stoll(argv[2]));
   if (argc > 1) {
     fovea::PrintAnswers(argv[1]);
   } else {

@@ -1,8 +1,9 @@
 // The same frame gives the same answer whatever the processor can do: the C library has variants of
-// its functions with fused multiply-add, whose results differ in the last bit, and OpenCV has its
-// own for each generation of processors.
+// its functions with fused multiply-add, whose results differ in the last bit, OpenCV has its own
+// for each generation of processors, and so have our own loops.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -67,7 +68,16 @@ TEST(SameAnswer, WhateverTheProcessorCanDo) {
   EXPECT_EQ(Digest({kPlainOpenCv}, {frames.path()}), as_it_is);
 }
 
-// Else the test above compares a thing with itself.
+TEST(SameAnswer, OnEachInstructionSet) {
+  const FrameFile frames;
+  const std::string as_it_is = Digest({kAsItIs}, {frames.path()});
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    EXPECT_EQ(Digest({kAsItIs}, {frames.path(), std::to_string(target)}), as_it_is)
+        << hwy::TargetName(target);
+  }
+}
+
+// Else the first test compares a thing with itself.
 TEST(SameAnswer, IsAskedOfALibraryThatDiffers) {
   if (!__builtin_cpu_supports("fma")) GTEST_SKIP() << "this processor has no FMA";
   EXPECT_THAT(Digest({kWithoutFma}, {}), Not(Digest({kAsItIs}, {})));
