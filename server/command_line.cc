@@ -87,6 +87,10 @@ void AddFlags(CLI::App& app, ServerOptions& options) {
   app.add_option("--compute-threads", options.compute_threads,
                  "Frames computed at once, 0 to 1024; 0 = one per processor")
       ->capture_default_str();
+  app.add_option("--threads-per-frame", options.threads_per_frame,
+                 "How many of these may work for one frame while others are idle, 0 to 1024; 0 = "
+                 "all, 1 = one frame a thread")
+      ->capture_default_str();
   app.add_option("--compute-nice", options.compute_nice,
                  "How much these give way to the server's other threads, 0 to 19 steps of niceness")
       ->capture_default_str();

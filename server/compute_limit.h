@@ -16,8 +16,8 @@ class ComputeLimitPassed : public std::runtime_error {
                            stage + "; send a smaller image or region, or options that cost less") {}
 };
 
-// Of the processor time of the thread that made it: a machine that is busy with other things is no
-// fault of the frame.
+// Of the processor time of the thread that made it, and of the time that it waited for helpers: a
+// machine that is busy with other things is no fault of the frame.
 class ComputeLimit {
  public:
   // 0: none.

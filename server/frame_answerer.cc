@@ -13,6 +13,7 @@
 #include "server/conversion/trace.h"
 #include "server/log_exception.h"
 #include "server/rpc/caller.h"
+#include "server/scheduling/thread_priority.h"
 #include "server/status.h"
 #include "server/tracing/tracer.h"
 #include "server/watching/metrics.h"
@@ -31,7 +32,10 @@ double Milliseconds(Clock::duration duration) {
 
 FrameAnswerer::FrameAnswerer(DetectFunction detect, const ServerOptions& options, Metrics& metrics,
                              Tracer* tracer)
-    : detect_(std::move(detect)),
+    : max_threads_per_frame_(MaxThreadsPerFrame(options)),
+      helpers_(max_threads_per_frame_ > 1 ? NumComputeThreads(options) : 1,
+               [nice = options.compute_nice] { LowerPriority(nice); }),
+      detect_(std::move(detect)),
       policy_(options.client_options, options.fixed_options),
       max_pixels_(static_cast<std::uint64_t>(options.max_pixels)),
       max_compute_(options.max_compute_ms),
@@ -97,6 +101,7 @@ void FrameAnswerer::Record(const FrameRequest& request, const Caller& caller,
 Detections FrameAnswerer::DetectInTime(const RgbdFrame& frame, const DetectorOptions& options,
                                        const Caller& caller, Trace* trace,
                                        std::vector<StageTime>* times) const {
+  const Helpers::Scope helped(helpers_, max_threads_per_frame_);
   const ComputeLimit limit(max_compute_);
   bool passed = false;
   try {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/detector.h"
+#include "core/types/helpers.h"
 #include "fovea/v1/detection.pb.h"
 #include "fovea/v1/frame.pb.h"
 #include "server/conversion/option_policy.h"
@@ -57,6 +58,9 @@ class FrameAnswerer {
   Detections Compute(const FrameRequest& request, const Caller& caller, Trace* trace,
                      cv::Size* image, std::vector<StageTime>* times) const;
 
+  // Its compute threads help each other while some have nothing to do.
+  const int max_threads_per_frame_;
+  mutable Helpers helpers_;
   const DetectFunction detect_;
   const OptionPolicy policy_;
   const std::uint64_t max_pixels_;

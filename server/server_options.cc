@@ -114,6 +114,7 @@ void Validate(const ServerOptions& options) {
   RequireRange("--max-message-mib", options.max_message_mib, 1, 1024);
   RequireRange("--max-pixels", options.max_pixels, 1, 100'000'000);
   RequireRange("--compute-threads", options.compute_threads, 0, 1024);
+  RequireRange("--threads-per-frame", options.threads_per_frame, 0, 1024);
   RequireRange("--compute-nice", options.compute_nice, 0, 19);
   RequireRange("--max-waiting", options.max_waiting, -1, 10'000);
   RequireRange("--max-per-robot", options.max_per_robot, 0, 10'000);
@@ -131,6 +132,12 @@ void Validate(const ServerOptions& options) {
 int NumComputeThreads(const ServerOptions& options) {
   if (options.compute_threads > 0) return options.compute_threads;
   return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+int MaxThreadsPerFrame(const ServerOptions& options) {
+  const int num_threads = NumComputeThreads(options);
+  return options.threads_per_frame > 0 ? std::min(options.threads_per_frame, num_threads)
+                                       : num_threads;
 }
 
 std::string HostOf(const std::string& listen) { return listen.substr(0, listen.rfind(':')); }

@@ -51,6 +51,9 @@ struct ServerOptions {
   std::int64_t max_pixels = std::int64_t{2048} * 1536;
   // Frames that are computed at once, 0 … 1024; 0 = one per processor.
   int compute_threads = 0;
+  // Of these, how many may work for one frame while the others have nothing to do, 0 … 1024; 0 =
+  // all, 1 = each frame keeps to one thread.
+  int threads_per_frame = 0;
   // How much these threads give way to the server's others, which refuse and receive, 0 … 19 steps
   // of niceness. More gives way to other programs of the machine as well.
   int compute_nice = 10;
@@ -94,6 +97,9 @@ void Validate(const ServerOptions& options);
 
 // compute_threads, or one per processor where that is 0.
 int NumComputeThreads(const ServerOptions& options);
+
+// threads_per_frame, or all compute threads where that is 0.
+int MaxThreadsPerFrame(const ServerOptions& options);
 
 // "127.0.0.1" of "127.0.0.1:50051".
 std::string HostOf(const std::string& listen);

@@ -28,15 +28,24 @@ void FindObjects(const RgbdFrame& frame, const PaperOptions& options, Trace* tra
   counts.num_measured = CountMeasured(measured);
   counts.num_too_far = CountBeyond(measured, options.max_depth_m);
   counts.num_points = CountMeasured(ChannelZ(points));
-  clock.Begin("normals");
-  const NormalMap normals = EstimateNormals(points, frame.intrinsics, options.normals);
 
-  // Section 3.1: where something stands out, in colour and in depth.
-  clock.Begin("color_saliency");
-  const cv::Mat color_saliency = StrengthSaliency(frame.color_rgb, options.color_saliency);
-  clock.Begin("depth_saliency");
-  const cv::Mat depth_saliency = DepthSaliency(
-      depth, options.depth_saliency, ContrastOfSuperpixels(options.superpixels_per_diagonal));
+  // Section 3.1: where something stands out, in colour and in depth. Neither needs the other, nor
+  // normals.
+  NormalMap normals;
+  cv::Mat color_saliency, depth_saliency;
+  const auto find_normals = [&](StageClock& /*own*/) {
+    normals = EstimateNormals(points, frame.intrinsics, options.normals);
+  };
+  const auto find_color_saliency = [&](StageClock& /*own*/) {
+    color_saliency = StrengthSaliency(frame.color_rgb, options.color_saliency);
+  };
+  const auto find_depth_saliency = [&](StageClock& /*own*/) {
+    depth_saliency = DepthSaliency(depth, options.depth_saliency,
+                                   ContrastOfSuperpixels(options.superpixels_per_diagonal));
+  };
+  clock.RunBranches({{"normals", find_normals},
+                     {"color_saliency", find_color_saliency},
+                     {"depth_saliency", find_depth_saliency}});
 
   // Section 3.2: seeds at salient positions, except on the dominating support surface.
   clock.Begin("seeds");

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/saliency/blocks.h"
+#include "core/types/helpers.h"
 #include "core/types/interruption.h"
 #include "core/types/lab.h"
 
@@ -17,6 +18,21 @@ void Accumulate(const cv::Mat& strength, cv::Mat& saliency) {
     float* to = saliency.ptr<float>(y);
     for (int x = 0; x < saliency.cols; ++x) to[x] += 1.0F - from[x];
   }
+}
+
+// At all scales, of all channels.
+std::vector<cv::Mat> PropagateAll(const std::vector<cv::Mat>& channels, int num_scales) {
+  std::vector<cv::Mat> strengths(channels.size() * static_cast<std::size_t>(num_scales));
+  std::vector<Task> tasks;
+  for (std::size_t i = 0; i < strengths.size(); ++i) {
+    tasks.emplace_back([&, i] {
+      InterruptionPoint();
+      const int scale = 1 + static_cast<int>(i / channels.size());
+      strengths[i] = PropagateStrength(channels[i % channels.size()], scale);
+    });
+  }
+  RunTogether(tasks);
+  return strengths;
 }
 
 // In a fixed order, unlike cv::norm: the sum must not depend on the machine's vector width.
@@ -46,11 +62,8 @@ cv::Mat StrengthSaliency(const cv::Mat& color_rgb, const StrengthSaliencyOptions
   }
 
   cv::Mat saliency = cv::Mat::zeros(lab.size(), CV_32F);
-  for (int scale = 1; scale <= options.num_scales; ++scale) {
-    for (const cv::Mat& channel : channels) {
-      InterruptionPoint();
-      Accumulate(PropagateStrength(channel, scale), saliency);
-    }
+  for (const cv::Mat& strength : PropagateAll(channels, options.num_scales)) {
+    Accumulate(strength, saliency);
   }
   InterruptionPoint();
   saliency = EnlargeBlocks(saliency, options.downscale, color_rgb.size());

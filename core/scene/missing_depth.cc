@@ -158,10 +158,13 @@ cv::Mat StandInForMissing(const cv::Mat& depth_m, const std::vector<Support>& su
   cv::Mat standing = cv::Mat::zeros(depth_m.size(), CV_8UC1);
   if (supports.empty()) return standing;
   const int step = normals.step_px;
+  bool any = false;
   for (const auto& hole : FindHoles(depth_m, intrinsics.fx_px, MeasuredArea(points))) {
     InterruptionPoint();
     const std::optional<StandIn> stand_in = FindStandIn(hole, supports, intrinsics);
     if (!stand_in) continue;
+    if (!any) points = points.clone();  // others may look at them
+    any = true;
     cv::Point last(-1, -1);
     int shadow_end = 0;
     for (const cv::Point& pixel : hole) {

@@ -108,6 +108,15 @@ void AddNormals(const NormalMap& normals, int row, int first, int end, Voxel& vo
   voxel.normal = sum;
 }
 
+// The voxel of a cell: mostly that of the pixel above.
+int FindOrAdd(const Eigen::Vector3i& cell, int above, CellIndex& index, VoxelGrid& grid) {
+  if (above >= 0 && grid.voxels[above].cell == cell) return above;
+  const int next = static_cast<int>(grid.voxels.size());
+  const int voxel = index.FindOrAdd(cell, next);
+  if (voxel == next) grid.voxels.push_back({.cell = cell});
+  return voxel;
+}
+
 // Adds each point to its voxel; means and normals are sums until Finish.
 CellIndex CollectVoxels(const cv::Mat& points, const NormalMap& normals,
                         const VoxelOptions& options, VoxelGrid& grid) {
@@ -117,14 +126,12 @@ CellIndex CollectVoxels(const cv::Mat& points, const NormalMap& normals,
     InterruptionPoint();
     const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
     int* voxel_of_pixel = grid.voxel_of_pixel.ptr<int>(row);
+    const int* above = grid.voxel_of_pixel.ptr<int>(std::max(row - 1, 0));
     RunInWidestRegisters([&] { cells.Set(point); });
     for (int first = 0, end = 1; first < points.cols; first = end++) {
       if (std::isnan(point[first][2])) continue;
       while (end < points.cols && !std::isnan(point[end][2]) && cells.AreOne(first, end)) ++end;
-      const Eigen::Vector3i cell = cells.At(first);
-      const int next = static_cast<int>(grid.voxels.size());
-      const int voxel = index.FindOrAdd(cell, next);
-      if (voxel == next) grid.voxels.push_back({.cell = cell});
+      const int voxel = FindOrAdd(cells.At(first), above[first], index, grid);
       AddPoints(point, first, end, grid.voxels[voxel]);
       AddNormals(normals, row, first, end, grid.voxels[voxel]);
       std::fill(voxel_of_pixel + first, voxel_of_pixel + end, voxel);

@@ -20,7 +20,6 @@ class InterruptionScope {
   InterruptionScope(const InterruptionScope&) = delete;
   InterruptionScope& operator=(const InterruptionScope&) = delete;
 
-  // What begins now; whoever is stopped says so.
   void Enter(std::string stage) { stage_ = std::move(stage); }
 
   // Throws Cancelled, with the stage, if it should stop; `Now` asks whatever the period.
@@ -46,6 +45,16 @@ extern thread_local InterruptionScope* interruption_scope;
 // in some milliseconds; it takes some 30 ns, which is one look at the clock.
 inline void InterruptionPoint() {
   if (internal::interruption_scope != nullptr) internal::interruption_scope->Ask();
+}
+
+// The same whatever the period.
+inline void InterruptionPointNow() {
+  if (internal::interruption_scope != nullptr) internal::interruption_scope->AskNow();
+}
+
+// What begins now on this thread; whoever is stopped says so.
+inline void EnterStage(const std::string& stage) {
+  if (internal::interruption_scope != nullptr) internal::interruption_scope->Enter(stage);
 }
 
 // For loops of many short turns: a point at every 256th of them.

@@ -1,8 +1,9 @@
 // Prints a digest of the answer to each of some frames, or one of the C library's functions.
+#include <hwy/targets.h>
+
 #include <cmath>
 #include <cstdint>
 #include <fstream>
-#include <hwy/targets.h>
 #include <iostream>
 #include <opencv2/core.hpp>
 #include <random>

@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/types/helpers.h"
 #include "tests/support/labelled_frame.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/sensor.h"
@@ -71,6 +72,17 @@ TEST_P(Detector, GivesTheSameBitsOnEveryRunAndThread) {
   Detections elsewhere;
   std::thread([&] { elsewhere = Detect(frame, options_); }).join();
   ExpectSame(first, elsewhere);
+}
+
+TEST_P(Detector, GivesTheSameBitsWithHelpers) {
+  const RgbdFrame frame = TabletopTruth().frame;
+  const Detections alone = Detect(frame, options_);
+  for (const int num_threads : {2, 3, 5}) {
+    SCOPED_TRACE(num_threads);
+    Helpers helpers(num_threads);
+    const Helpers::Scope scope(helpers, num_threads);
+    ExpectSame(alone, Detect(frame, options_));
+  }
 }
 
 TEST_P(Detector, TakesGravityAsGiven) {

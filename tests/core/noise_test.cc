@@ -67,7 +67,7 @@ TEST(Noise, CanBeStoppedInEachStage) {
   NormalMap normals;
   ExpectToStop("normals", kRows,
                [&] { normals = EstimateNormals(points, frame.intrinsics, options.normals); });
-  ExpectToStop("color_saliency", 30,
+  ExpectToStop("color_saliency", 2 * 12,  // maps
                [&] { color_saliency = StrengthSaliency(frame.color_rgb, options.color_saliency); });
   ExpectToStop("depth_saliency", 60,
                [&] { depth_saliency = DepthSaliency(depth, options.depth_saliency); });

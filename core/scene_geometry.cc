@@ -1,0 +1,42 @@
+#include "core/scene_geometry.h"
+
+#include "core/depth/normals.h"
+#include "core/scene/background.h"
+#include "core/scene/missing_depth.h"
+#include "core/scene/walls.h"
+
+namespace fovea {
+namespace {
+
+void AddWalls(const std::vector<char>& on_wall, std::vector<char>& is_background) {
+  for (std::size_t v = 0; v < on_wall.size(); ++v) is_background[v] |= on_wall[v];
+}
+
+}  // namespace
+
+SceneGeometry FindGeometry(const RgbdFrame& frame, const cv::Mat& depth_m, const cv::Mat& points,
+                           const DetectorOptions& options, StageClock& clock) {
+  SceneGeometry scene;
+  scene.points = points;
+  NormalMap normals = EstimateNormals(points, frame.intrinsics, options.normals);
+  clock.Begin("support");
+
+  // Of wide windows, which noise far away tilts less than every pixel's.
+  const NormalMap wide_normals = EstimateNormals(points, frame.intrinsics, options.gravity.normals);
+  scene.gravity = FindGravity(frame.gravity, wide_normals.vectors, options.gravity);
+  scene.supports = FindSupports(points, wide_normals, scene.gravity.direction, options.support);
+  // What cannot be measured leaves a hole in its support.
+  scene.standing = StandInForMissing(depth_m, scene.supports, frame.intrinsics,
+                                     options.support.max_height_m, scene.points, normals);
+  clock.Begin("voxels");
+
+  scene.grid = BuildVoxelGrid(scene.points, normals, options.voxels);
+  scene.is_background =
+      FindBackground(scene.grid, scene.supports, options.support, frame.intrinsics, options.region);
+  scene.on_wall = FindWalls(scene.grid, -scene.gravity.direction, scene.supports, options.support,
+                            options.walls);
+  AddWalls(scene.on_wall, scene.is_background);
+  return scene;
+}
+
+}  // namespace fovea

@@ -1,0 +1,32 @@
+// What the depth image alone tells of the scene, before objects are looked for: which way is down,
+// what carries things, the voxels, and which of them are no objects.
+#pragma once
+
+#include <vector>
+
+#include "core/options.h"
+#include "core/scene/gravity.h"
+#include "core/scene/support_surface.h"
+#include "core/segmentation/voxel_grid.h"
+#include "core/stage_clock.h"
+#include "core/types/rgbd_frame.h"
+
+namespace fovea {
+
+struct SceneGeometry {
+  Gravity gravity;
+  std::vector<Support> supports;
+  cv::Mat points;    // CV_32FC3 of all pixels, NaN = none; with what stands in for missing depth
+  cv::Mat standing;  // CV_8UC1, not 0 where a surface stands in
+  VoxelGrid grid;
+  // One entry a voxel.
+  std::vector<char> is_background;
+  std::vector<char> on_wall;
+};
+
+// `depth_m`: CV_32FC1, NaN = none; `points`: as of BackProject, not changed. The first stage of
+// `clock`, "normals", has begun.
+SceneGeometry FindGeometry(const RgbdFrame& frame, const cv::Mat& depth_m, const cv::Mat& points,
+                           const DetectorOptions& options, StageClock& clock);
+
+}  // namespace fovea
