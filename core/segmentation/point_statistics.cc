@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 #include "core/segmentation/neighborhoods.h"
 #include "core/types/interruption.h"
@@ -27,27 +28,45 @@ void ForEachPoint(const VoxelGrid& grid, const cv::Mat& points,
   }
 }
 
-// The seeds that may be the nearest to a point of the voxel: by the triangle inequality those not
-// farther from its mean than the nearest one is, plus twice the voxel's radius.
-std::vector<Eigen::Vector3f> NearSeeds(const Voxel& voxel, float radius, const Positions& seeds) {
-  if (seeds.rows() == 0) return {};
-  const Eigen::ArrayXf squared_distance = SquaredDistances(seeds, voxel.mean);
-  // A little more for rounding, also where the voxel is a single point.
-  const float limit = 1.00001F * std::sqrt(squared_distance.minCoeff()) + 2.01F * radius;
-  std::vector<Eigen::Vector3f> near;
-  for (Eigen::Index i = 0; i < seeds.rows(); ++i) {
-    if (squared_distance[i] <= limit * limit) near.emplace_back(seeds.row(i).matrix());
-  }
-  return near;
-}
+// Some seeds for each voxel, in one list.
+class SeedsOfVoxels {
+ public:
+  explicit SeedsOfVoxels(std::size_t num_voxels) : range_of_voxel_(num_voxels) {}
 
-// The same of each voxel, without those from which no point of it is within `reach_m`.
-std::vector<std::vector<Eigen::Vector3f>> FindNearSeeds(const VoxelGrid& grid,
-                                                        const Foreground& foreground,
-                                                        const std::vector<float>& squared_radius,
-                                                        const std::vector<Seed>& seeds,
-                                                        float reach_m) {
-  std::vector<std::vector<Eigen::Vector3f>> near_seeds(grid.voxels.size());
+  std::span<const Eigen::Vector3f> Of(int voxel) const {
+    const Range& range = range_of_voxel_[voxel];
+    return std::span(seeds_).subspan(range.first, range.count);
+  }
+  // Once for each voxel: the seeds that may be the nearest to a point of it, which is not farther
+  // from its mean than `radius`. By the triangle inequality those not farther from the mean than
+  // the nearest one is, plus twice the radius.
+  void AddNearest(int v, const Voxel& voxel, float radius, const Positions& seeds) {
+    if (seeds.rows() == 0) return;
+    squared_distance_ = SquaredDistances(seeds, voxel.mean);
+    // A little more for rounding, also where the voxel is a single point.
+    const float limit = 1.00001F * std::sqrt(squared_distance_.minCoeff()) + 2.01F * radius;
+    const std::size_t first = seeds_.size();
+    for (Eigen::Index i = 0; i < seeds.rows(); ++i) {
+      if (squared_distance_[i] <= limit * limit) seeds_.emplace_back(seeds.row(i).matrix());
+    }
+    range_of_voxel_[v] = {first, seeds_.size() - first};
+  }
+
+ private:
+  struct Range {
+    std::size_t first = 0, count = 0;
+  };
+
+  std::vector<Eigen::Vector3f> seeds_;
+  std::vector<Range> range_of_voxel_;
+  Eigen::ArrayXf squared_distance_;  // kept for its memory
+};
+
+// The nearest ones of each voxel, without those from which no point of it is within `reach_m`.
+SeedsOfVoxels FindNearSeeds(const VoxelGrid& grid, const Foreground& foreground,
+                            const std::vector<float>& squared_radius,
+                            const std::vector<Seed>& seeds, float reach_m) {
+  SeedsOfVoxels near_seeds(grid.voxels.size());
   if (foreground.voxels.empty()) return near_seeds;
   const std::vector<Eigen::Vector3f> positions = PositionsOf(seeds);
   const float max_radius = std::sqrt(std::ranges::max(squared_radius));
@@ -58,8 +77,8 @@ std::vector<std::vector<Eigen::Vector3f>> FindNearSeeds(const VoxelGrid& grid,
                         for (const int i : members) {
                           loop.Turn();
                           const int v = foreground.voxels[i];
-                          near_seeds[v] =
-                              NearSeeds(grid.voxels[v], std::sqrt(squared_radius[v]), around);
+                          near_seeds.AddNearest(v, grid.voxels[v], std::sqrt(squared_radius[v]),
+                                                around);
                         }
                       });
   return near_seeds;
@@ -93,12 +112,12 @@ PointStatistics CollectStatistics(const VoxelGrid& grid, const cv::Mat& points,
     squared_radius[v] = std::max(squared_radius[v], squared_distance);
   });
 
-  const std::vector<std::vector<Eigen::Vector3f>> near_seeds =
+  const SeedsOfVoxels near_seeds =
       FindNearSeeds(grid, foreground, squared_radius, seeds, BackgroundReach(options));
   ForEachPoint(grid, points, is_background, [&](int v, const Eigen::Vector3f& x, cv::Point at) {
     if (!on_support.empty() && on_support.at<std::uint8_t>(at) != 0) return;  // -ln 1
     float nearest = std::numeric_limits<float>::infinity();
-    for (const Eigen::Vector3f& seed : near_seeds[v]) {
+    for (const Eigen::Vector3f& seed : near_seeds.Of(v)) {
       nearest = std::min(nearest, (x - seed).squaredNorm());
     }
     statistics.background_cost[v] += share(v) * BackgroundCost(nearest, options);

@@ -1,0 +1,34 @@
+// The frames that methods are timed on: recorded ones where there are any, and generated ones.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/types/rgbd_frame.h"
+
+namespace fovea::benchmark {
+
+struct BenchFrame {
+  std::string name;
+  RgbdFrame frame;
+  std::size_t num_objects = 0;  // that are known to be there; 0: not known
+};
+
+struct FrameSet {
+  std::string name;
+  std::string source;  // what the frames are and where they come from
+  std::vector<BenchFrame> frames;
+};
+
+// mOSD, frames of other cameras by size, and whole rooms from `data`, without those that it lacks,
+// then generated scenes by size and by their number of objects, noise and a checkerboard. At most
+// `max_frames` each, spread over the whole of a set.
+std::vector<FrameSet> FrameSets(const std::optional<std::filesystem::path>& data,
+                                std::size_t max_frames);
+
+// What `data` lacks of it.
+std::vector<std::string> MissingSets(const std::optional<std::filesystem::path>& data);
+
+}  // namespace fovea::benchmark

@@ -1,0 +1,100 @@
+#include "tests/benchmark/side_by_side/measurement.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/detector.h"
+#include "core/types/too_complex.h"
+#include "tests/benchmark/side_by_side/allocations.h"
+#include "tests/evaluation/peers/peer.h"
+
+namespace fovea::benchmark {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct Run {
+  double ms = 0;
+  std::vector<StageTime> stages;
+  Allocations allocations;
+};
+
+Run RunOnce(const Method& method, const RgbdFrame& frame) {
+  Run run;
+  const AllocationCounter counter;
+  const Clock::time_point start = Clock::now();
+  run.stages = method.run(frame);
+  run.ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  run.allocations = counter.SoFar();
+  return run;
+}
+
+void Add(const std::vector<Run>& runs, std::size_t num_frames, Measurement& to) {
+  std::vector<double> times;
+  for (const Run& run : runs) {
+    times.push_back(run.ms);
+    to.run_ms.push_back(run.ms);
+    for (const StageTime& time : run.stages) {
+      if (!to.stage_ms.contains(time.stage)) to.stages.push_back(time.stage);
+      to.stage_ms[time.stage].push_back(time.duration_ms);
+    }
+  }
+  to.frame_ms.push_back(Quantile(times, 0.5));
+  to.allocations +=
+      static_cast<double>(runs.back().allocations.count) / static_cast<double>(num_frames);
+  to.peak_mb = std::max(to.peak_mb, static_cast<double>(runs.back().allocations.peak_bytes) / 1e6);
+}
+
+}  // namespace
+
+Method MethodOf(const std::string& name) {
+  const std::vector<std::string> profiles = ProfileNames(), peers = evaluation::PeerNames();
+  if (std::find(profiles.begin(), profiles.end(), name) != profiles.end()) {
+    return {name, [options = OptionsOfProfile(name)](const RgbdFrame& frame) {
+              return Detect(frame, options).stage_times;
+            }};
+  }
+  if (std::find(peers.begin(), peers.end(), name) == peers.end()) {
+    throw std::invalid_argument("\"" + name + "\" is no method");
+  }
+  return {name, [name](const RgbdFrame& frame) {
+            evaluation::SegmentWithPeer(name, frame);
+            return std::vector<StageTime>();
+          }};
+}
+
+std::vector<Measurement> Measure(const FrameSet& set, const std::vector<Method>& methods,
+                                 int num_rounds, const std::function<void()>& frame_done) {
+  std::vector<Measurement> measurements(methods.size());
+  for (const BenchFrame& frame : set.frames) {
+    std::vector<std::vector<Run>> runs(methods.size());
+    for (int round = 0; round <= num_rounds; ++round) {
+      for (std::size_t m = 0; m < methods.size(); ++m) {
+        try {
+          const Run run = RunOnce(methods[m], frame.frame);
+          if (round > 0) runs[m].push_back(run);
+        } catch (const TooComplex&) {
+          if (round == 0) ++measurements[m].num_failed;
+        }
+      }
+    }
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      if (!runs[m].empty()) Add(runs[m], set.frames.size(), measurements[m]);
+    }
+    frame_done();
+  }
+  return measurements;
+}
+
+double Quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  const auto place = static_cast<std::ptrdiff_t>(
+      std::min<double>(std::floor(share * static_cast<double>(values.size())),
+                       static_cast<double>(values.size() - 1)));
+  std::nth_element(values.begin(), values.begin() + place, values.end());
+  return values[static_cast<std::size_t>(place)];
+}
+
+}  // namespace fovea::benchmark
