@@ -1,11 +1,15 @@
 #include "core/detector.h"
 
+#include <algorithm>
+#include <functional>
 #include <opencv2/core.hpp>
+#include <utility>
 
 #include "core/depth/back_projection.h"
 #include "core/depth/flying_pixels.h"
 #include "core/depth/measured_depth.h"
 #include "core/explanation.h"
+#include "core/objects/portions.h"
 #include "core/paper/detect_as_paper.h"
 #include "core/refinement.h"
 #include "core/saliency/mean_saliency.h"
@@ -19,12 +23,26 @@
 #include "core/stage_clock.h"
 #include "core/types/helpers.h"
 #include "core/types/interruption.h"
+#include "core/types/time_budget.h"
 
 namespace fovea {
 namespace {
 
 // Of lambda: cutting between voxels of one cluster costs at least as much.
 constexpr double kMinShareOfCluster = 0.6;
+
+// Returns false where the budget ended before the work did, and lifts it for what is left to do.
+// Throws Cancelled where the caller wants no more.
+bool InTime(TimeBudget& budget, const std::function<void()>& work) {
+  try {
+    work();
+    return true;
+  } catch (const Cancelled&) {
+    if (budget.IsStopped()) throw;
+    budget.Lift();
+    return false;
+  }
+}
 
 std::vector<int> LabelClusters(const PottsEnergy& energy, const MrfOptions& options) {
   const auto min_weight = static_cast<float>(kMinShareOfCluster * options.lambda);
@@ -59,9 +77,35 @@ Salience FindSalience(const RgbdFrame& frame, const cv::Mat& depth, const cv::Ma
   return salience;
 }
 
+// What has been found in the parts of a scene that were looked at, of which the last one is seen in
+// a trace.
+struct FoundObjects : RefinedScene {
+  explicit FoundObjects(std::size_t num_voxels) { objects.resize(num_voxels, 0); }
+
+  void Add(std::vector<int> labels_of_part, RefinedScene part) {
+    const int num_before = static_cast<int>(confidences.size());
+    for (std::size_t v = 0; v < objects.size(); ++v) {
+      if (part.objects[v] > 0) objects[v] = num_before + part.objects[v];
+    }
+    confidences.insert(confidences.end(), part.confidences.begin(), part.confidences.end());
+    rejected.insert(rejected.end(), part.rejected.begin(), part.rejected.end());
+    std::stable_sort(rejected.begin(), rejected.end(),
+                     [](const auto& a, const auto& b) { return a.probability > b.probability; });
+    num_segments += part.tree.num_segments;
+    num_merged += part.num_merged;
+    labels = std::move(labels_of_part);
+    segments = std::move(part.segments);
+    tree = std::move(part.tree);
+    evidence = std::move(part.evidence);
+  }
+
+  std::vector<int> labels;
+  std::size_t num_segments = 0;
+};
+
 // The first stage of `clock` has begun.
 void FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* trace,
-                 StageClock& clock, Detections& result) {
+                 TimeBudget& budget, StageClock& clock, Detections& result) {
   Diagnostics& counts = result.diagnostics;
 
   // Section 1: the smoothed depth image and the point cloud.
@@ -103,30 +147,43 @@ void FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* 
   RunTogether(
       {[&] { seeds = CoverWithSeeds(scene.grid, scene.is_background, above, options.cover); },
        [&] { colors = ColorsOfVoxels(scene.grid, scene.is_background, frame.color_rgb); }});
-  const PottsEnergy energy =
-      BuildEnergy(scene.grid, scene.points, colors, scene.is_background, seeds, options.mrf);
   counts.num_seeds = seeds.size();
   counts.num_voxels = scene.grid.voxels.size();
-  clock.Begin("graph_cut");
-  const std::vector<int> labels = LabelVoxels(energy, options.mrf);
-  clock.Begin("refinement");
-
-  // Section 3.3: segments that look alike are one object.
-  const RefinedScene refined =
-      Refine({scene.grid, labels, scene.points, frame.color_rgb, colors, frame.intrinsics,
-              -scene.gravity.direction, scene.supports, scene.standing, scene.on_wall},
-             options);
-  counts.num_segments = refined.tree.num_segments;
-  counts.num_merged = refined.num_merged;
-  counts.segments_implausible = refined.rejected.size();
-  result.rejected = refined.rejected;
+  FoundObjects found(scene.grid.voxels.size());
+  const auto look_at = [&](const std::vector<char>& is_background) {
+    clock.Begin("energy");
+    const PottsEnergy energy =
+        BuildEnergy(scene.grid, scene.points, colors, is_background, seeds, options.mrf);
+    clock.Begin("graph_cut");
+    const std::vector<int> labels = LabelVoxels(energy, options.mrf);
+    clock.Begin("refinement");
+    // Section 3.3: segments that look alike are one object.
+    found.Add(labels,
+              Refine({scene.grid, labels, scene.points, frame.color_rgb, colors, frame.intrinsics,
+                      -scene.gravity.direction, scene.supports, scene.standing, scene.on_wall},
+                     options));
+  };
+  const cv::Mat saliency = MeanSaliency(salience.color, salience.depth);
+  if (budget.IsLimited()) {
+    constexpr int kNumPortions = 6;
+    for (const auto& outside :
+         SalientPortions(scene.grid, scene.is_background, saliency, kNumPortions)) {
+      if (result.incomplete) break;
+      result.incomplete = !InTime(budget, [&] { look_at(outside); });
+    }
+    budget.Lift();
+  } else {
+    look_at(scene.is_background);
+  }
+  counts.num_segments = found.num_segments;
+  counts.num_merged = found.num_merged;
+  counts.segments_implausible = found.rejected.size();
+  result.rejected = found.rejected;
   clock.Begin("objects");
 
-  result.labels =
-      LabelsWithin(scene.grid, refined.objects, scene.standing | (measured == measured));
-  DescribeObjects(frame, scene.points, MeanSaliency(salience.color, salience.depth),
-                  refined.confidences, scene.supports, options.objects, result);
-  counts.messages = ExplainLosses(result);
+  result.labels = LabelsWithin(scene.grid, found.objects, scene.standing | (measured == measured));
+  DescribeObjects(frame, scene.points, saliency, found.confidences, scene.supports, options.objects,
+                  result);
   clock.Finish();
   if (trace != nullptr) {
     *trace = {depth,
@@ -137,13 +194,20 @@ void FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* 
               options.mrf.data.gamma_per_m2,
               scene.grid,
               colors,
-              labels,
-              refined.segments,
-              LabelsOfChosen(refined.tree, refined.tree.LikelyNodes(), refined.segments),
-              refined.tree,
-              refined.evidence,
+              found.labels,
+              found.segments,
+              LabelsOfChosen(found.tree, found.tree.LikelyNodes(), found.segments),
+              found.tree,
+              found.evidence,
               scene.standing};
   }
+}
+
+Detections NothingYet(const RgbdFrame& frame) {
+  Detections result;
+  result.labels = cv::Mat::zeros(frame.depth_m.size(), CV_16UC1);
+  result.incomplete = true;
+  return result;
 }
 
 }  // namespace
@@ -154,18 +218,23 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   Validate(options);
   RequireNotEmpty(options.paper ? options.paper->region : options.region, frame.depth_m.size());
   Detections result;
-  const InterruptionScope interruption(should_stop);
+  TimeBudget budget(options.time_budget, should_stop);
+  const InterruptionScope interruption([&] { return budget.WantsStop(); });
   StageClock clock("depth");
   try {
-    if (options.paper) {
-      paper::FindObjects(frame, *options.paper, trace, clock, result);
-    } else {
-      FindObjects(frame, options, trace, clock, result);
-    }
+    const bool in_time = InTime(budget, [&] {
+      if (options.paper) {
+        paper::FindObjects(frame, *options.paper, trace, clock, result);
+      } else {
+        FindObjects(frame, options, trace, budget, clock, result);
+      }
+    });
+    if (!in_time) result = NothingYet(frame);
   } catch (Cancelled& cancelled) {
     cancelled.stage_times = clock.TimesUntilNow();
     throw;
   }
+  result.diagnostics.messages = ExplainLosses(result);
   result.stage_times = clock.TimesUntilNow();
   return result;
 }

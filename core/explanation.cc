@@ -67,6 +67,11 @@ std::vector<std::string> SegmentLosses(const Diagnostics& d) {
 }  // namespace
 
 std::vector<std::string> ExplainLosses(const Detections& detections) {
+  if (detections.incomplete) {
+    return {
+        "the time budget ended before all of the frame was looked at, what is most salient first: "
+        "raise it, or send a smaller image or region"};
+  }
   const Diagnostics& d = detections.diagnostics;
   std::vector<std::string> messages;
   const auto say = [&](std::string message) {

@@ -86,6 +86,10 @@ void SetOption(DetectorOptions& options, std::string_view name, double value) {
 }
 
 void Validate(const DetectorOptions& options) {
+  const double budget_ms = options.time_budget.count();
+  if (!(budget_ms >= 0 && budget_ms <= 3'600'000)) {
+    throw std::invalid_argument("time_budget: must be 0 (none) or up to an hour");
+  }
   for (const OptionEntry& entry : OptionTable()) {
     if (const auto value = Get(entry, options)) Check(entry.info, *value);
   }

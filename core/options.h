@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <chrono>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -33,6 +34,11 @@ namespace fovea {
 struct DetectorOptions {
   // Set: the paper's method runs, with these, and reads nothing else here.
   std::optional<paper::PaperOptions> paper;
+
+  // Once this has passed, the answer is what has been found by then (Detections::incomplete), which
+  // differs from run to run. 0: as long as it takes; up to an hour. Of profile "paper" too, which
+  // has nothing before its end.
+  std::chrono::duration<double, std::milli> time_budget{0};
 
   double max_depth_m = 3;  // farther away the noise of such cameras is the size of the objects
   RegionOptions region;

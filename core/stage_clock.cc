@@ -1,9 +1,26 @@
 #include "core/stage_clock.h"
 
+#include <algorithm>
+
 #include "core/types/helpers.h"
 #include "core/types/interruption.h"
 
 namespace fovea {
+namespace {
+
+// Stages that come again count as one.
+void Add(const StageTime& time, std::vector<StageTime>& times) {
+  const auto known = std::find_if(times.begin(), times.end(), [&](const StageTime& other) {
+    return other.stage == time.stage;
+  });
+  if (known == times.end()) {
+    times.push_back(time);
+  } else {
+    known->duration_ms += time.duration_ms;
+  }
+}
+
+}  // namespace
 
 StageClock::StageClock(const std::string& first_stage) : stage_(first_stage) {
   EnterStage(first_stage);
@@ -11,7 +28,7 @@ StageClock::StageClock(const std::string& first_stage) : stage_(first_stage) {
 
 void StageClock::Finish() {
   if (stage_.empty()) return;
-  times_.push_back({stage_, SinceBegin()});
+  Add({stage_, SinceBegin()}, times_);
   stage_.clear();
   InterruptionPointNow();
 }
@@ -42,10 +59,9 @@ void StageClock::RunBranches(const std::vector<Branch>& branches) {
 std::vector<StageTime> StageClock::TimesUntilNow() const {
   std::vector<StageTime> times = times_;
   for (const StageClock& branch : branches_) {
-    const std::vector<StageTime> more = branch.TimesUntilNow();
-    times.insert(times.end(), more.begin(), more.end());
+    for (const StageTime& time : branch.TimesUntilNow()) Add(time, times);
   }
-  if (!stage_.empty()) times.push_back({stage_, SinceBegin()});
+  if (!stage_.empty()) Add({stage_, SinceBegin()}, times);
   return times;
 }
 

@@ -1,6 +1,7 @@
 #include "client/cli/detect_command.h"
 
 #include <fmt/format.h>
+#include <google/protobuf/util/time_util.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -37,6 +38,14 @@ FrameSettings SettingsOf(const DetectFlags& flags) {
   settings.depth_unit_m = flags.depth_unit_m;
   settings.gravity = ParseGravity(flags.gravity);
   settings.options = ParseOptions(flags.profile, flags.settings);
+  Require(flags.time_budget_s >= 0 && flags.time_budget_s < 3600,
+          fmt::format("--time-budget: {} is not from 0 (none) to less than an hour",
+                      flags.time_budget_s));
+  if (flags.time_budget_s > 0) {
+    *settings.options.mutable_time_budget() =
+        google::protobuf::util::TimeUtil::NanosecondsToDuration(
+            std::llround(flags.time_budget_s * 1e9));
+  }
   return settings;
 }
 
@@ -95,6 +104,12 @@ CLI::Option* AddFlag(CLI::App& command, const char* flag, std::string& value, co
 void AddCommonFlags(CLI::App& command, DetectFlags& flags) {
   AddConnectionFlags(command, flags.connection);
   command.add_option("--timeout", flags.timeout_s, "Longest wait for one answer")
+      ->type_name("SECONDS")
+      ->capture_default_str();
+  command
+      .add_option("--time-budget", flags.time_budget_s,
+                  "Longest detection: what is most salient is looked at first, and the answer is "
+                  "what has been found by then; 0 = as long as it takes. Not with --explain")
       ->type_name("SECONDS")
       ->capture_default_str();
   AddFlag(command, "--intrinsics", flags.intrinsics, "FX,FY,CX,CY",

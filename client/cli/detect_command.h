@@ -13,6 +13,7 @@ namespace fovea::cli {
 struct DetectFlags {
   ConnectionFlags connection;
   double timeout_s = 30;
+  double time_budget_s = 0;  // 0: none
   std::string color, depth, intrinsics, depth_intrinsics, color_from_depth, gravity, profile, id,
       input, output;
   double depth_unit_m = 0.001;

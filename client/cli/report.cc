@@ -66,7 +66,8 @@ std::string Report(const v1::Detections& detections, double round_trip_ms) {
   }
   for (const v1::Object& object : detections.objects()) text += ObjectLine(object);
   text += GravityLine(detections.gravity()) + SupportLine(detections);
-  if (detections.objects_size() < kFew || !detections.has_support_surface()) {
+  if (detections.objects_size() < kFew || !detections.has_support_surface() ||
+      detections.incomplete()) {
     for (const std::string& message : detections.diagnostics().messages()) {
       text += "note: " + message + "\n";
     }

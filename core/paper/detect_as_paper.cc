@@ -4,7 +4,6 @@
 
 #include "core/depth/back_projection.h"
 #include "core/depth/measured_depth.h"
-#include "core/explanation.h"
 #include "core/paper/confidence.h"
 #include "core/paper/superpixel_contrast.h"
 #include "core/paper/support_reading.h"
@@ -92,7 +91,6 @@ void FindObjects(const RgbdFrame& frame, const PaperOptions& options, Trace* tra
   DescribeObjects(frame, points, MeanSaliency(color_saliency, depth_saliency),
                   Confidences(result.labels, measured, frame.intrinsics), supports, options.objects,
                   result);
-  counts.messages = ExplainLosses(result);
   clock.Finish();
   if (trace != nullptr) {
     *trace = {depth,

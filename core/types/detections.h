@@ -124,6 +124,7 @@ struct Detections {
   std::vector<RejectedObject> rejected;  // likeliest first; none in profile "paper"
   Gravity gravity;
   std::optional<SupportSurface> support;  // the dominating one
+  bool incomplete = false;  // the time budget ended before all of the scene was looked at
   Diagnostics diagnostics;
   std::vector<StageTime> stage_times;  // in the order of the pipeline
 };

@@ -168,11 +168,12 @@ void Helpers::Help() {
 }
 
 void RunTogether(const std::vector<Task>& tasks) {
-  if (scope_of_thread != nullptr && tasks.size() > 1) {
+  const bool alone = scope_of_thread == nullptr || scope_of_thread->helpers_.threads_.empty();
+  if (!alone && tasks.size() > 1) {
     scope_of_thread->helpers_.Run(*scope_of_thread, tasks);
-    return;
+  } else {
+    for (const Task& task : tasks) task();
   }
-  for (const Task& task : tasks) task();
 }
 
 }  // namespace fovea

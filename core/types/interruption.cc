@@ -7,7 +7,7 @@
 namespace fovea {
 
 namespace internal {
-thread_local InterruptionScope* interruption_scope = nullptr;
+constinit thread_local InterruptionScope* interruption_scope = nullptr;
 }  // namespace internal
 
 InterruptionScope::InterruptionScope(std::function<bool()> should_stop,

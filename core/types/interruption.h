@@ -37,8 +37,9 @@ class InterruptionScope {
 };
 
 namespace internal {
-// Of this thread; null where nobody can stop it.
-extern thread_local InterruptionScope* interruption_scope;
+// Of this thread; null where nobody can stop it. Constant from the start, so that no function is
+// called to look at it.
+extern constinit thread_local InterruptionScope* interruption_scope;
 }  // namespace internal
 
 // Throws Cancelled where the scope of this thread wants to stop. Long loops call it, at least once

@@ -101,6 +101,7 @@ v1::Detections ToProto(const Detections& detections, const Trace& trace, const v
   *proto.mutable_diagnostics() = DiagnosticsToProto(detections.diagnostics);
   proto.set_server_version(Version());
   proto.set_server_build(Commit());
+  proto.set_incomplete(detections.incomplete);
   AddObjects(detections, frame, options, &proto);
   if (options.return_rejected()) AddRejected(detections, &proto);
   AddTrace(trace, options, &proto);

@@ -1,7 +1,9 @@
 #include "server/conversion/options.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -75,6 +77,20 @@ DetectorOptions ProfileFromProto(const std::string& name, const OptionPolicy& po
   return OptionsOfProfile(name);
 }
 
+std::chrono::duration<double, std::milli> TimeBudgetFromProto(const v1::DetectOptions& options) {
+  if (!options.has_time_budget()) return {};
+  constexpr std::int64_t kMax_s = 3600;
+  const google::protobuf::Duration& budget = options.time_budget();
+  const bool is_in_range = budget.seconds() >= 0 && budget.nanos() >= 0 &&
+                           budget.nanos() < 1'000'000'000 && budget.seconds() < kMax_s;
+  RequireField(is_in_range, "options.time_budget", "must be from 0 (none) to less than an hour");
+  const std::chrono::duration<double, std::milli> time =
+      std::chrono::seconds(budget.seconds()) + std::chrono::nanoseconds(budget.nanos());
+  RequireField(time.count() == 0 || !options.return_trace(), "options.time_budget",
+               "does not go with return_trace, which is of the whole frame");
+  return time;
+}
+
 }  // namespace
 
 DetectorOptions FromProto(const v1::DetectOptions& options, const OptionPolicy& policy) {
@@ -83,6 +99,7 @@ DetectorOptions FromProto(const v1::DetectOptions& options, const OptionPolicy& 
   const std::map<std::string, double> parameters(options.parameters().begin(),
                                                  options.parameters().end());
   for (const auto& [name, value] : parameters) SetParameter(result, name, value, policy);
+  result.time_budget = TimeBudgetFromProto(options);
   InField("options.parameters", [&] { Validate(result); });
   return result;
 }

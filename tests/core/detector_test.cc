@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstring>
 #include <limits>
 #include <opencv2/core.hpp>
 #include <random>
+#include <set>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -168,6 +171,45 @@ TEST_P(Detector, StopsBetweenStages) {
     ASSERT_FALSE(cancelled.stage_times.empty());
     EXPECT_EQ(cancelled.stage_times.front().stage, "depth");
     EXPECT_EQ(cancelled.stage_times.back().stage, cancelled.stage);
+  }
+}
+
+TEST_P(Detector, AnswersWithWhatItHasWhenItsTimeEnds) {
+  DetectorOptions options = options_;
+  options.time_budget = std::chrono::nanoseconds(1);
+  const RgbdFrame frame = Tabletop();
+  const Detections found = Detect(frame, options);
+  EXPECT_TRUE(found.incomplete);
+  EXPECT_TRUE(found.objects.empty());
+  EXPECT_EQ(found.labels.size(), frame.depth_m.size());
+  EXPECT_THAT(found.diagnostics.messages, testing::ElementsAre(HasSubstr("time budget ended")));
+  EXPECT_FALSE(found.stage_times.empty());
+}
+
+TEST_P(Detector, FindsTheSameObjectsWithTimeToSpare) {
+  const RgbdFrame frame = TabletopTruth().frame;
+  const Detections without = Detect(frame, options_);
+  DetectorOptions options = options_;
+  options.time_budget = std::chrono::hours(1);
+  const Detections within = Detect(frame, options);
+  EXPECT_FALSE(within.incomplete);
+  EXPECT_EQ(within.objects.size(), without.objects.size());
+  std::vector<std::string> stages;
+  for (const StageTime& time : within.stage_times) stages.push_back(time.stage);
+  EXPECT_EQ(std::set<std::string>(stages.begin(), stages.end()).size(), stages.size());
+}
+
+TEST_P(Detector, IsStoppedByItsCallerAlsoWithTimeToSpare) {
+  DetectorOptions options = options_;
+  options.time_budget = std::chrono::hours(1);
+  EXPECT_THROW(Detect(Tabletop(), options, nullptr, [] { return true; }), Cancelled);
+}
+
+TEST_P(Detector, RefusesABudgetOutOfRange) {
+  for (const double ms : {-1.0, 3.7e6, std::numeric_limits<double>::quiet_NaN()}) {
+    DetectorOptions options = options_;
+    options.time_budget = std::chrono::duration<double, std::milli>(ms);
+    EXPECT_THROW(Detect(Tabletop(), options), std::invalid_argument) << ms;
   }
 }
 

@@ -79,6 +79,18 @@ std::vector<BadInput> BadParts() {
       {"region_beyond_the_image",
        [](auto& r) { (*r.mutable_options()->mutable_parameters())["region.x_px"] = 9999; },
        "options.parameters: region.x_px: 9999"},
+      {"negative_time_budget",
+       [](auto& r) { r.mutable_options()->mutable_time_budget()->set_nanos(-1); },
+       "options.time_budget: must be from 0"},
+      {"enormous_time_budget",
+       [](auto& r) { r.mutable_options()->mutable_time_budget()->set_seconds(1'000'000'000'000); },
+       "options.time_budget: must be from 0"},
+      {"time_budget_with_trace",
+       [](auto& r) {
+         r.mutable_options()->mutable_time_budget()->set_seconds(1);
+         r.mutable_options()->set_return_trace(true);
+       },
+       "options.time_budget: does not go with return_trace"},
       {"enormous_option_name",
        [](auto& r) { (*r.mutable_options()->mutable_parameters())[std::string(100'000, 'x')] = 1; },
        "options.parameters[xxx"},

@@ -115,6 +115,7 @@ class Detections:
     server_build: str
     trace: Trace | None = None  # unless asked for
     rejected: list[RejectedObject] = field(default_factory=list)  # likeliest first; if asked for
+    incomplete: bool = False  # the time budget ended before all of the frame was looked at
 
     def label_image(self) -> npt.NDArray[np.uint16]:
         """HxW: 0 = background, k = the object with label k. Needs masks."""
@@ -155,6 +156,7 @@ def detections_from_proto(proto: detection_pb2.Detections) -> Detections:
         server_build=proto.server_build,
         trace=_trace(proto.trace) if proto.HasField("trace") else None,
         rejected=[_rejected(each) for each in proto.rejected],
+        incomplete=proto.incomplete,
     )
 
 

@@ -48,9 +48,13 @@ class DetectOptions:
     return_trace: bool = False
     # Detections.rejected: what was considered and is not reported, and why.
     return_rejected: bool = False
+    # Seconds that the detection may take: what is most salient is looked at first, and
+    # Detections.incomplete tells if that was not all. 0: as long as it takes. Not with
+    # return_trace.
+    time_budget: float = 0
 
     def to_proto(self) -> detection_pb2.DetectOptions:
-        """Raises InvalidArgument for a parameter that is no number."""
+        """Raises InvalidArgument for a parameter that is no number, or a budget out of range."""
         proto = detection_pb2.DetectOptions(
             profile=self.profile,
             return_masks=self.return_masks,
@@ -60,6 +64,13 @@ class DetectOptions:
             return_trace=self.return_trace,
             return_rejected=self.return_rejected,
         )
+        if self.time_budget:
+            if not 0 < self.time_budget < 3600:
+                raise InvalidArgument(
+                    "options.time_budget",
+                    f"{self.time_budget!r} s is not from 0 (none) to less than an hour",
+                )
+            proto.time_budget.FromNanoseconds(round(self.time_budget * 1e9))
         for name, value in self.parameters.items():
             try:
                 proto.parameters[name] = float(value)

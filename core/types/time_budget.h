@@ -1,0 +1,40 @@
+// How long a detection may take.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <utility>
+
+namespace fovea {
+
+class TimeBudget {
+ public:
+  // From now on. 0: as long as it takes. `should_stop` (may be empty): whether the caller wants no
+  // answer at all.
+  TimeBudget(std::chrono::duration<double, std::milli> budget, std::function<bool()> should_stop)
+      : is_limited_(budget.count() > 0),
+        end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(budget)),
+        should_stop_(std::move(should_stop)) {}
+
+  // Whether to go on is asked; for an InterruptionScope.
+  bool WantsStop() {
+    is_stopped_ = is_stopped_ || (should_stop_ && should_stop_());
+    return is_stopped_ || HasEnded();
+  }
+  bool IsLimited() const { return is_limited_; }
+  bool HasEnded() const { return is_limited_ && Clock::now() >= end_; }
+  // By the caller, not by the end of the budget.
+  bool IsStopped() const { return is_stopped_; }
+  // For what is left to do once it has ended.
+  void Lift() { is_limited_ = false; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool is_limited_;
+  bool is_stopped_ = false;
+  Clock::time_point end_;
+  std::function<bool()> should_stop_;
+};
+
+}  // namespace fovea
