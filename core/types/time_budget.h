@@ -13,7 +13,8 @@ class TimeBudget {
   // answer at all.
   TimeBudget(std::chrono::duration<double, std::milli> budget, std::function<bool()> should_stop)
       : is_limited_(budget.count() > 0),
-        end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(budget)),
+        begin_(Clock::now()),
+        end_(begin_ + std::chrono::duration_cast<Clock::duration>(budget)),
         should_stop_(std::move(should_stop)) {}
 
   // Whether to go on is asked; for an InterruptionScope.
@@ -21,7 +22,11 @@ class TimeBudget {
     is_stopped_ = is_stopped_ || (should_stop_ && should_stop_());
     return is_stopped_ || HasEnded();
   }
-  bool IsLimited() const { return is_limited_; }
+  // Whether what is left of it is more than so many times what has been used.
+  bool HasMoreLeftThan(double times) const {
+    const Clock::time_point now = Clock::now();
+    return !is_limited_ || end_ - now > times * (now - begin_);
+  }
   bool HasEnded() const { return is_limited_ && Clock::now() >= end_; }
   // By the caller, not by the end of the budget.
   bool IsStopped() const { return is_stopped_; }
@@ -33,7 +38,7 @@ class TimeBudget {
 
   bool is_limited_;
   bool is_stopped_ = false;
-  Clock::time_point end_;
+  Clock::time_point begin_, end_;
   std::function<bool()> should_stop_;
 };
 

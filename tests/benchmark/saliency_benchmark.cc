@@ -1,10 +1,11 @@
-// Saliency maps and seeds at 640×480, on a recorded frame where there is one.
+// Saliency maps and seeds at 640×480, the former also with a helper, on a recorded frame where there is one.
 #include <benchmark/benchmark.h>
 
 #include "core/paper/superpixel_contrast.h"
 #include "core/saliency/depth_saliency.h"
 #include "core/saliency/strength_saliency.h"
 #include "core/seeds/morphology.h"
+#include "core/types/helpers.h"
 #include "tests/benchmark/frames.h"
 
 namespace fovea {
@@ -13,6 +14,9 @@ namespace {
 void SaliencyOfColor(benchmark::State& state) {
   const std::string& frame = FrameNames()[static_cast<std::size_t>(state.range(0))];
   const cv::Mat rgb = ReadColor(frame);
+  const int num_threads = static_cast<int>(state.range(2));
+  Helpers helpers(num_threads);
+  const Helpers::Scope helped(helpers, num_threads);
   for (auto _ : state) {
     benchmark::DoNotOptimize(
         StrengthSaliency(rgb, {.downscale = static_cast<int>(state.range(1))}));
@@ -20,8 +24,9 @@ void SaliencyOfColor(benchmark::State& state) {
   state.SetLabel(SourceOf(frame));
 }
 BENCHMARK(SaliencyOfColor)
-    ->ArgNames({"frame", "downscale"})
-    ->ArgsProduct({{0, 1, 2, 3}, {1, 2, 4}})
+    ->ArgNames({"frame", "downscale", "threads"})
+    ->ArgsProduct({{0, 1, 2, 3}, {1, 2, 4}, {1, 2}})
+    ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 
 void SaliencyOfDepth(benchmark::State& state) {

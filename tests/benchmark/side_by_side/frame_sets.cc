@@ -1,11 +1,11 @@
 #include "tests/benchmark/side_by_side/frame_sets.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
 #include <opencv2/core.hpp>
-#include <utility>
 
 #include "tests/evaluation/dataset.h"
 #include "tests/evaluation/real_frames/boxed_frames.h"
@@ -63,26 +63,29 @@ BenchFrame Generated(const std::string& kind, std::uint64_t seed, const cv::Size
   return {fmt::format("{}_{}", kind, seed), made.frame, made.objects.size()};
 }
 
-void AddGenerated(std::size_t max_frames, std::vector<FrameSet>& sets) {
+// Of as many scenes of these kinds in turn.
+FrameSet Generated(const std::string& name, const std::vector<std::string>& kinds,
+                   std::uint64_t first_seed, const cv::Size& size, std::size_t count) {
+  FrameSet set{name, fmt::format("generated, {} {}", fmt::join(kinds, " and "), TextOf(size)), {}};
+  for (std::size_t i = 0; i < count; ++i) {
+    set.frames.push_back(Generated(kinds[i % kinds.size()], first_seed + i, size));
+  }
+  return set;
+}
+
+void AddGenerated(const std::string& only, std::size_t count, std::vector<FrameSet>& sets) {
+  const auto add = [&](const std::string& name, const std::vector<std::string>& kinds,
+                       std::uint64_t first_seed, const cv::Size& size) {
+    if (name.starts_with(only)) sets.push_back(Generated(name, kinds, first_seed, size, count));
+  };
   for (const cv::Size& size : kSizes) {
-    FrameSet set{"tables " + TextOf(size), "generated, seeds from 1 on", {}};
-    for (std::size_t i = 0; i < std::min<std::size_t>(max_frames, 4); ++i) {
-      set.frames.push_back(Generated(i % 2 == 0 ? "tabletop" : "cluttered", i + 1, size));
-    }
-    sets.push_back(set);
+    add("tables " + TextOf(size), {"tabletop", "cluttered"}, 1, size);
   }
-  const std::vector<std::pair<const char*, const char*>> by_number = {
-      {"1 to 3 objects", "tablet"},
-      {"3 to 6 objects", "tabletop"},
-      {"9 to 13 objects", "cluttered"},
-      {"24 to 30 objects", "crowded"}};
-  for (const auto& [name, kind] : by_number) {
-    FrameSet set{name, fmt::format("generated, {} 640x480", kind), {}};
-    for (std::uint64_t seed = 1; seed <= std::min<std::size_t>(max_frames, 4); ++seed) {
-      set.frames.push_back(Generated(kind, 100 + seed, {640, 480}));
-    }
-    sets.push_back(set);
-  }
+  const cv::Size usual(640, 480);
+  add("1 to 3 objects", {"tablet"}, 101, usual);
+  add("3 to 6 objects", {"tabletop"}, 101, usual);
+  add("9 to 13 objects", {"cluttered"}, 101, usual);
+  add("24 to 30 objects", {"crowded"}, 101, usual);
 }
 
 FrameSet Hostile() {
@@ -104,15 +107,18 @@ FrameSet Hostile() {
 
 }  // namespace
 
-std::vector<FrameSet> FrameSets(const std::optional<path>& data, std::size_t max_frames) {
+std::vector<FrameSet> FrameSets(const std::optional<path>& data, const std::string& only,
+                                std::size_t max_frames) {
+  constexpr std::size_t kMaxGenerated = 4;  // scenes of a kind are much alike
   std::vector<FrameSet> sets;
   const auto has = [&](const char* name) { return data && exists(*data / name); };
   if (has("osd")) sets.push_back(Recorded("mOSD 640x480", *data / "osd", max_frames));
   if (has("osd_whole"))
     sets.push_back(Recorded("mOSD rooms 640x480", *data / "osd_whole", max_frames));
   if (has("real")) AddReal(*data / "real", max_frames, sets);
-  AddGenerated(max_frames, sets);
+  AddGenerated(only, std::min(max_frames, kMaxGenerated), sets);
   sets.push_back(Hostile());
+  std::erase_if(sets, [&](const FrameSet& set) { return !set.name.starts_with(only); });
   return sets;
 }
 

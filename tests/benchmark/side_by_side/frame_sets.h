@@ -23,10 +23,11 @@ struct FrameSet {
 };
 
 // mOSD, frames of other cameras by size, and whole rooms from `data`, without those that it lacks,
-// then generated scenes by size and by their number of objects, noise and a checkerboard. At most
-// `max_frames` each, spread over the whole of a set.
+// then generated scenes by size and by their number of objects, noise and a checkerboard; of these
+// the sets whose names begin with `only`. At most `max_frames` each, spread over the whole of a
+// set.
 std::vector<FrameSet> FrameSets(const std::optional<std::filesystem::path>& data,
-                                std::size_t max_frames);
+                                const std::string& only, std::size_t max_frames);
 
 // What `data` lacks of it.
 std::vector<std::string> MissingSets(const std::optional<std::filesystem::path>& data);

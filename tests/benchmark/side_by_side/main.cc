@@ -137,8 +137,7 @@ void Run(const Flags& flags) {
   Helpers helpers(flags.num_threads);
   const Helpers::Scope helped(helpers, flags.num_threads);
   nlohmann::json json;
-  for (const FrameSet& set : FrameSets(data, flags.max_frames)) {
-    if (!set.name.starts_with(flags.only)) continue;
+  for (const FrameSet& set : FrameSets(data, flags.only, flags.max_frames)) {
     std::size_t done = 0;
     const auto measured = Measure(set, methods, flags.num_rounds, [&] {
       evaluation::ShowProgress(set.name, ++done, set.frames.size());
