@@ -59,8 +59,8 @@ std::string NumObjects(int number) {
 std::string Report(const v1::Detections& detections, double round_trip_ms) {
   constexpr int kFew = 3;
   std::string text =
-      fmt::sprintf("%s in %.0f ms (stages of the server: %.0f ms)\n", NumObjects(detections.objects_size()),
-                   round_trip_ms, ServerMs(detections));
+      fmt::sprintf("%s in %.0f ms (stages of the server: %.0f ms)\n",
+                   NumObjects(detections.objects_size()), round_trip_ms, ServerMs(detections));
   if (!detections.objects().empty()) {
     text += "  #  conf.  size L x W x H, cm     centre x, y, z, m     dist.m   pixels  open.cm\n";
   }

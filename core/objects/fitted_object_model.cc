@@ -60,4 +60,3 @@ const ObjectModel& FittedObjectModel() {
 }
 
 }  // namespace fovea
-

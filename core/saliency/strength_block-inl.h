@@ -34,8 +34,8 @@ class StrengthBlock {
   // `features`: whole numbers 0 … 255. A pointer to the first pixel of the block each.
   HWY_INLINE StrengthBlock(const float* features, const float* strengths) {
     for (int part = 0; part < kParts; ++part) {
-      features_[part] = hn::LoadU(Tag(), features + part * kLanes);
-      before_[part] = strengths_[part] = hn::LoadU(Tag(), strengths + part * kLanes);
+      features_[part] = Load(features, part);
+      before_[part] = strengths_[part] = Load(strengths, part);
     }
   }
 
@@ -44,7 +44,7 @@ class StrengthBlock {
     const Lanes most = hn::Set(Tag(), beside);
     auto below = hn::Lt(hn::LoadU(Tag(), strengths), most);
     for (int part = 1; part < kParts; ++part) {
-      below = hn::Or(below, hn::Lt(hn::LoadU(Tag(), strengths + part * kLanes), most));
+      below = hn::Or(below, hn::Lt(Load(strengths, part), most));
     }
     return !hn::AllFalse(Tag(), below);
   }
@@ -53,8 +53,8 @@ class StrengthBlock {
   // 255)). The features and strengths are those of the neighbours.
   HWY_INLINE void PullFrom(const float* features, const float* strengths) {
     for (int part = 0; part < kParts; ++part) {
-      const Lanes factor = Factor(features_[part], hn::LoadU(Tag(), features + part * kLanes));
-      const Lanes strength = hn::LoadU(Tag(), strengths + part * kLanes);
+      const Lanes factor = Factor(features_[part], Load(features, part));
+      const Lanes strength = Load(strengths, part);
       strengths_[part] = hn::Max(strengths_[part], hn::Mul(strength, factor));
     }
   }
@@ -64,9 +64,8 @@ class StrengthBlock {
   HWY_INLINE void PullAlongRow(const float* features, const float* strengths, int scale) {
     Lanes left_factors[kParts], right_factors[kParts];
     for (int part = 0; part < kParts; ++part) {
-      const float* own = features + part * kLanes;
-      left_factors[part] = Factor(features_[part], hn::LoadU(Tag(), own - scale));
-      right_factors[part] = Factor(features_[part], hn::LoadU(Tag(), own + scale));
+      left_factors[part] = Factor(features_[part], Load(features - scale, part));
+      right_factors[part] = Factor(features_[part], Load(features + scale, part));
     }
     Row row(strengths, scale);
     do {
@@ -92,11 +91,15 @@ class StrengthBlock {
 
   HWY_INLINE void Store(float* strengths) const {
     for (int part = 0; part < kParts; ++part) {
-      hn::StoreU(strengths_[part], Tag(), strengths + part * kLanes);
+      hn::StoreU(strengths_[part], Tag(), strengths + std::ptrdiff_t{part} * kLanes);
     }
   }
 
  private:
+  static HWY_INLINE Lanes Load(const float* block, int part) {
+    return hn::LoadU(Tag(), block + std::ptrdiff_t{part} * kLanes);
+  }
+
   // A block between its neighbours, and what lies `scale` to the left and right of each part of it,
   // without a way through memory.
   class Row {
@@ -104,8 +107,8 @@ class StrengthBlock {
     HWY_INLINE Row(const float* strengths, int scale)
         : whole_(scale / kLanes), rest_(scale % kLanes) {
       for (int i = 0; i < kAround; ++i) {
-        parts_[i] = hn::LoadU(Tag(), strengths + (i - kAround) * kLanes);
-        parts_[kAround + kParts + i] = hn::LoadU(Tag(), strengths + (kParts + i) * kLanes);
+        parts_[i] = Load(strengths, i - kAround);
+        parts_[kAround + kParts + i] = Load(strengths, kParts + i);
       }
     }
     HWY_INLINE void Set(const Lanes* strengths) {

@@ -11,6 +11,7 @@ namespace {
 std::atomic<std::int64_t> num_allocations = 0, num_bytes = 0, peak_bytes = 0;
 
 // glibc's, which stays reachable under these names.
+// NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming)
 extern "C" {
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
@@ -18,6 +19,7 @@ void* __libc_realloc(void* block, std::size_t size);
 void* __libc_memalign(std::size_t alignment, std::size_t size);
 void __libc_free(void* block);
 }
+// NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)
 
 void* Count(void* block) {
   if (block == nullptr) return block;

@@ -151,11 +151,11 @@ void Run(const Flags& flags) {
 }  // namespace fovea::benchmark
 
 int main(int argc, char** argv) {
-  fovea::benchmark::Flags flags;
-  CLI::App app{"Times the profiles and their peers side by side: ratios first."};
-  fovea::benchmark::AddFlags(flags, app);
-  CLI11_PARSE(app, argc, argv);
   try {
+    fovea::benchmark::Flags flags;
+    CLI::App app{"Times the profiles and their peers side by side: ratios first."};
+    fovea::benchmark::AddFlags(flags, app);
+    CLI11_PARSE(app, argc, argv);
     fovea::server::SetUpComputing(1);
     fovea::benchmark::Run(flags);
   } catch (const std::exception& error) {
