@@ -1,8 +1,8 @@
 // All options of the method, their profiles, and access to them by name.
 #pragma once
 
-#include <map>
 #include <chrono>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>

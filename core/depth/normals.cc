@@ -209,7 +209,6 @@ struct RowFit {
 
 }  // namespace
 
-// NOLINTNEXTLINE(misc-use-internal-linkage): named in the table of instruction sets
 NormalMap FitNormals(const cv::Mat& points, const CameraIntrinsics& intrinsics,
                      const NormalOptions& options) {
   const InverseDepth inverse(points, options);

@@ -15,14 +15,6 @@ struct Part {
   std::size_t num_voxels = 0;
 };
 
-// 1 … n for each voxel of the foreground, 0 for the background.
-std::vector<int> PartsOfVoxels(const VoxelGrid& grid, const std::vector<char>& is_background) {
-  std::vector<int> foreground(grid.voxels.size());
-  std::transform(is_background.begin(), is_background.end(), foreground.begin(),
-                 [](char background) { return background != 0 ? 0 : 1; });
-  return SplitIntoSegments(grid, foreground);
-}
-
 std::vector<Part> CollectParts(const VoxelGrid& grid, const std::vector<int>& part_of_voxel,
                                const cv::Mat& saliency) {
   std::vector<Part> parts(CountLabels(part_of_voxel) + 1);
@@ -55,7 +47,7 @@ std::vector<int> Order(const std::vector<Part>& parts) {
 std::vector<std::vector<char>> SalientPortions(const VoxelGrid& grid,
                                                const std::vector<char>& is_background,
                                                const cv::Mat& saliency, int num_portions) {
-  const std::vector<int> part_of_voxel = PartsOfVoxels(grid, is_background);
+  const std::vector<int> part_of_voxel = PartsOfForeground(grid, is_background);
   const std::vector<Part> parts = CollectParts(grid, part_of_voxel, saliency);
   const std::size_t num_voxels = part_of_voxel.size() - parts.front().num_voxels;
   std::vector<int> portion_of_part(parts.size(), -1);

@@ -154,7 +154,6 @@ class Propagation {
 
 }  // namespace
 
-// NOLINTNEXTLINE(misc-use-internal-linkage): named in the table of instruction sets
 cv::Mat PropagateInside(const cv::Mat& channel, int scale) {
   Propagation propagation(channel, scale);
   propagation.Run();

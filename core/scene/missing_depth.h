@@ -17,8 +17,8 @@ namespace fovea {
 // beside every support, and those that are looked down into too steeply to stand a surface in them.
 //
 // `depth_m`: CV_32FC1, NaN = none. `points`: CV_32FC3 as of BackProject, and `normals`, of all of
-// its pixels or some, get the surfaces; `points` in a copy of its own. Returns CV_8UC1, not 0 where they are. Cost: proportional
-// to the image.
+// its pixels or some, get the surfaces; `points` in a copy of its own. Returns CV_8UC1, not 0 where
+// they are. Cost: proportional to the image.
 cv::Mat StandInForMissing(const cv::Mat& depth_m, const std::vector<Support>& supports,
                           const CameraIntrinsics& intrinsics, double max_height_m, cv::Mat& points,
                           NormalMap& normals);

@@ -66,10 +66,7 @@ class SurfaceDistance {
 // The connected parts of what is not background, as lists of voxels.
 std::vector<std::vector<int>> Parts(const VoxelGrid& grid, const std::vector<char>& is_background) {
   InterruptionPoint();
-  std::vector<int> foreground(grid.voxels.size());
-  std::transform(is_background.begin(), is_background.end(), foreground.begin(),
-                 [](char background) { return background ? 0 : 1; });
-  const std::vector<int> part_of_voxel = SplitIntoSegments(grid, foreground);
+  const std::vector<int> part_of_voxel = PartsOfForeground(grid, is_background);
   std::vector<std::vector<int>> parts;
   for (int v = 0; v < static_cast<int>(part_of_voxel.size()); ++v) {
     const auto part = static_cast<std::size_t>(part_of_voxel[v]);

@@ -35,6 +35,13 @@ std::vector<int> SplitIntoSegments(const VoxelGrid& grid, const std::vector<int>
   return Renumbered(std::move(segments));
 }
 
+std::vector<int> PartsOfForeground(const VoxelGrid& grid, const std::vector<char>& is_background) {
+  std::vector<int> foreground(is_background.size());
+  std::transform(is_background.begin(), is_background.end(), foreground.begin(),
+                 [](char background) { return background != 0 ? 0 : 1; });
+  return SplitIntoSegments(grid, foreground);
+}
+
 std::vector<int> Renumbered(const std::vector<int>& labels, DisjointSets& sets) {
   std::vector<int> joined(labels.size());
   std::transform(labels.begin(), labels.end(), joined.begin(),

@@ -18,6 +18,9 @@ std::vector<int> Renumbered(const std::vector<int>& labels, DisjointSets& sets);
 
 std::vector<int> Renumbered(std::vector<int> labels);
 
+// The connected parts of what is not background, 1 … n, one entry a voxel; 0 = background.
+std::vector<int> PartsOfForeground(const VoxelGrid& grid, const std::vector<char>& is_background);
+
 // Images of labels have 16 bits: throws TooComplex for more than 65535 segments.
 void RequireFewSegments(const std::vector<int>& segments);
 

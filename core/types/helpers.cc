@@ -93,7 +93,7 @@ void Helpers::RunNext(Batch& batch, std::unique_lock<std::mutex>& lock) {
   } catch (const Cancelled&) {
     error = std::current_exception();
     batch.cancelled = true;
-  } catch (...) {
+  } catch (...) {  // Run() throws it again
     error = std::current_exception();
   }
   lock.lock();

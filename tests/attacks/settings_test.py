@@ -31,7 +31,7 @@ def hold(siege: Siege, server: Besieged, attack: str, seconds: float) -> Tally:
 
 
 def test_frames_that_cost_too_much_are_cut_off(siege: Siege, tmp_path: Path) -> None:
-    # Fifty times what the good robot's frame takes, and a fraction of what the attack's do.
+    # Some forty times what the good robot's frame takes, and a fraction of what the attack's do.
     with Besieged(SERVER, "open", tmp_path, "--max-compute-ms", "1000") as server:
         assert hold(siege, server, "extreme-options", 20)["cut off"] > 0
 

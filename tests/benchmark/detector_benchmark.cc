@@ -31,7 +31,8 @@ void DetectFrame(benchmark::State& state) {
 BENCHMARK(DetectFrame)
     ->ArgNames({"profile", "frame", "threads"})
     ->ArgsProduct({benchmark::CreateDenseRange(0, std::ssize(ProfileNames()) - 1, /*step=*/1),
-                   benchmark::CreateDenseRange(0, 3, /*step=*/1), {1, 2}})
+                   benchmark::CreateDenseRange(0, 3, /*step=*/1),
+                   {1, 2}})
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 

@@ -1,4 +1,5 @@
-// Saliency maps and seeds at 640×480, the former also with a helper, on a recorded frame where there is one.
+// Saliency maps and seeds at 640×480, the former also with a helper, on a recorded frame where
+// there is one.
 #include <benchmark/benchmark.h>
 
 #include "core/paper/superpixel_contrast.h"

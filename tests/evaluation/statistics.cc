@@ -3,15 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace fovea::evaluation {
 
-double Median(std::vector<double> values) {
+double Quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  const auto below = static_cast<std::size_t>(share * static_cast<double>(values.size()));
+  const auto place =
+      values.begin() + static_cast<std::ptrdiff_t>(std::min(below, values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
 }
+
+double Median(std::vector<double> values) { return Quantile(std::move(values), 0.5); }
 
 Spread SpreadOf(const std::vector<double>& values) {
   const auto count = static_cast<double>(values.size());

@@ -5,6 +5,9 @@
 
 namespace fovea::evaluation {
 
+// The value below which this share of them lies, at most the largest; 0 of none.
+double Quantile(std::vector<double> values, double share);
+
 // The upper one of the two in the middle of an even number; 0 of none.
 double Median(std::vector<double> values);
 

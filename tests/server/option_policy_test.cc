@@ -92,7 +92,8 @@ TEST(OptionPolicy, HoldsForCallersWhoCanAskForIt) {
   const v1::ListOptionsResponse list = loopback.client.ListOptions();
   for (const v1::Option& option : list.options()) {
     const bool open =
-        option.name().starts_with("region.") || (option.name().starts_with("objects.") && option.name() != "objects.max_objects");
+        option.name().starts_with("region.") ||
+        (option.name().starts_with("objects.") && option.name() != "objects.max_objects");
     EXPECT_EQ(option.fixed(), !open) << option.name();
     if (option.name() == "objects.max_objects") {
       EXPECT_EQ(option.defaults().at("default"), 3);

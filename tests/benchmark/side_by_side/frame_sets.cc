@@ -7,7 +7,6 @@
 #include <map>
 #include <opencv2/core.hpp>
 
-#include "tests/evaluation/dataset.h"
 #include "tests/evaluation/real_frames/boxed_frames.h"
 #include "tests/support/labelled_frame.h"
 #include "tests/support/random_scene.h"
@@ -22,9 +21,14 @@ const std::vector<cv::Size> kSizes{{320, 240}, {640, 480}, {1280, 720}, {1920, 1
 
 std::string TextOf(const cv::Size& size) { return fmt::format("{}x{}", size.width, size.height); }
 
+template <typename Number = int>
+BenchFrame FrameOf(const std::string& name, const RgbdFrame& frame, Number num_objects = 0) {
+  return {{name, frame, {}, {}}, static_cast<std::size_t>(num_objects)};
+}
+
 // Every so many, from the first on.
 template <typename Item>
-std::vector<Item> Spread(const std::vector<Item>& items, std::size_t most) {
+std::vector<Item> Thinned(const std::vector<Item>& items, std::size_t most) {
   std::vector<Item> chosen;
   const std::size_t count = std::min(most, items.size());
   for (std::size_t i = 0; i < count; ++i) chosen.push_back(items[i * items.size() / count]);
@@ -33,12 +37,12 @@ std::vector<Item> Spread(const std::vector<Item>& items, std::size_t most) {
 
 FrameSet Recorded(const std::string& name, const path& folder, std::size_t max_frames) {
   FrameSet set{name, "recorded, " + folder.filename().string(), {}};
-  for (const std::string& scene : Spread(evaluation::SceneNames(folder), max_frames)) {
+  for (const std::string& scene : Thinned(evaluation::SceneNames(folder), max_frames)) {
     const evaluation::Scene loaded =
         evaluation::LoadScene(folder, scene, evaluation::LabelEncoding::kMosd, kKinect);
     double most = 0;
     cv::minMaxLoc(loaded.truth, nullptr, &most);
-    set.frames.push_back({scene, loaded.frame, static_cast<std::size_t>(most)});
+    set.frames.push_back(FrameOf(scene, loaded.frame, most));
   }
   return set;
 }
@@ -50,17 +54,17 @@ void AddReal(const path& folder, std::size_t max_frames, std::vector<FrameSet>& 
     const auto required = std::count_if(frame.objects.begin(), frame.objects.end(),
                                         [](const auto& object) { return !object.optional; });
     by_size[TextOf(frame.frame.depth_m.size())].push_back(
-        {frame.source + "/" + frame.name, frame.frame, static_cast<std::size_t>(required)});
+        FrameOf(frame.source + "/" + frame.name, frame.frame, required));
   }
   for (const auto& [size, frames] : by_size) {
-    sets.push_back({"real " + size, "recorded by others, real/*", Spread(frames, max_frames)});
+    sets.push_back({"real " + size, "recorded by others, real/*", Thinned(frames, max_frames)});
   }
 }
 
 BenchFrame Generated(const std::string& kind, std::uint64_t seed, const cv::Size& size) {
   const scenes::LabelledFrame made =
       scenes::MakeFrame(scenes::RandomScene(kind, seed, size), scenes::SensorKind::kKinect, seed);
-  return {fmt::format("{}_{}", kind, seed), made.frame, made.objects.size()};
+  return FrameOf(fmt::format("{}_{}", kind, seed), made.frame, made.objects.size());
 }
 
 // Of as many scenes of these kinds in turn.
@@ -88,21 +92,29 @@ void AddGenerated(const std::string& only, std::size_t count, std::vector<FrameS
   add("24 to 30 objects", {"crowded"}, 101, usual);
 }
 
-FrameSet Hostile() {
+RgbdFrame EmptyFrame() {
   const cv::Size size(640, 480);
+  return {cv::Mat(size, CV_8UC3), cv::Mat(size, CV_32FC1), kKinect, std::nullopt};
+}
+
+RgbdFrame Noise() {
+  RgbdFrame noise = EmptyFrame();
   cv::RNG random(1);
-  RgbdFrame noise{cv::Mat(size, CV_8UC3), cv::Mat(size, CV_32FC1), kKinect, std::nullopt};
   random.fill(noise.color_rgb, cv::RNG::UNIFORM, 0, 256);
   random.fill(noise.depth_m, cv::RNG::UNIFORM, 0.3, 4);
-  RgbdFrame board{cv::Mat(size, CV_8UC3), cv::Mat(size, CV_32FC1), kKinect, std::nullopt};
-  for (int y = 0; y < size.height; ++y) {
-    for (int x = 0; x < size.width; ++x) {
+  return noise;
+}
+
+RgbdFrame Checkerboard() {
+  RgbdFrame board = EmptyFrame();
+  for (int y = 0; y < board.depth_m.rows; ++y) {
+    for (int x = 0; x < board.depth_m.cols; ++x) {
       const bool odd = (x / 8 + y / 8) % 2 != 0;
       board.color_rgb.at<cv::Vec3b>(y, x) = cv::Vec3b::all(odd ? 255 : 0);
       board.depth_m.at<float>(y, x) = odd ? 1.0F : 1.1F;
     }
   }
-  return {"noise, checkerboard", "generated, 640x480", {{"noise", noise}, {"checkerboard", board}}};
+  return board;
 }
 
 }  // namespace
@@ -117,7 +129,8 @@ std::vector<FrameSet> FrameSets(const std::optional<path>& data, const std::stri
     sets.push_back(Recorded("mOSD rooms 640x480", *data / "osd_whole", max_frames));
   if (has("real")) AddReal(*data / "real", max_frames, sets);
   AddGenerated(only, std::min(max_frames, kMaxGenerated), sets);
-  sets.push_back(Hostile());
+  sets.push_back({"noise", "generated, 640x480", {FrameOf("noise", Noise())}});
+  sets.push_back({"checkerboard", "generated, 640x480", {FrameOf("checkerboard", Checkerboard())}});
   std::erase_if(sets, [&](const FrameSet& set) { return !set.name.starts_with(only); });
   return sets;
 }

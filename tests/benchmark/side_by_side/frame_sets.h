@@ -6,13 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "core/types/rgbd_frame.h"
+#include "tests/evaluation/dataset.h"
 
 namespace fovea::benchmark {
 
 struct BenchFrame {
-  std::string name;
-  RgbdFrame frame;
+  evaluation::Scene scene;      // without its ground truth
   std::size_t num_objects = 0;  // that are known to be there; 0: not known
 };
 

@@ -14,10 +14,13 @@
 #include "server/compute_process.h"
 #include "tests/benchmark/side_by_side/measurement.h"
 #include "tests/evaluation/output.h"
+#include "tests/evaluation/statistics.h"
 #include "tests/support/data_path.h"
 
 namespace fovea::benchmark {
 namespace {
+
+using evaluation::Quantile;
 
 struct Flags {
   std::string data, only, json;
@@ -70,7 +73,7 @@ struct Sums {
 Sums SumsOf(const FrameSet& set) {
   Sums sums;
   for (const BenchFrame& frame : set.frames) {
-    sums.pixels += static_cast<double>(frame.frame.depth_m.total());
+    sums.pixels += static_cast<double>(frame.scene.frame.depth_m.total());
     sums.objects += static_cast<double>(frame.num_objects);
   }
   return sums;

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <stdexcept>
 
-#include "core/detector.h"
 #include "core/types/too_complex.h"
 #include "tests/benchmark/side_by_side/allocations.h"
 #include "tests/evaluation/peers/peer.h"
+#include "tests/evaluation/statistics.h"
 
 namespace fovea::benchmark {
 namespace {
@@ -21,11 +19,11 @@ struct Run {
   Allocations allocations;
 };
 
-Run RunOnce(const Method& method, const RgbdFrame& frame) {
+Run RunOnce(const Method& method, const evaluation::Scene& scene) {
   Run run;
   const AllocationCounter counter;
   const Clock::time_point start = Clock::now();
-  run.stages = method.run(frame);
+  run.stages = method.detect(scene).stage_times;
   run.ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   run.allocations = counter.SoFar();
   return run;
@@ -41,7 +39,7 @@ void Add(const std::vector<Run>& runs, std::size_t num_frames, Measurement& to) 
       to.stage_ms[time.stage].push_back(time.duration_ms);
     }
   }
-  to.frame_ms.push_back(Quantile(times, 0.5));
+  to.frame_ms.push_back(evaluation::Median(times));
   to.allocations +=
       static_cast<double>(runs.back().allocations.count) / static_cast<double>(num_frames);
   to.peak_mb = std::max(to.peak_mb, static_cast<double>(runs.back().allocations.peak_bytes) / 1e6);
@@ -50,19 +48,10 @@ void Add(const std::vector<Run>& runs, std::size_t num_frames, Measurement& to) 
 }  // namespace
 
 Method MethodOf(const std::string& name) {
-  const std::vector<std::string> profiles = ProfileNames(), peers = evaluation::PeerNames();
-  if (std::find(profiles.begin(), profiles.end(), name) != profiles.end()) {
-    return {name, [options = OptionsOfProfile(name)](const RgbdFrame& frame) {
-              return Detect(frame, options).stage_times;
-            }};
-  }
-  if (std::find(peers.begin(), peers.end(), name) == peers.end()) {
-    throw std::invalid_argument("\"" + name + "\" is no method");
-  }
-  return {name, [name](const RgbdFrame& frame) {
-            evaluation::SegmentWithPeer(name, frame);
-            return std::vector<StageTime>();
-          }};
+  const std::vector<std::string> peers = evaluation::PeerNames();
+  const bool is_peer = std::find(peers.begin(), peers.end(), name) != peers.end();
+  return {name, is_peer ? evaluation::DetectWithPeer(name)
+                        : evaluation::DetectWith(OptionsOfProfile(name))};
 }
 
 std::vector<Measurement> Measure(const FrameSet& set, const std::vector<Method>& methods,
@@ -73,7 +62,7 @@ std::vector<Measurement> Measure(const FrameSet& set, const std::vector<Method>&
     for (int round = 0; round <= num_rounds; ++round) {
       for (std::size_t m = 0; m < methods.size(); ++m) {
         try {
-          const Run run = RunOnce(methods[m], frame.frame);
+          const Run run = RunOnce(methods[m], frame.scene);
           if (round > 0) runs[m].push_back(run);
         } catch (const TooComplex&) {
           if (round == 0) ++measurements[m].num_failed;
@@ -86,15 +75,6 @@ std::vector<Measurement> Measure(const FrameSet& set, const std::vector<Method>&
     frame_done();
   }
   return measurements;
-}
-
-double Quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0;
-  const auto place = static_cast<std::ptrdiff_t>(
-      std::min<double>(std::floor(share * static_cast<double>(values.size())),
-                       static_cast<double>(values.size() - 1)));
-  std::nth_element(values.begin(), values.begin() + place, values.end());
-  return values[static_cast<std::size_t>(place)];
 }
 
 }  // namespace fovea::benchmark

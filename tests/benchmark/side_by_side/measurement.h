@@ -6,16 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "core/types/detections.h"
-#include "core/types/rgbd_frame.h"
 #include "tests/benchmark/side_by_side/frame_sets.h"
+#include "tests/evaluation/detection_run.h"
 
 namespace fovea::benchmark {
 
 struct Method {
   std::string name;
-  // Returns the times of the stages, none where a method has no stages.
-  std::function<std::vector<StageTime>(const RgbdFrame&)> run;
+  evaluation::DetectFunction detect;  // peers have no stages
 };
 
 // The profiles, and the peers of tests/evaluation/peers by their names. Throws
@@ -37,8 +35,5 @@ struct Measurement {
 // round before those that count warms up.
 std::vector<Measurement> Measure(const FrameSet& set, const std::vector<Method>& methods,
                                  int num_rounds, const std::function<void()>& frame_done);
-
-// The value below which this share of them lies; 0 of none.
-double Quantile(std::vector<double> values, double share);
 
 }  // namespace fovea::benchmark
