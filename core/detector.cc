@@ -9,6 +9,7 @@
 #include "core/depth/flying_pixels.h"
 #include "core/depth/measured_depth.h"
 #include "core/explanation.h"
+#include "core/grasping/plan_grasps.h"
 #include "core/objects/portions.h"
 #include "core/paper/detect_as_paper.h"
 #include "core/refinement.h"
@@ -188,6 +189,9 @@ void FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* 
   result.labels = LabelsWithin(scene.grid, found.objects, scene.standing | (measured == measured));
   DescribeObjects(frame, scene.points, saliency, found.confidences, scene.supports, options.objects,
                   result);
+  if (!options.grippers.empty()) clock.Begin("grasps");
+  PlanGrasps({scene.points, result.labels, scene.supports, -scene.gravity.direction},
+             options.grippers, result.objects);
   clock.Finish();
   if (trace != nullptr) {
     *trace = {depth,
@@ -228,7 +232,7 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   try {
     const bool in_time = InTime(budget, [&] {
       if (options.paper) {
-        paper::FindObjects(frame, *options.paper, trace, clock, result);
+        paper::FindObjects(frame, *options.paper, options.grippers, trace, clock, result);
       } else {
         FindObjects(frame, options, trace, budget, clock, result);
       }
@@ -239,6 +243,7 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
     throw;
   }
   result.diagnostics.messages = ExplainLosses(result);
+  result.grippers = options.grippers;
   result.stage_times = clock.TimesUntilNow();
   return result;
 }

@@ -26,6 +26,7 @@
 #include "core/segmentation/mrf_energy.h"
 #include "core/segmentation/occlusion_merge.h"
 #include "core/segmentation/voxel_grid.h"
+#include "core/types/gripper.h"
 
 namespace fovea {
 
@@ -58,6 +59,7 @@ struct DetectorOptions {
   const ObjectModel* object_model = &FittedObjectModel();  // not null, outlives the options
   ChoiceOptions choice;
   ObjectOptions objects;
+  std::vector<Gripper> grippers;  // to plan grasps for; of profile "paper" too
 };
 
 // "paper": the method as Bao et al. describe it. "default": what goes beyond it. An empty name

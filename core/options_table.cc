@@ -229,8 +229,6 @@ const std::vector<OptionEntry>& OptionTable() {
              [](auto& o) { return &o.objects.selection.min_pixels; }),
       OfBoth("objects.box.max_gap_m", 0, 1, "a box reaches down to a support this close; metres",
              [](auto& o) { return &o.objects.box.max_gap_m; }),
-      OfBoth("objects.grasp.finger_depth_m", 0, 0.2, "reach of the fingers below the top; metres",
-             [](auto& o) { return &o.objects.grasp.finger_depth_m; }),
   };
   return table;
 }

@@ -93,8 +93,6 @@ DetectedObject Describe(const RgbdFrame& frame, const cv::Mat& points, const Can
   object.depth_missing = IsDepthMissing(frame.depth_m, pixels);
   if (object.depth_missing) DeepenBehind(object.box);
   if (support) object.height_above_support_m = LowestHeight(positions, *support);
-  InterruptionPoint();
-  object.grasps.push_back(GraspFromAbove(object.box, options.grasp));
   return object;
 }
 

@@ -6,7 +6,6 @@
 
 #include "core/objects/oriented_box.h"
 #include "core/objects/selection.h"
-#include "core/objects/top_grasp.h"
 #include "core/scene/support_surface.h"
 #include "core/types/detections.h"
 #include "core/types/rgbd_frame.h"
@@ -16,7 +15,6 @@ namespace fovea {
 struct ObjectOptions {
   SelectionOptions selection;
   BoxOptions box;
-  GraspOptions grasp;
 };
 
 // Drops labels as SelectObjects does, renumbers `detections.labels` in its order and fills

@@ -4,6 +4,7 @@
 
 #include "core/depth/back_projection.h"
 #include "core/depth/measured_depth.h"
+#include "core/grasping/plan_grasps.h"
 #include "core/paper/confidence.h"
 #include "core/paper/superpixel_contrast.h"
 #include "core/paper/support_reading.h"
@@ -15,8 +16,9 @@
 
 namespace fovea::paper {
 
-void FindObjects(const RgbdFrame& frame, const PaperOptions& options, Trace* trace,
-                 StageClock& clock, Detections& result) {
+void FindObjects(const RgbdFrame& frame, const PaperOptions& options,
+                 const std::vector<Gripper>& grippers, Trace* trace, StageClock& clock,
+                 Detections& result) {
   Diagnostics& counts = result.diagnostics;
 
   // Section 1: the smoothed depth image and the point cloud.
@@ -91,6 +93,9 @@ void FindObjects(const RgbdFrame& frame, const PaperOptions& options, Trace* tra
   DescribeObjects(frame, points, MeanSaliency(color_saliency, depth_saliency),
                   Confidences(result.labels, measured, frame.intrinsics), supports, options.objects,
                   result);
+  if (!grippers.empty()) clock.Begin("grasps");
+  PlanGrasps({points, result.labels, supports, -result.gravity.direction}, grippers,
+             result.objects);
   clock.Finish();
   if (trace != nullptr) {
     *trace = {depth,

@@ -11,6 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "core/types/grasp.h"
+#include "core/types/gripper.h"
+#include "core/types/shape.h"
+
 namespace fovea {
 
 // The plane n·x + d = 0 that objects stand on; the normal n is a unit vector that points up.
@@ -38,14 +42,6 @@ struct OrientedBox {
   Eigen::Vector3f size_m = Eigen::Vector3f::Zero();  // full extents along the box axes
 };
 
-// A grasp of a parallel gripper. The tool centre point lies midway between the finger tips.
-struct Grasp {
-  Eigen::Vector3f tool_center_point = Eigen::Vector3f::Zero();
-  Eigen::Vector3f approach = Eigen::Vector3f::UnitZ();  // unit: the way the hand moves in
-  Eigen::Vector3f closing = Eigen::Vector3f::UnitX();   // unit: the way the fingers close
-  float opening_m = 0;  // distance between the fingers that the object needs, without clearance
-};
-
 struct ColoredPoint {
   float x = 0, y = 0, z = 0;  // camera frame, metres
   std::uint8_t r = 0, g = 0, b = 0;
@@ -57,14 +53,23 @@ struct DetectedObject {
   float saliency = 0;          // 0 … 1, mean of the mask's saliency in colour and in depth
   cv::Rect bounds_px;          // smallest upright rectangle around the mask
   std::size_t num_pixels = 0;  // of the mask
-  OrientedBox box;             // stands on the support where one was found
+  OrientedBox box;             // completed: with what the camera cannot see of its shape; stands on
+                               // the support where one was found
+  OrientedBox visible_box;     // around what was seen alone, with the same axes
+  Shape shape;
+  bool yaw_is_arbitrary = false;  // round about the upright: the box's x axis then points away from
+                                  // the camera
+  float unseen_share = 0;         // of the completed surface, without its bottom, 0 … 1
   Eigen::Vector3f centroid = Eigen::Vector3f::Zero();  // mean of the visible points
   std::array<std::uint8_t, 3> mean_color{};            // RGB
   std::optional<float> height_above_support_m;         // of its lowest point
   bool truncated = false;                              // the mask ends with the image or its depth
   bool depth_missing = false;  // of most of the mask: it was seen as a hole in its support, the box
                                // is as deep as wide, and the grasp not more than a proposal
-  std::vector<Grasp> grasps;   // best first
+  std::vector<Grasp> grasps;   // of each gripper that was asked for, likeliest first
+  std::vector<NoGrasp> no_grasps;  // of the grippers without one
+  // What carries it and what must be taken away before it: labels, 0 = a support surface.
+  std::vector<int> stands_on, leans_on, blocked_by;
   std::vector<ColoredPoint> cloud;  // one point per mask pixel, row-major order
 };
 
@@ -124,6 +129,7 @@ struct Detections {
   std::vector<RejectedObject> rejected;  // likeliest first; none in profile "paper"
   Gravity gravity;
   std::optional<SupportSurface> support;  // the dominating one
+  std::vector<Gripper> grippers;          // that grasps were planned for
   bool incomplete = false;  // the time budget ended before all of the scene was looked at
   Diagnostics diagnostics;
   std::vector<StageTime> stage_times;  // in the order of the pipeline

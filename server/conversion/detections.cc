@@ -4,6 +4,7 @@
 
 #include "server/build_info.h"
 #include "server/conversion/geometry.h"
+#include "server/conversion/gripper.h"
 #include "server/conversion/mask.h"
 #include "server/conversion/object.h"
 #include "server/conversion/trace.h"
@@ -54,7 +55,7 @@ void AddObjects(const Detections& detections, const v1::Frame& frame,
   }
   for (const DetectedObject& object : detections.objects) {
     v1::Object& added = *proto->add_objects();
-    added = ToProto(object, frame.id(), reference_from_camera);
+    added = ToProto(object, frame.id(), reference_from_camera, detections.grippers);
     if (options.return_masks()) {
       *added.mutable_mask() = MaskToProto(detections.labels, object.label, object.bounds_px);
     }
@@ -103,6 +104,7 @@ v1::Detections ToProto(const Detections& detections, const Trace& trace, const v
   proto.set_server_build(Commit());
   proto.set_incomplete(detections.incomplete);
   AddObjects(detections, frame, options, &proto);
+  for (const Gripper& gripper : detections.grippers) *proto.add_grippers() = ToProto(gripper);
   if (options.return_rejected()) AddRejected(detections, &proto);
   AddTrace(trace, options, &proto);
   return proto;

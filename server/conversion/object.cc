@@ -1,7 +1,9 @@
 #include "server/conversion/object.h"
 
 #include "server/conversion/geometry.h"
+#include "server/conversion/grasp.h"
 #include "server/conversion/mask.h"
+#include "server/conversion/shape.h"
 
 namespace fovea::server {
 namespace {
@@ -20,19 +22,18 @@ v1::Color ColorToProto(const std::array<std::uint8_t, 3>& rgb) {
   return color;
 }
 
-v1::Grasp GraspToProto(const Grasp& grasp) {
-  v1::Grasp proto;
-  *proto.mutable_tool_center_point() = ToProto(grasp.tool_center_point);
-  *proto.mutable_approach() = ToProto(grasp.approach);
-  *proto.mutable_closing() = ToProto(grasp.closing);
-  proto.set_opening_m(grasp.opening_m);
+v1::OrientedBox BoxToProto(const OrientedBox& box) {
+  v1::OrientedBox proto;
+  *proto.mutable_pose() = ToProto(PoseOf(box));
+  *proto.mutable_size() = ToProto(box.size_m);
   return proto;
 }
 
 }  // namespace
 
 v1::Object ToProto(const DetectedObject& object, const std::string& frame_id,
-                   const std::optional<Eigen::Isometry3d>& reference_from_camera) {
+                   const std::optional<Eigen::Isometry3d>& reference_from_camera,
+                   const std::vector<Gripper>& grippers) {
   v1::Object proto;
   proto.set_id(frame_id + "/" + std::to_string(object.label));
   proto.set_label(static_cast<std::uint32_t>(object.label));
@@ -41,12 +42,14 @@ v1::Object ToProto(const DetectedObject& object, const std::string& frame_id,
   *proto.mutable_bounding_box() = ToProto(object.bounds_px);
   proto.set_num_pixels(static_cast<std::uint32_t>(object.num_pixels));
 
-  const Eigen::Isometry3d camera_from_box = PoseOf(object.box);
-  *proto.mutable_oriented_box()->mutable_pose() = ToProto(camera_from_box);
-  *proto.mutable_oriented_box()->mutable_size() = ToProto(object.box.size_m);
+  *proto.mutable_oriented_box() = BoxToProto(object.box);
+  *proto.mutable_visible_box() = BoxToProto(object.visible_box);
   if (reference_from_camera) {
-    *proto.mutable_pose_in_reference() = ToProto(*reference_from_camera * camera_from_box);
+    *proto.mutable_pose_in_reference() = ToProto(*reference_from_camera * PoseOf(object.box));
   }
+  *proto.mutable_shape() = ToProto(object.shape);
+  proto.set_yaw_is_arbitrary(object.yaw_is_arbitrary);
+  proto.set_unseen_share(object.unseen_share);
 
   *proto.mutable_centroid() = ToProto(object.centroid);
   *proto.mutable_mean_color() = ColorToProto(object.mean_color);
@@ -55,7 +58,18 @@ v1::Object ToProto(const DetectedObject& object, const std::string& frame_id,
   }
   proto.set_truncated(object.truncated);
   proto.set_depth_missing(object.depth_missing);
-  for (const Grasp& grasp : object.grasps) *proto.add_grasps() = GraspToProto(grasp);
+  const auto name_of = [&](std::size_t gripper) {
+    return gripper < grippers.size() ? grippers[gripper].name : std::string();
+  };
+  for (const Grasp& grasp : object.grasps) {
+    *proto.add_grasps() = ToProto(grasp, name_of(grasp.gripper));
+  }
+  for (const NoGrasp& none : object.no_grasps) {
+    *proto.add_no_grasps() = ToProto(none, name_of(none.gripper));
+  }
+  for (const int label : object.stands_on) proto.add_stands_on(static_cast<std::uint32_t>(label));
+  for (const int label : object.leans_on) proto.add_leans_on(static_cast<std::uint32_t>(label));
+  for (const int label : object.blocked_by) proto.add_blocked_by(static_cast<std::uint32_t>(label));
   return proto;
 }
 

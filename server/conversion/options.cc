@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "server/conversion/field_error.h"
+#include "server/conversion/gripper.h"
 
 namespace fovea::server {
 namespace {
@@ -100,6 +101,7 @@ DetectorOptions FromProto(const v1::DetectOptions& options, const OptionPolicy& 
                                                  options.parameters().end());
   for (const auto& [name, value] : parameters) SetParameter(result, name, value, policy);
   result.time_budget = TimeBudgetFromProto(options);
+  result.grippers = FromProto(options.grasps());
   InField("options.parameters", [&] { Validate(result); });
   return result;
 }

@@ -85,7 +85,6 @@ TEST(DescribeObjects, GivesCentroidColorCloudAndHeight) {
   EXPECT_FLOAT_EQ(object.cloud[0].x, -10.0F / 500);
   EXPECT_EQ(object.cloud[0].g, 20);
   EXPECT_NEAR(object.height_above_support_m.value(), 0.3F - 10.0F / 500, 1e-5F);
-  EXPECT_EQ(object.grasps.size(), 1U);
 }
 
 TEST(DescribeObjects, FlagsObjectsAtTheImageBorder) {

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "core/objects/top_grasp.h"
+#include "core/grasping/top_grasp.h"
 
 namespace fovea {
 namespace {

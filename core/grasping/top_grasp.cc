@@ -1,10 +1,10 @@
-#include "core/objects/top_grasp.h"
+#include "core/grasping/top_grasp.h"
 
 #include <algorithm>
 
 namespace fovea {
 
-Grasp GraspFromAbove(const OrientedBox& box, const GraspOptions& options) {
+Grasp GraspFromAbove(const OrientedBox& box, const TopGraspOptions& options) {
   const Eigen::Vector3f up = box.rotation.col(2);
   const float height = box.size_m.z();
   const float depth = std::min(static_cast<float>(options.finger_depth_m), height / 2);

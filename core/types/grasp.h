@@ -1,0 +1,57 @@
+// How a hand takes an object. Camera frame, metres.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+namespace fovea {
+
+struct Grasp {
+  enum class Kind {
+    kAcross,   // the fingers on both sides of the whole object
+    kRim,      // one finger inside, one outside of a wall
+    kHandle,   // across a part of it that is thinner than the rest
+    kSide,     // across, moving in rather level than downwards
+    kSuction,  // a cup on a flat or slightly curved patch
+  };
+  Kind kind = Kind::kAcross;
+  std::size_t gripper = 0;  // index into the grippers that were asked for
+  // Midway between the finger tips; of suction, the middle of the lip on the surface.
+  Eigen::Vector3f tool_center_point = Eigen::Vector3f::Zero();
+  Eigen::Vector3f approach = Eigen::Vector3f::UnitZ();  // unit: the way the hand moves in
+  Eigen::Vector3f closing = Eigen::Vector3f::UnitX();   // unit: the way the fingers close; of
+                                                        // suction, any direction along the surface
+  // Distance between the fingers that the object needs, without clearance; 0 for suction.
+  float opening_m = 0;
+  // From the pre-grasp, where the hand is clear of everything, to the tool centre point: the
+  // pre-grasp is tool_center_point - approach * pre_grasp_distance_m.
+  float pre_grasp_distance_m = 0.1F;
+  // Smallest distance between the open hand on its way in and what was seen, or may stand unseen.
+  float clearance_m = 0;
+  float unseen_contacts = 0;  // share of both contact areas that no pixel shows, 0 … 1
+  float probability = 0;      // of success, 0 … 1, calibrated on generated scenes
+  // Of suction: root mean square distance of the patch from the surface fitted to it, the largest
+  // cup that fits on, and the distance of the tool axis from the middle of the object.
+  float unevenness_m = 0;
+  float usable_diameter_m = 0;
+  float off_center_m = 0;
+};
+
+// Why a gripper has no grasp of an object: what the most candidates failed for.
+struct NoGrasp {
+  enum class Reason {
+    kTooWide,   // for the opening, wherever it could be taken
+    kNeighbor,  // something else is in the way
+    kCovered,   // something lies on it
+    kTooLow,    // the fingers would touch what it stands on
+    kSloped,    // its sides would slip out of the fingers
+    kCut,       // the image ends where it would be taken
+    kTooLittleSeen,
+    kNoSeal,    // suction: no patch is flat and wide enough
+    kUnlikely,  // there are candidates, and none is likely to succeed
+  };
+  std::size_t gripper = 0;
+  Reason reason = Reason::kTooLittleSeen;
+};
+
+}  // namespace fovea

@@ -1,0 +1,123 @@
+#include "server/conversion/gripper.h"
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "server/conversion/field_error.h"
+#include "server/conversion/geometry.h"
+
+namespace fovea::server {
+namespace {
+
+constexpr float kSuctionTilt_rad = 0.8F;
+
+// What a length of 0 stands for is in `length` already.
+void SetLength(double given, double most, const std::string& path, float* length) {
+  RequireField(given >= 0 && given <= most, path,
+               "must be from 0 (as the contract says) to " + std::to_string(most) + " m");
+  if (given > 0) *length = static_cast<float>(given);
+}
+
+Eigen::Vector3f PalmFromProto(const v1::Vector3& palm, const std::string& path) {
+  const Eigen::Vector3d size = FromProto(palm);
+  RequireField(size.allFinite() && size.minCoeff() >= 0 && size.maxCoeff() <= 1, path,
+               "must be from 0 to 1 m each");
+  return size.cast<float>();
+}
+
+JawGripper JawFromProto(const v1::JawGripper& proto, const std::string& path) {
+  JawGripper jaw;
+  SetLength(proto.max_opening_m(), 1, path + ".max_opening_m", &jaw.max_opening_m);
+  SetLength(proto.finger_length_m(), 1, path + ".finger_length_m", &jaw.finger_length_m);
+  SetLength(proto.finger_width_m(), 0.5, path + ".finger_width_m", &jaw.finger_width_m);
+  SetLength(proto.finger_thickness_m(), 0.2, path + ".finger_thickness_m", &jaw.finger_thickness_m);
+  RequireField(proto.friction() >= 0 && proto.friction() <= 2, path + ".friction",
+               "must be from 0 (0.5) to 2");
+  if (proto.friction() > 0) jaw.friction = static_cast<float>(proto.friction());
+  if (proto.has_palm_size()) jaw.palm_m = PalmFromProto(proto.palm_size(), path + ".palm_size");
+  return jaw;
+}
+
+SuctionGripper SuctionFromProto(const v1::SuctionGripper& proto, const std::string& path) {
+  SuctionGripper suction;
+  SetLength(proto.diameter_m(), 0.3, path + ".diameter_m", &suction.diameter_m);
+  RequireField(proto.max_curvature_per_m() >= 0 && proto.max_curvature_per_m() <= 1000,
+               path + ".max_curvature_per_m", "must be from 0 (12) to 1000");
+  if (proto.max_curvature_per_m() > 0) {
+    suction.max_curvature_per_m = static_cast<float>(proto.max_curvature_per_m());
+  }
+  return suction;
+}
+
+Gripper GripperFromProto(const v1::Gripper& proto, const std::string& path) {
+  constexpr std::size_t kMaxName = 64;
+  constexpr std::uint32_t kMaxGrasps = 20;
+  constexpr double kUnit = 1e-3;
+  Gripper gripper;
+  RequireField(proto.name().size() <= kMaxName, path + ".name", "is longer than 64 bytes");
+  gripper.name = proto.name();
+  if (proto.has_suction()) {
+    gripper.hand = SuctionFromProto(proto.suction(), path + ".suction");
+    gripper.max_tilt_rad = kSuctionTilt_rad;
+  } else {
+    gripper.hand = JawFromProto(proto.jaw(), path + ".jaw");
+  }
+  if (proto.has_approach()) {
+    const Eigen::Vector3d approach = FromProto(proto.approach());
+    RequireField(std::abs(approach.norm() - 1) < kUnit, path + ".approach",
+                 "must be a unit vector");
+    gripper.approach = approach.normalized().cast<float>();
+  }
+  if (proto.has_max_tilt_rad()) {
+    RequireField(proto.max_tilt_rad() >= 0 && proto.max_tilt_rad() <= std::numbers::pi / 2,
+                 path + ".max_tilt_rad", "must be from 0 to pi / 2");
+    gripper.max_tilt_rad = static_cast<float>(proto.max_tilt_rad());
+  }
+  RequireField(proto.max_grasps() <= kMaxGrasps, path + ".max_grasps", "must be at most 20");
+  if (proto.max_grasps() > 0) gripper.max_grasps = static_cast<int>(proto.max_grasps());
+  return gripper;
+}
+
+}  // namespace
+
+v1::Gripper ToProto(const Gripper& gripper) {
+  v1::Gripper proto;
+  proto.set_name(gripper.name);
+  if (const auto* jaw = std::get_if<JawGripper>(&gripper.hand)) {
+    v1::JawGripper& hand = *proto.mutable_jaw();
+    hand.set_max_opening_m(jaw->max_opening_m);
+    hand.set_finger_length_m(jaw->finger_length_m);
+    hand.set_finger_width_m(jaw->finger_width_m);
+    hand.set_finger_thickness_m(jaw->finger_thickness_m);
+    *hand.mutable_palm_size() = ToProto(jaw->palm_m);
+    hand.set_friction(jaw->friction);
+  } else {
+    const auto& cup = std::get<SuctionGripper>(gripper.hand);
+    proto.mutable_suction()->set_diameter_m(cup.diameter_m);
+    proto.mutable_suction()->set_max_curvature_per_m(cup.max_curvature_per_m);
+  }
+  if (gripper.approach) *proto.mutable_approach() = ToProto(*gripper.approach);
+  proto.set_max_tilt_rad(gripper.max_tilt_rad);
+  proto.set_max_grasps(static_cast<std::uint32_t>(gripper.max_grasps));
+  return proto;
+}
+
+std::vector<Gripper> FromProto(const v1::GraspOptions& options) {
+  constexpr int kMaxGrippers = 8;
+  if (options.none()) {
+    RequireField(options.grippers().empty(), "options.grasps.none", "does not go with grippers");
+    return {};
+  }
+  RequireField(options.grippers_size() <= kMaxGrippers, "options.grasps.grippers",
+               "must be at most 8");
+  if (options.grippers().empty()) return {Gripper{}};
+  std::vector<Gripper> grippers;
+  for (int i = 0; i < options.grippers_size(); ++i) {
+    grippers.push_back(GripperFromProto(options.grippers(i),
+                                        "options.grasps.grippers[" + std::to_string(i) + "]"));
+  }
+  return grippers;
+}
+
+}  // namespace fovea::server
