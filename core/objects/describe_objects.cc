@@ -6,6 +6,7 @@
 
 #include "core/depth/measured_area.h"
 #include "core/objects/selection.h"
+#include "core/shape/complete_objects.h"
 #include "core/types/interruption.h"
 
 namespace fovea {
@@ -71,9 +72,14 @@ void DeepenBehind(OrientedBox& box) {
   box.size_m.y() = box.size_m.x();
 }
 
-DetectedObject Describe(const RgbdFrame& frame, const cv::Mat& points, const Candidate& candidate,
-                        const std::vector<Support>& supports, const Eigen::Vector3f& gravity,
-                        const ObjectOptions& options) {
+struct DescribedObject {
+  DetectedObject object;
+  std::optional<SupportSurface> support;
+};
+
+DescribedObject Describe(const RgbdFrame& frame, const cv::Mat& points, const Candidate& candidate,
+                         const std::vector<Support>& supports, const Eigen::Vector3f& gravity,
+                         const ObjectOptions& options) {
   const std::vector<cv::Point>& pixels = candidate.pixels;
   DetectedObject object;
   object.confidence = candidate.confidence;
@@ -88,12 +94,13 @@ DetectedObject Describe(const RgbdFrame& frame, const cv::Mat& points, const Can
   for (const ColoredPoint& p : object.cloud) positions.emplace_back(p.x, p.y, p.z);
   InterruptionPoint();
   const std::optional<SupportSurface> support = OwnSupport(supports, positions);
-  object.box =
+  object.visible_box =
       FitOrientedBox(positions, support ? support->normal : -gravity, support, options.box);
   object.depth_missing = IsDepthMissing(frame.depth_m, pixels);
-  if (object.depth_missing) DeepenBehind(object.box);
+  if (object.depth_missing) DeepenBehind(object.visible_box);
+  object.box = object.visible_box;
   if (support) object.height_above_support_m = LowestHeight(positions, *support);
-  return object;
+  return {std::move(object), support};
 }
 
 }  // namespace
@@ -106,16 +113,19 @@ void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points, const cv::Ma
   detections.diagnostics.segments_too_small = selection.num_too_small;
   detections.diagnostics.objects_less_salient = selection.num_less_salient;
   detections.labels = cv::Mat::zeros(frame.depth_m.size(), CV_16UC1);
+  std::vector<std::optional<SupportSurface>> supports_of_objects;
   for (const Candidate& candidate : selection.candidates) {
     InterruptionPoint();
-    DetectedObject object =
+    auto [object, support] =
         Describe(frame, points, candidate, supports, detections.gravity.direction, options);
+    supports_of_objects.push_back(support);
     object.label = static_cast<int>(detections.objects.size()) + 1;
     for (const cv::Point& pixel : candidate.pixels) {
       detections.labels.at<std::uint16_t>(pixel) = static_cast<std::uint16_t>(object.label);
     }
     detections.objects.push_back(std::move(object));
   }
+  CompleteObjects(frame, points, supports_of_objects, detections);
 }
 
 }  // namespace fovea

@@ -31,13 +31,43 @@ class OrientedBox:
 
 
 @dataclass(frozen=True, eq=False)
-class Grasp:
-    """A grasp of a parallel gripper."""
+class Shape:
+    """The solid that an object is taken for. None stands for what this kind does not have."""
 
-    tool_center_point: FloatArray  # midway between the finger tips
+    kind: str  # "other", "box", "cylinder", "sphere", "revolution" or "flat"
+    confidence: float  # that it is of this kind, 0 … 1
+    residual_m: float  # root mean square distance between its surface and the points seen
+    center: FloatArray | None  # the middle of the axis, or of the sphere
+    axis: FloatArray | None  # unit vector, upwards where it stands
+    radius_m: float | None  # the largest
+    length_m: float | None  # along the axis
+    radii_m: FloatArray  # of "revolution": at evenly spaced heights, the lowest first; else empty
+    hollow: bool  # of "revolution": open at its top, as bowls and cups
+
+
+@dataclass(frozen=True, eq=False)
+class Grasp:
+    """A grasp of a gripper with two parallel fingers, or with a suction cup."""
+
+    tool_center_point: FloatArray  # midway between the finger tips; the middle of the cup's lip
     approach: FloatArray  # unit vector: the way the hand moves in
     closing: FloatArray  # unit vector: the way the fingers close
-    opening_m: float  # distance between the fingers that the object needs, without clearance
+    # Distance between the fingers that the object needs, without clearance; 0 with suction.
+    opening_m: float
+    kind: str = "across"  # "across", "rim", "handle", "side" or "suction"
+    gripper: str = ""  # its name
+    gripper_index: int = 0  # in the grippers that were asked for
+    probability: float = 0.0  # of success, 0 … 1, calibrated
+    # Where the tool centre point is before the hand moves in, clear of everything.
+    pre_grasp_position: FloatArray | None = None
+    # Smallest distance between the open hand on its way in and everything else.
+    clearance_m: float = 0.0
+    unseen_contacts: float = 0.0  # share of both contact areas that no pixel shows, 0 … 1
+    # With suction: of the patch from a plane or sphere, root mean square; the widest cup that fits
+    # on it; how far the object's middle is from the tool's axis.
+    unevenness_m: float = 0.0
+    usable_diameter_m: float = 0.0
+    off_center_m: float = 0.0
 
     @property
     def pose(self) -> FloatArray:
@@ -49,6 +79,17 @@ class Grasp:
         pose = np.eye(4)
         pose[:3] = np.column_stack([np.cross(y, z), y, z, self.tool_center_point])
         return pose
+
+
+@dataclass(frozen=True)
+class NoGrasp:
+    """A gripper that has no grasp of the object, and what most of its candidates failed for."""
+
+    gripper: str  # its name
+    gripper_index: int
+    # "too_wide", "neighbor", "covered", "too_low", "sloped", "cut", "too_little_seen", "no_seal" or
+    # "unlikely"
+    reason: str
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,7 +108,11 @@ class Object:
     saliency: float  # 0 … 1: how much it stands out
     bounding_box: BoundingBox2D
     num_pixels: int
-    oriented_box: OrientedBox
+    oriented_box: OrientedBox  # of the whole object, with what the camera cannot see of its shape
+    visible_box: OrientedBox  # around what was seen alone, with the same axes
+    shape: Shape
+    yaw_is_arbitrary: bool  # round about the upright: any yaw describes it as well
+    unseen_share: float  # of its surface without the bottom, 0 … 1
     # Mean of the visible points; lies off the middle, since only one side is seen.
     centroid: FloatArray
     mean_color: tuple[int, int, int]  # red, green, blue
@@ -75,7 +120,12 @@ class Object:
     truncated: bool  # the mask ends with the image, or with its depth
     # Clear, black or shiny: seen as a hole in the depth of what it stands on, its box is a guess.
     depth_missing: bool
-    grasps: list[Grasp]  # best first
+    grasps: list[Grasp]  # of each gripper, likeliest first
+    no_grasps: list[NoGrasp]  # the grippers without one
+    # Labels, 0 = a support surface: what carries it, what it leans on, what must be moved before it.
+    stands_on: list[int]
+    leans_on: list[int]
+    blocked_by: list[int]
     # HxW of the image.
     mask: npt.NDArray[np.bool_] | None = field(repr=False)
     # One point for each pixel of the mask, row-major.
@@ -94,16 +144,21 @@ def object_from_proto(proto: detection_pb2.Object, height: int, width: int) -> O
         saliency=proto.saliency,
         bounding_box=BoundingBox2D(box.x, box.y, box.width, box.height),
         num_pixels=proto.num_pixels,
-        oriented_box=OrientedBox(
-            pose=pose_from_proto(proto.oriented_box.pose),
-            size=vector_from_proto(proto.oriented_box.size),
-        ),
+        oriented_box=_box(proto.oriented_box),
+        visible_box=_box(proto.visible_box),
+        shape=_shape(proto.shape),
+        yaw_is_arbitrary=proto.yaw_is_arbitrary,
+        unseen_share=proto.unseen_share,
         centroid=vector_from_proto(proto.centroid),
         mean_color=(color.red, color.green, color.blue),
         height_above_support_m=proto.height_above_support_m if has_height else None,
         truncated=proto.truncated,
         depth_missing=proto.depth_missing,
         grasps=[_grasp(grasp) for grasp in proto.grasps],
+        no_grasps=[_no_grasp(none) for none in proto.no_grasps],
+        stands_on=list(proto.stands_on),
+        leans_on=list(proto.leans_on),
+        blocked_by=list(proto.blocked_by),
         mask=decode_mask(proto.mask, height, width) if proto.HasField("mask") else None,
         cloud=_cloud(proto.cloud) if proto.HasField("cloud") else None,
         pose_in_reference=pose_from_proto(proto.pose_in_reference) if has_reference else None,
@@ -116,7 +171,49 @@ def _grasp(proto: detection_pb2.Grasp) -> Grasp:
         approach=vector_from_proto(proto.approach),
         closing=vector_from_proto(proto.closing),
         opening_m=proto.opening_m,
+        kind=_word(detection_pb2.GraspKind.Name(proto.kind), "GRASP_KIND_"),
+        gripper=proto.gripper,
+        gripper_index=proto.gripper_index,
+        probability=proto.probability,
+        pre_grasp_position=vector_from_proto(proto.pre_grasp_position),
+        clearance_m=proto.clearance_m,
+        unseen_contacts=proto.unseen_contacts,
+        unevenness_m=proto.unevenness_m,
+        usable_diameter_m=proto.usable_diameter_m,
+        off_center_m=proto.off_center_m,
     )
+
+
+def _no_grasp(proto: detection_pb2.NoGrasp) -> NoGrasp:
+    return NoGrasp(
+        gripper=proto.gripper,
+        gripper_index=proto.gripper_index,
+        reason=_word(detection_pb2.NoGraspReason.Name(proto.reason), "NO_GRASP_REASON_"),
+    )
+
+
+def _box(proto: geometry_pb2.OrientedBox) -> OrientedBox:
+    return OrientedBox(pose=pose_from_proto(proto.pose), size=vector_from_proto(proto.size))
+
+
+def _shape(proto: detection_pb2.Shape) -> Shape:
+    is_round = proto.HasField("center")
+    return Shape(
+        kind=_word(detection_pb2.ShapeKind.Name(proto.kind), "SHAPE_KIND_"),
+        confidence=proto.confidence,
+        residual_m=proto.residual_m,
+        center=vector_from_proto(proto.center) if is_round else None,
+        axis=vector_from_proto(proto.axis) if proto.HasField("axis") else None,
+        radius_m=proto.radius_m if is_round else None,
+        length_m=proto.length_m if is_round else None,
+        radii_m=np.array(proto.radii_m),
+        hollow=proto.hollow,
+    )
+
+
+def _word(name: str, prefix: str) -> str:
+    """The name of an enum's value as people write it."""
+    return name.removeprefix(prefix).lower()
 
 
 def _cloud(proto: geometry_pb2.PointCloud) -> PointCloud:

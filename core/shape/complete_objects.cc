@@ -1,0 +1,113 @@
+#include "core/shape/complete_objects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "core/shape/completed.h"
+#include "core/shape/outline.h"
+#include "core/shape/shape_fit.h"
+#include "core/types/interruption.h"
+
+namespace fovea {
+namespace {
+
+constexpr float kContact_m = 0.02F;  // between a thing and what it stands on, as measured
+constexpr float kMinOverlap = 0.3F;  // of its points that are above what it stands on
+
+float HeightAlong(const Eigen::Vector3f& up, const OrientedBox& box, float share) {
+  return up.dot(box.center) + (share - 0.5F) * box.size_m.z();
+}
+
+// Share of the points that are above the box.
+float ShareAbove(const std::vector<ColoredPoint>& cloud, const OrientedBox& box) {
+  std::size_t above = 0;
+  for (const ColoredPoint& p : cloud) {
+    const Eigen::Vector3f at =
+        box.rotation.transpose() * (Eigen::Vector3f(p.x, p.y, p.z) - box.center);
+    above += 2 * std::abs(at.x()) <= box.size_m.x() && 2 * std::abs(at.y()) <= box.size_m.y() &&
+                     at.z() >= box.size_m.z() / 2 - kContact_m
+                 ? 1
+                 : 0;
+  }
+  return static_cast<float>(above) / static_cast<float>(std::max<std::size_t>(cloud.size(), 1));
+}
+
+// What an object may stand on, and how far below the lowest point that was seen.
+struct Carrier {
+  int label = 0;  // 0: a support
+  float drop_m = 0;
+};
+
+// The highest of the objects below it, then the support.
+std::vector<Carrier> CarriersOf(const DetectedObject& object,
+                                const std::vector<DetectedObject>& others,
+                                const std::vector<std::size_t>& lower,
+                                const std::optional<SupportSurface>& support) {
+  const Eigen::Vector3f up = object.box.rotation.col(2);
+  const float bottom = HeightAlong(up, object.visible_box, 0);
+  std::vector<Carrier> carriers;
+  for (const std::size_t i : lower) {
+    const DetectedObject& other = others[i];
+    const float drop = bottom - HeightAlong(up, other.box, 1);
+    if (drop < -kContact_m || ShareAbove(object.cloud, other.box) < kMinOverlap) continue;
+    carriers.push_back({other.label, drop});
+  }
+  std::stable_sort(carriers.begin(), carriers.end(),
+                   [](const Carrier& a, const Carrier& b) { return a.drop_m < b.drop_m; });
+  if (carriers.size() > 1) carriers.resize(1);
+  if (support) {
+    const Eigen::Vector3f lowest =
+        object.visible_box.center - up * (object.visible_box.size_m.z() / 2);
+    carriers.push_back({0, support->HeightOf(lowest)});
+  }
+  return carriers;
+}
+
+}  // namespace
+
+void CompleteObjects(const RgbdFrame& frame, const cv::Mat& points,
+                     const std::vector<std::optional<SupportSurface>>& supports,
+                     Detections& detections) {
+  std::vector<DetectedObject>& objects = detections.objects;
+  const Eigen::Vector3f up = -detections.gravity.direction;
+  std::vector<std::size_t> order(objects.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto bottom = [&](std::size_t i) { return HeightAlong(up, objects[i].visible_box, 0); };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return bottom(a) < bottom(b); });
+  std::vector<std::size_t> done;
+  for (const std::size_t i : order) {
+    InterruptionPoint();
+    DetectedObject& object = objects[i];
+    if (object.depth_missing) continue;  // its box is a guess already
+    const std::vector<OutlinePoint> outline =
+        OutlineAlongColors(frame, points, detections.labels, object.label, object.bounds_px);
+    FittedShape best;
+    LevelFrame best_frame;
+    std::optional<int> carrier;
+    const auto consider = [&](float drop_m, std::optional<int> label) {
+      LevelFrame under = FrameUnder(object.visible_box);
+      under.origin -= under.rotation.col(2) * drop_m;
+      FittedShape shape = FitShape(object, outline, frame.intrinsics, under);
+      if (best.fit.cost <= shape.fit.cost) return;
+      best = std::move(shape);
+      best_frame = under;
+      carrier = label;
+    };
+    const std::vector<Carrier> carriers = CarriersOf(object, objects, done, supports[i]);
+    for (const Carrier& below : carriers) {
+      consider(below.drop_m, below.label);
+      // What touches it needs no other explanation.
+      if (below.drop_m < 1.5F * kContact_m) break;
+    }
+    if (!carrier) consider(0, std::nullopt);
+    if (carrier) object.stands_on.push_back(*carrier);
+    SetShape(best, best_frame, object);
+    SetUnseenShare(detections.labels, frame.intrinsics, best, best_frame, object);
+    done.push_back(i);
+  }
+}
+
+}  // namespace fovea

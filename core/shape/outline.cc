@@ -1,0 +1,91 @@
+#include "core/shape/outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "core/shape/outline_profiles.h"
+
+namespace fovea {
+namespace {
+
+constexpr double kWidth_px = 640;  // that lengths in pixels are given for
+constexpr double kStep_px = 2;
+constexpr std::size_t kMaxPoints = 160;
+constexpr std::size_t kMinPoints = 12;
+constexpr int kClosing_px = 5;
+
+// Of the largest part of the mask, without its notches and holes; in pixels of the image.
+std::vector<cv::Point> Contour(const cv::Mat& labels, int label, const cv::Rect& bounds) {
+  const cv::Rect around = cv::Rect(bounds.tl() - cv::Point(kClosing_px, kClosing_px),
+                                   bounds.br() + cv::Point(kClosing_px, kClosing_px)) &
+                          cv::Rect({}, labels.size());
+  cv::Mat mask = labels(around) == label;
+  cv::morphologyEx(mask, mask, cv::MORPH_CLOSE, cv::Mat::ones(kClosing_px, kClosing_px, CV_8UC1));
+  std::vector<std::vector<cv::Point>> contours;
+  cv::findContours(mask, contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE, around.tl());
+  if (contours.empty()) return {};
+  return *std::max_element(contours.begin(), contours.end(),
+                           [](const auto& a, const auto& b) { return a.size() < b.size(); });
+}
+
+// Evenly spaced, and without the corners of pixels.
+std::vector<Eigen::Vector2f> Smoothed(const std::vector<cv::Point>& contour, double step) {
+  const std::size_t count =
+      std::min(kMaxPoints, static_cast<std::size_t>(static_cast<double>(contour.size()) / step));
+  if (count < kMinPoints) return {};
+  std::vector<Eigen::Vector2f> points(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const cv::Point& p = contour[i * contour.size() / count];
+    points[i] = {static_cast<float>(p.x), static_cast<float>(p.y)};
+  }
+  for (int pass = 0; pass < 2; ++pass) {
+    const std::vector<Eigen::Vector2f> before = points;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Eigen::Vector2f& previous = before[(i + count - 1) % count];
+      const Eigen::Vector2f& next = before[(i + 1) % count];
+      points[i] = (previous + 2 * before[i] + next) / 4;
+    }
+  }
+  return points;
+}
+
+// Unit vectors; of a contour as cv::findContours walks it, with the object on its left.
+std::vector<Eigen::Vector2f> Outwards(const std::vector<Eigen::Vector2f>& points) {
+  const std::size_t count = points.size();
+  float area = 0;
+  std::vector<Eigen::Vector2f> normals(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Eigen::Vector2f& next = points[(i + 1) % count];
+    area += points[i].x() * next.y() - next.x() * points[i].y();
+    const Eigen::Vector2f along = points[(i + 2) % count] - points[(i + count - 2) % count];
+    const float length = std::max(along.norm(), 1e-6F);
+    normals[i] = Eigen::Vector2f(along.y(), -along.x()) / length;
+  }
+  if (area < 0) {
+    for (Eigen::Vector2f& normal : normals) normal = -normal;
+  }
+  return normals;
+}
+
+}  // namespace
+
+std::vector<OutlinePoint> OutlineAlongColors(const RgbdFrame& frame, const cv::Mat& points,
+                                             const cv::Mat& labels, int label,
+                                             const cv::Rect& bounds) {
+  const double scale = std::max(1.0, labels.cols / kWidth_px);
+  const std::vector<Eigen::Vector2f> contour =
+      Smoothed(Contour(labels, label, bounds), kStep_px * scale);
+  const std::vector<Eigen::Vector2f> outwards = Outwards(contour);
+  const OutlineProfiles profiles(frame.color_rgb, points, labels, label, contour, outwards,
+                                 static_cast<float>(scale));
+  const std::vector<int> offsets = profiles.BestWayAround();
+  std::vector<OutlinePoint> outline(contour.size());
+  for (std::size_t i = 0; i < contour.size(); ++i) {
+    const float offset = static_cast<float>(offsets[i] * scale);
+    outline[i] = {contour[i] + outwards[i] * offset, outwards[i], profiles.EndsAt(i, offsets[i])};
+  }
+  return outline;
+}
+
+}  // namespace fovea

@@ -1,0 +1,147 @@
+#include "core/shape/outline_profiles.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace fovea {
+namespace {
+
+constexpr int kInside = 7, kOutside = 11;  // places that the outline may move to
+constexpr int kSide = 2;                   // colours that are compared on each side
+constexpr int kBeyond = 7;                 // that are looked at outside for what ends there
+constexpr int kFirst = -kInside - kSide;   // sampled places
+constexpr int kLast = kOutside + kBeyond;
+constexpr int kPlaces = kLast - kFirst + 1;
+constexpr int kWays = kInside + kOutside + 1;
+
+// Costs, where the full difference of colours is worth 1. The outcome changes little between half
+// and twice of each.
+constexpr float kFullDifference = 90;       // of 8-bit RGB, Euclidean
+constexpr float kPerPlaceInside = 0.08F;    // of the mask
+constexpr float kPerPlaceMeasured = 0.05F;  // outside of it, with depth of something else
+constexpr float kPerBend = 0.2F;            // per place, from one point to the next
+
+// As cameras of this class have it: noise grows with the square of the distance (Khoshelham and
+// Elberink 2012); what is nearer by more than this is something else.
+constexpr float kNearerPerM = 0.015F;
+
+}  // namespace
+
+OutlineProfiles::OutlineProfiles(const cv::Mat& color_rgb, const cv::Mat& points,
+                                 const cv::Mat& labels, int label,
+                                 const std::vector<Eigen::Vector2f>& contour,
+                                 const std::vector<Eigen::Vector2f>& outwards, float scale)
+    : count_(contour.size()), samples_(contour.size() * kPlaces) {
+  const cv::Rect image({}, labels.size());
+  for (std::size_t i = 0; i < count_; ++i) {
+    for (int k = 0; k < kPlaces; ++k) {
+      const Eigen::Vector2f at =
+          contour[i] + outwards[i] * (static_cast<float>(kFirst + k) * scale);
+      const cv::Point pixel(cvRound(at.x()), cvRound(at.y()));
+      Sample& sample = samples_[i * kPlaces + static_cast<std::size_t>(k)];
+      sample.is_in_image = image.contains(pixel);
+      sample.z = std::numeric_limits<float>::quiet_NaN();
+      const cv::Point nearest(std::clamp(pixel.x, 0, image.width - 1),
+                              std::clamp(pixel.y, 0, image.height - 1));
+      const cv::Vec3b& color = color_rgb.at<cv::Vec3b>(nearest);
+      sample.color = Eigen::Vector3f(color[0], color[1], color[2]);
+      if (!sample.is_in_image) continue;
+      sample.is_inside = labels.at<std::uint16_t>(pixel) == label;
+      sample.z = points.at<cv::Vec3f>(pixel)[2];
+    }
+  }
+}
+
+const OutlineProfiles::Sample& OutlineProfiles::At(std::size_t i, int place) const {
+  return samples_[i * kPlaces + static_cast<std::size_t>(place - kFirst)];
+}
+
+std::vector<float> OutlineProfiles::Costs() const {
+  std::vector<float> costs(count_ * kWays);
+  for (std::size_t i = 0; i < count_; ++i) {
+    float* const row = &costs[i * kWays] + kInside;
+    for (int place = -kInside; place <= kOutside; ++place) {
+      Eigen::Vector3f inner = Eigen::Vector3f::Zero(), outer = Eigen::Vector3f::Zero();
+      for (int k = 1; k <= kSide; ++k) {
+        inner += At(i, place - k + 1).color;
+        outer += At(i, place + k).color;
+      }
+      const float difference = (inner - outer).norm() / kSide;
+      row[place] = -std::min(difference / kFullDifference, 1.0F);
+    }
+    float held = 0;
+    for (int place = 1; place <= kOutside; ++place) {
+      const Sample& sample = At(i, place);
+      if (!sample.is_inside && !std::isnan(sample.z)) held += kPerPlaceMeasured;
+      row[place] += held;
+    }
+    for (int place = -1; place >= -kInside; --place) {
+      row[place] += kPerPlaceInside * static_cast<float>(-place);
+    }
+  }
+  return costs;
+}
+
+std::vector<int> OutlineProfiles::BestWayAround() const {
+  if (count_ == 0) return {};
+  const std::vector<float> costs = Costs();
+  // Twice around, and the second half of the first and the first half of the second round taken:
+  // where the way begins then matters no more.
+  const std::size_t steps = 2 * count_;
+  std::vector<std::array<std::int8_t, kWays>> from(steps);
+  std::array<float, kWays> sums{};
+  for (std::size_t step = 0; step < steps; ++step) {
+    std::array<float, kWays> best = sums;
+    std::array<std::int8_t, kWays>& came = from[step];
+    for (int k = 0; k < kWays; ++k) came[static_cast<std::size_t>(k)] = static_cast<std::int8_t>(k);
+    for (std::size_t k = 1; k < kWays; ++k) {
+      if (best[k - 1] + kPerBend >= best[k]) continue;
+      best[k] = best[k - 1] + kPerBend;
+      came[k] = came[k - 1];
+    }
+    for (std::size_t k = kWays - 1; k-- > 0;) {
+      if (best[k + 1] + kPerBend >= best[k]) continue;
+      best[k] = best[k + 1] + kPerBend;
+      came[k] = came[k + 1];
+    }
+    const float* const row = &costs[(step % count_) * kWays];
+    for (std::size_t k = 0; k < kWays; ++k) sums[k] = best[k] + row[k];
+  }
+  std::vector<int> way(steps);
+  auto k = static_cast<std::size_t>(std::min_element(sums.begin(), sums.end()) - sums.begin());
+  for (std::size_t step = steps; step-- > 0;) {
+    way[step] = static_cast<int>(k) - kInside;
+    k = static_cast<std::size_t>(from[step][k]);
+  }
+  std::vector<int> around(count_);
+  for (std::size_t i = 0; i < count_; ++i) around[i] = way[i < count_ / 2 ? count_ + i : i];
+  return around;
+}
+
+float OutlineProfiles::MedianZ(std::size_t i, int first, int last, bool of_object) const {
+  std::array<float, kPlaces> depths{};
+  std::size_t count = 0;
+  for (int place = first; place <= last; ++place) {
+    const Sample& sample = At(i, place);
+    if (sample.is_inside == of_object && !std::isnan(sample.z)) depths[count++] = sample.z;
+  }
+  if (count == 0) return std::numeric_limits<float>::quiet_NaN();
+  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(count / 2);
+  std::nth_element(depths.begin(), middle, depths.begin() + static_cast<std::ptrdiff_t>(count));
+  return *middle;
+}
+
+bool OutlineProfiles::EndsAt(std::size_t i, int place) const {
+  constexpr int kGap = 3;  // pixels at an edge are of neither side
+  for (int k = kGap; k <= kBeyond; ++k) {
+    if (!At(i, place + k).is_in_image) return false;
+  }
+  const float before = MedianZ(i, kFirst, std::max(place, 0), true);
+  const float beyond = MedianZ(i, place + kGap, place + kBeyond, false);
+  if (std::isnan(before) || std::isnan(beyond)) return true;
+  return beyond > before - kNearerPerM * std::max(0.5F, before * before);
+}
+
+}  // namespace fovea

@@ -1,0 +1,151 @@
+#include "core/shape/shape_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace fovea {
+namespace {
+
+constexpr std::size_t kMaxPoints = 160, kMaxRays = 80;
+
+// Depth noise as cameras of this class have it, of structured light and stereo alike (Khoshelham
+// and Elberink 2012); and of an outline, in pixels. They say what counts for more, no more.
+constexpr float kNoise_m = 0.002F, kNoisePerM = 0.0024F;
+constexpr float kOutlineNoise_px = 1.25F, kOutlineNoise_m = 0.001F;
+
+// Added to the cost of a solid: of two that explain as much, the one that could explain less.
+constexpr float kCostOfLying = 0, kCostOfFrustum = 0.03F, kCostOfBox = 0.02F;
+constexpr float kMostCost = 0.5F;  // of what is anything but "other"
+
+void SetPoint(LevelPoints& points, Eigen::Index i, const Eigen::Vector3f& p) {
+  points.x[i] = p.x();
+  points.y[i] = p.y();
+  points.h[i] = p.z();
+}
+
+void AddPoints(const std::vector<ColoredPoint>& cloud, const LevelFrame& frame, SeenObject& seen) {
+  const std::size_t count = std::min(cloud.size(), kMaxPoints);
+  seen.points = LevelPoints(static_cast<Eigen::Index>(count));
+  seen.noise_m.resize(static_cast<Eigen::Index>(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    const ColoredPoint& p = cloud[i * cloud.size() / count];
+    const auto row = static_cast<Eigen::Index>(i);
+    SetPoint(seen.points, row, frame.FromCamera({p.x, p.y, p.z}));
+    seen.noise_m[row] = kNoise_m + kNoisePerM * p.z * p.z;
+  }
+}
+
+void AddOutline(const std::vector<OutlinePoint>& outline, const CameraIntrinsics& intrinsics,
+                const LevelFrame& frame, float depth_m, SeenObject& seen) {
+  const std::size_t count = std::min(outline.size(), kMaxRays);
+  seen.directions = LevelPoints(static_cast<Eigen::Index>(count));
+  seen.is_own_end.resize(static_cast<Eigen::Index>(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    const OutlinePoint& point = outline[i * outline.size() / count];
+    const Eigen::Vector3f ray((point.pixel.x() - static_cast<float>(intrinsics.cx_px)) /
+                                  static_cast<float>(intrinsics.fx_px),
+                              (point.pixel.y() - static_cast<float>(intrinsics.cy_px)) /
+                                  static_cast<float>(intrinsics.fy_px),
+                              1);
+    const auto row = static_cast<Eigen::Index>(i);
+    SetPoint(seen.directions, row, frame.rotation.transpose() * ray);
+    seen.is_own_end[row] = point.is_own_end ? 1 : 0;
+  }
+  seen.outline_noise_m = Eigen::ArrayXf::Constant(
+      static_cast<Eigen::Index>(count),
+      kOutlineNoise_px * depth_m / static_cast<float>(intrinsics.fx_px) + kOutlineNoise_m);
+}
+
+SeenObject See(const DetectedObject& object, const std::vector<OutlinePoint>& outline,
+               const CameraIntrinsics& intrinsics, const LevelFrame& frame) {
+  SeenObject seen;
+  seen.camera = frame.FromCamera(Eigen::Vector3f::Zero());
+  AddPoints(object.cloud, frame, seen);
+  AddOutline(outline, intrinsics, frame, object.centroid.z(), seen);
+  return seen;
+}
+
+Solid StartOf(Solid::Kind kind, const OrientedBox& box) {
+  Solid solid;
+  solid.kind = kind;
+  solid.half_length_m = box.size_m.x() / 2;
+  solid.half_width_m = box.size_m.y() / 2;
+  solid.height_m = std::max(box.size_m.z(), 0.004F);
+  const bool rests = kind == Solid::Kind::kLyingCylinder || kind == Solid::Kind::kSphere;
+  solid.radius_m = rests ? solid.height_m / 2 : (box.size_m.x() + box.size_m.y()) / 4;
+  solid.bottom_radius_m = 0.7F * solid.radius_m;
+  return solid;
+}
+
+float CostOfKind(Solid::Kind kind) {
+  switch (kind) {
+    case Solid::Kind::kBox:
+      return kCostOfBox;
+    case Solid::Kind::kLyingCylinder:
+      return kCostOfLying;
+    case Solid::Kind::kFrustum:
+      return kCostOfFrustum;
+    case Solid::Kind::kUprightCylinder:
+    case Solid::Kind::kSphere:
+      return 0;
+  }
+  return 0;
+}
+
+Shape::Kind KindOf(const FittedSolid& fit) {
+  constexpr float kFlat_m = 0.03F, kFlatShare = 0.5F;
+  constexpr float kHollowShare = 0.06F, kEvenRadii = 0.12F;
+  const Solid& solid = fit.solid;
+  switch (solid.kind) {
+    case Solid::Kind::kBox: {
+      const float width = 2 * std::min(solid.half_length_m, solid.half_width_m);
+      const bool is_flat = solid.height_m < kFlat_m && solid.height_m < kFlatShare * width;
+      return is_flat ? Shape::Kind::kFlat : Shape::Kind::kBox;
+    }
+    case Solid::Kind::kUprightCylinder:
+    case Solid::Kind::kLyingCylinder:
+      return Shape::Kind::kCylinder;
+    case Solid::Kind::kSphere:
+      return Shape::Kind::kSphere;
+    case Solid::Kind::kFrustum: {
+      const bool is_even =
+          std::abs(solid.radius_m - solid.bottom_radius_m) < kEvenRadii * solid.radius_m;
+      return is_even && fit.hollow_share < kHollowShare ? Shape::Kind::kCylinder
+                                                        : Shape::Kind::kRevolution;
+    }
+  }
+  return Shape::Kind::kOther;
+}
+
+}  // namespace
+
+LevelFrame FrameUnder(const OrientedBox& box) {
+  return {box.rotation, box.center - box.rotation.col(2) * (box.size_m.z() / 2)};
+}
+
+FittedShape FitShape(const DetectedObject& object, const std::vector<OutlinePoint>& outline,
+                     const CameraIntrinsics& intrinsics, const LevelFrame& frame) {
+  const SeenObject seen = See(object, outline, intrinsics, frame);
+  OrientedBox start = object.box;
+  start.size_m.z() = 2 * (object.box.center - frame.origin).dot(frame.rotation.col(2));
+  FittedShape best;
+  float best_cost = 2, odds = 0;
+  for (const Solid::Kind kind :
+       {Solid::Kind::kBox, Solid::Kind::kUprightCylinder, Solid::Kind::kLyingCylinder,
+        Solid::Kind::kSphere, Solid::Kind::kFrustum}) {
+    const FittedSolid fit = FitSolid(seen, StartOf(kind, start));
+    const float cost = fit.cost + CostOfKind(kind);
+    const float squared = std::max(cost, 0.02F) * std::max(cost, 0.02F);
+    odds += 1 / (squared * squared);
+    if (cost >= best_cost) continue;
+    best_cost = cost;
+    best.fit = fit;
+    best.confidence = 1 / (squared * squared);
+  }
+  best.confidence /= odds;
+  best.kind = best.fit.cost < kMostCost ? KindOf(best.fit) : Shape::Kind::kOther;
+  return best;
+}
+
+}  // namespace fovea

@@ -1,0 +1,157 @@
+#include "core/shape/solid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fovea {
+namespace {
+
+using Eigen::ArrayXf;
+
+constexpr float kMinSize_m = 0.002F;
+
+// Of what is the product of two shapes, from the distances to both.
+ArrayXf DistanceOfProduct(const ArrayXf& a, const ArrayXf& b) {
+  return (a.max(0.0F).square() + b.max(0.0F).square()).sqrt() + a.max(b).min(0.0F);
+}
+
+// To the layer between the plane and `height_m`.
+ArrayXf DistanceOfLayer(const ArrayXf& h, float height_m) {
+  return (h - height_m / 2).abs() - height_m / 2;
+}
+
+ArrayXf AlongAxis(const Solid& solid, const LevelPoints& p) {
+  return solid.along.x() * (p.x - solid.center.x()) + solid.along.y() * (p.y - solid.center.y());
+}
+
+ArrayXf AcrossAxis(const Solid& solid, const LevelPoints& p) {
+  return solid.along.x() * (p.y - solid.center.y()) - solid.along.y() * (p.x - solid.center.x());
+}
+
+ArrayXf FromAxis(const Solid& solid, const LevelPoints& p) {
+  return ((p.x - solid.center.x()).square() + (p.y - solid.center.y()).square()).sqrt();
+}
+
+void DistancesOfBox(const Solid& solid, const LevelPoints& p, ArrayXf& distances) {
+  const ArrayXf u = AlongAxis(solid, p).abs() - solid.half_length_m;
+  const ArrayXf v = AcrossAxis(solid, p).abs() - solid.half_width_m;
+  const ArrayXf w = DistanceOfLayer(p.h, solid.height_m);
+  distances = (u.max(0.0F).square() + v.max(0.0F).square() + w.max(0.0F).square()).sqrt() +
+              u.max(v).max(w).min(0.0F);
+}
+
+void DistancesOfFrustum(const Solid& solid, const LevelPoints& p, ArrayXf& distances) {
+  const float widens = (solid.radius_m - solid.bottom_radius_m) / solid.height_m;
+  const ArrayXf radii = solid.bottom_radius_m + widens * p.h.max(0.0F).min(solid.height_m);
+  const ArrayXf wall = (FromAxis(solid, p) - radii) / std::sqrt(1 + widens * widens);
+  distances = DistanceOfProduct(wall, DistanceOfLayer(p.h, solid.height_m));
+}
+
+void DistancesOfLyingCylinder(const Solid& solid, const LevelPoints& p, ArrayXf& distances) {
+  const ArrayXf wall =
+      (AcrossAxis(solid, p).square() + (p.h - solid.radius_m).square()).sqrt() - solid.radius_m;
+  distances = DistanceOfProduct(wall, AlongAxis(solid, p).abs() - solid.half_length_m);
+}
+
+void DistancesOfSphere(const Solid& solid, const LevelPoints& p, ArrayXf& distances) {
+  distances = ((p.x - solid.center.x()).square() + (p.y - solid.center.y()).square() +
+               (p.h - solid.radius_m).square())
+                  .sqrt() -
+              solid.radius_m;
+}
+
+bool HasTurn(Solid::Kind kind) {
+  return kind == Solid::Kind::kBox || kind == Solid::Kind::kLyingCylinder;
+}
+
+// By half of the tangent, which is exact on every machine.
+Eigen::Vector2f Turned(const Eigen::Vector2f& along, float angle_rad) {
+  const float t = angle_rad / 2, scale = 1 / (1 + t * t);
+  const float c = (1 - t * t) * scale, s = 2 * t * scale;
+  return Eigen::Vector2f(c * along.x() - s * along.y(), s * along.x() + c * along.y()).normalized();
+}
+
+}  // namespace
+
+Eigen::Vector3f Solid::Size() const {
+  switch (kind) {
+    case Kind::kBox:
+      return {2 * half_length_m, 2 * half_width_m, height_m};
+    case Kind::kUprightCylinder:
+      return {2 * radius_m, 2 * radius_m, height_m};
+    case Kind::kLyingCylinder:
+      return {2 * half_length_m, 2 * radius_m, 2 * radius_m};
+    case Kind::kSphere:
+      return Eigen::Vector3f::Constant(2 * radius_m);
+    case Kind::kFrustum:
+      const float widest = std::max(radius_m, bottom_radius_m);
+      return {2 * widest, 2 * widest, height_m};
+  }
+  return Eigen::Vector3f::Zero();
+}
+
+int NumParameters(Solid::Kind kind) {
+  switch (kind) {
+    case Solid::Kind::kBox:
+      return 6;
+    case Solid::Kind::kLyingCylinder:
+    case Solid::Kind::kFrustum:
+      return 5;
+    case Solid::Kind::kUprightCylinder:
+      return 4;
+    case Solid::Kind::kSphere:
+      return 3;
+  }
+  return 0;
+}
+
+Solid Moved(const Solid& solid, const Eigen::VectorXf& step) {
+  Solid moved = solid;
+  moved.center += step.head<2>();
+  Eigen::Index next = 2;
+  if (HasTurn(solid.kind)) moved.along = Turned(solid.along, step[next++]);
+  const auto grow = [&](float& size_m) { size_m = std::max(size_m + step[next++], kMinSize_m); };
+  switch (solid.kind) {
+    case Solid::Kind::kBox:
+      grow(moved.half_length_m);
+      grow(moved.half_width_m);
+      grow(moved.height_m);
+      break;
+    case Solid::Kind::kUprightCylinder:
+      grow(moved.radius_m);
+      grow(moved.height_m);
+      break;
+    case Solid::Kind::kLyingCylinder:
+      grow(moved.half_length_m);
+      grow(moved.radius_m);
+      break;
+    case Solid::Kind::kSphere:
+      grow(moved.radius_m);
+      break;
+    case Solid::Kind::kFrustum:
+      grow(moved.radius_m);
+      grow(moved.bottom_radius_m);
+      grow(moved.height_m);
+      break;
+  }
+  return moved;
+}
+
+void SignedDistances(const Solid& solid, const LevelPoints& points, ArrayXf& distances) {
+  switch (solid.kind) {
+    case Solid::Kind::kBox:
+      return DistancesOfBox(solid, points, distances);
+    case Solid::Kind::kUprightCylinder:
+      distances = DistanceOfProduct(FromAxis(solid, points) - solid.radius_m,
+                                    DistanceOfLayer(points.h, solid.height_m));
+      return;
+    case Solid::Kind::kLyingCylinder:
+      return DistancesOfLyingCylinder(solid, points, distances);
+    case Solid::Kind::kSphere:
+      return DistancesOfSphere(solid, points, distances);
+    case Solid::Kind::kFrustum:
+      return DistancesOfFrustum(solid, points, distances);
+  }
+}
+
+}  // namespace fovea

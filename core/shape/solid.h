@@ -1,0 +1,41 @@
+// Simple solids that stand, or lie, on a level plane, and how far points are from their surface.
+//
+// Level frame: x and y along the plane, h above it; metres.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace fovea {
+
+struct LevelPoints {
+  Eigen::ArrayXf x, y, h;
+
+  explicit LevelPoints(Eigen::Index size = 0) : x(size), y(size), h(size) {}
+  Eigen::Index size() const { return x.size(); }
+};
+
+struct Solid {
+  enum class Kind { kBox, kUprightCylinder, kLyingCylinder, kSphere, kFrustum };
+  Kind kind = Kind::kBox;
+  Eigen::Vector2f center = Eigen::Vector2f::Zero();  // on the plane, of the footprint
+  Eigen::Vector2f along = Eigen::Vector2f::UnitX();  // of boxes and lying cylinders: unit vector
+  float half_length_m = 0;                           // along it
+  float half_width_m = 0;                            // of boxes
+  float height_m = 0;                                // of boxes, upright cylinders and frusta
+  float radius_m = 0;                                // of all round ones; of frusta at the top
+  float bottom_radius_m = 0;                         // of frusta
+
+  // Its extents along `along`, across it and upwards.
+  Eigen::Vector3f Size() const;
+};
+
+// How many numbers describe a solid of this kind: its centre, its turn where it has one, its sizes.
+int NumParameters(Solid::Kind kind);
+
+// Changed by a step in these numbers. A turn is in radians, for small ones. Sizes stay above 2 mm.
+Solid Moved(const Solid& solid, const Eigen::VectorXf& step);
+
+// Distances from the surface, negative inside; of frusta to first order in how far the wall leans.
+void SignedDistances(const Solid& solid, const LevelPoints& points, Eigen::ArrayXf& distances);
+
+}  // namespace fovea

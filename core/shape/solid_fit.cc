@@ -1,0 +1,170 @@
+#include "core/shape/solid_fit.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace fovea {
+namespace {
+
+using Eigen::ArrayXf;
+
+// From wide to narrow: points that are far off pull at first.
+constexpr std::array<float, 3> kScales = {4, 2, 1};
+constexpr int kStepsPerScale = 4;
+constexpr float kDifference = 1e-4F;  // metres and radians, for derivatives
+// A point inside of a hollow frustum costs as much as one 0.7 standard deviations off.
+constexpr float kHollowResidual = 0.7F;
+constexpr float kRim_m = 0.006F, kInnerShare = 0.85F;
+constexpr float kMostGrowth = 1.6F, kRoom_m = 0.02F;
+
+// Distances, in standard deviations, of the points and of the rays, and where each ray is nearest.
+class Residuals {
+ public:
+  explicit Residuals(const SeenObject& seen)
+      : seen_(seen), on_rays_(seen.directions.size()), is_hollow_(seen.points.size()) {}
+
+  // With the places along the rays that are nearest to this solid.
+  const ArrayXf& Of(const Solid& solid) {
+    FindNearest(solid);
+    MarkHollow(solid);
+    return AtNearest(solid);
+  }
+
+  // With those of the last call of Of().
+  const ArrayXf& AtNearest(const Solid& solid) {
+    const Eigen::Index num_points = seen_.points.size(), num_rays = on_rays_.size();
+    all_.resize(num_points + num_rays);
+    SignedDistances(solid, seen_.points, distances_);
+    all_.head(num_points) = (is_hollow_ > 0).select(kHollowResidual, distances_ / seen_.noise_m);
+    SignedDistances(solid, on_rays_, distances_);
+    distances_ = (seen_.is_own_end > 0).select(distances_, distances_.max(0.0F));
+    all_.tail(num_rays) = distances_ / seen_.outline_noise_m;
+    return all_;
+  }
+
+  float HollowShare() const { return is_hollow_.size() > 0 ? is_hollow_.mean() : 0; }
+
+ private:
+  void PutOnRays(const ArrayXf& places) {
+    on_rays_.x = seen_.camera.x() + seen_.directions.x * places;
+    on_rays_.y = seen_.camera.y() + seen_.directions.y * places;
+    on_rays_.h = seen_.camera.z() + seen_.directions.h * places;
+  }
+
+  // The distance from a convex solid along a ray has one minimum; golden sections find it.
+  void FindNearest(const Solid& solid) {
+    constexpr int kSections = 12;
+    constexpr float kGolden = 0.381966F;
+    const Eigen::Vector3f size = solid.Size();
+    const Eigen::Vector3f middle(solid.center.x(), solid.center.y(), size.z() / 2);
+    const Eigen::Vector3f to = middle - seen_.camera;
+    const ArrayXf squared =
+        seen_.directions.x.square() + seen_.directions.y.square() + seen_.directions.h.square();
+    const ArrayXf closest =
+        (seen_.directions.x * to.x() + seen_.directions.y * to.y() + seen_.directions.h * to.z()) /
+        squared;
+    const ArrayXf reach = size.norm() / squared.sqrt();
+    ArrayXf low = closest - reach, high = closest + reach;
+    ArrayXf at_a, at_b;
+    for (int i = 0; i < kSections; ++i) {
+      const ArrayXf a = low + kGolden * (high - low), b = high - kGolden * (high - low);
+      PutOnRays(a);
+      SignedDistances(solid, on_rays_, at_a);
+      PutOnRays(b);
+      SignedDistances(solid, on_rays_, at_b);
+      const auto is_before = (at_a < at_b).eval();
+      high = is_before.select(b, high);
+      low = is_before.select(low, a);
+    }
+    PutOnRays((low + high) / 2);
+  }
+
+  void MarkHollow(const Solid& solid) {
+    if (solid.kind != Solid::Kind::kFrustum) {
+      is_hollow_.setZero();
+      return;
+    }
+    const LevelPoints& p = seen_.points;
+    const float inner_m = kInnerShare * solid.radius_m;
+    const ArrayXf squared = (p.x - solid.center.x()).square() + (p.y - solid.center.y()).square();
+    is_hollow_ = (squared < inner_m * inner_m && p.h < solid.height_m - kRim_m).cast<float>();
+  }
+
+  const SeenObject& seen_;
+  LevelPoints on_rays_;
+  ArrayXf is_hollow_, distances_, all_;
+};
+
+float MeanCost(const ArrayXf& residuals, float scale) {
+  const ArrayXf squared = (residuals / scale).square();
+  return (squared / (1 + squared)).mean();
+}
+
+// What may not run away where nothing holds it.
+bool IsNear(const Solid& solid, const Solid& start) {
+  const Eigen::Vector3f size = solid.Size(), from = start.Size();
+  const float room = from.head<2>().maxCoeff() / 2 + kRoom_m;
+  return (size.array() <= kMostGrowth * from.maxCoeff() + kRoom_m).all() &&
+         (solid.center - start.center).norm() <= room;
+}
+
+Eigen::VectorXf Step(Residuals& residuals, const Solid& solid, const ArrayXf& at, float scale,
+                     float damping) {
+  const int count = NumParameters(solid.kind);
+  Eigen::MatrixXf derivatives(at.size(), count);
+  for (int k = 0; k < count; ++k) {
+    const Eigen::VectorXf step = Eigen::VectorXf::Unit(count, k) * kDifference;
+    derivatives.col(k) = (residuals.AtNearest(Moved(solid, step)) - at) / kDifference;
+  }
+  const ArrayXf weights = (1 + (at / scale).square()).square().inverse();
+  const Eigen::MatrixXf weighted = derivatives.array().colwise() * weights;
+  Eigen::MatrixXf normal = weighted.transpose() * derivatives;
+  const Eigen::VectorXf gradient = weighted.transpose() * at.matrix();
+  normal.diagonal().array() += damping * (normal.diagonal().array() + normal.diagonal().mean());
+  return normal.ldlt().solve(-gradient);
+}
+
+float ResidualOf(const SeenObject& seen, const Solid& solid, const ArrayXf& residuals) {
+  ArrayXf distances;
+  SignedDistances(solid, seen.points, distances);
+  constexpr float kExplained = 3;  // standard deviations
+  const auto is_explained =
+      (residuals.head(seen.points.size()).abs() < kExplained).cast<float>().eval();
+  return std::sqrt((distances.square() * is_explained).sum() / std::max(is_explained.sum(), 1.0F));
+}
+
+}  // namespace
+
+FittedSolid FitSolid(const SeenObject& seen, const Solid& start) {
+  Residuals residuals(seen);
+  FittedSolid fitted{start};
+  float damping = 1e-2F;
+  for (const float scale : kScales) {
+    ArrayXf at = residuals.Of(fitted.solid);
+    float cost = MeanCost(at, scale);
+    for (int step = 0; step < kStepsPerScale; ++step) {
+      const Eigen::VectorXf change = Step(residuals, fitted.solid, at, scale, damping);
+      const Solid moved = change.allFinite() ? Moved(fitted.solid, change) : fitted.solid;
+      const ArrayXf after = residuals.Of(moved);
+      const float new_cost = MeanCost(after, scale);
+      if (new_cost < cost && IsNear(moved, start)) {
+        fitted.solid = moved;
+        at = after;
+        cost = new_cost;
+        damping /= 4;
+      } else {
+        residuals.Of(fitted.solid);
+        damping *= 8;
+      }
+    }
+  }
+  const ArrayXf at = residuals.Of(fitted.solid);
+  fitted.cost = MeanCost(at, 1);
+  fitted.hollow_share = residuals.HollowShare();
+  fitted.residual_m = ResidualOf(seen, fitted.solid, at);
+  return fitted;
+}
+
+}  // namespace fovea

@@ -1,0 +1,33 @@
+// The solid of a kind that explains best what was seen of an object.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "core/shape/solid.h"
+
+namespace fovea {
+
+// What was seen of an object, in the level frame that its solid is in.
+struct SeenObject {
+  LevelPoints points;      // on its surface
+  Eigen::ArrayXf noise_m;  // standard deviation of each, along its normal
+  Eigen::Vector3f camera = Eigen::Vector3f::Zero();
+  LevelPoints directions;  // from the camera: rays through its outline, of any length
+  Eigen::ArrayXf outline_noise_m;
+  Eigen::ArrayXf is_own_end;  // 1 where the object ends there; 0 where it may go on behind
+};
+
+struct FittedSolid {
+  Solid solid;
+  float cost = 1;  // 0 … 1: mean over points and rays of r² / (1 + r²), r in standard deviations
+  float residual_m = 0;    // root mean square distance of the points that it explains
+  float hollow_share = 0;  // of the points: inside of a frustum and below its rim
+};
+
+// Starts from a solid that is roughly right. Minimises the mean of the robust costs (Geman and
+// McClure 1985) of distances between points and surface, and between surface and the rays that
+// touch it, from wide to narrow, by Levenberg-Marquardt. Takes some 0.1 ms for 160 points and 80
+// rays.
+FittedSolid FitSolid(const SeenObject& seen, const Solid& start);
+
+}  // namespace fovea
