@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -14,6 +15,8 @@ namespace fovea {
 namespace {
 
 constexpr float kContact_m = 0.02F;  // between a thing and what it stands on, as measured
+// Of an explanation against which something is seen.
+constexpr float kCostOfFloating = 0.05F;
 constexpr float kMinOverlap = 0.3F;  // of its points that are above what it stands on
 
 float HeightAlong(const Eigen::Vector3f& up, const OrientedBox& box, float share) {
@@ -32,6 +35,36 @@ float ShareAbove(const std::vector<ColoredPoint>& cloud, const OrientedBox& box)
                  : 0;
   }
   return static_cast<float>(above) / static_cast<float>(std::max<std::size_t>(cloud.size(), 1));
+}
+
+// What touches the object from below: where it ends, something at the height of its lowest points
+// is seen beyond. The label that most of it has, 0 = none; nothing where it is seen to end in the
+// air.
+std::optional<int> Touching(const DetectedObject& object, const std::vector<DetectedObject>& others,
+                            const std::vector<OutlinePoint>& outline) {
+  constexpr float kMinShare = 0.12F;  // of the outline where it ends
+  const Eigen::Vector3f up = object.visible_box.rotation.col(2);
+  const float bottom = HeightAlong(up, object.visible_box, 0);
+  std::map<int, int> touches;
+  int ends = 0, touching = 0;
+  for (const OutlinePoint& point : outline) {
+    if (!point.is_own_end || std::isnan(point.beyond.z())) continue;
+    ++ends;
+    if (std::abs(up.dot(point.beyond) - bottom) > kContact_m) continue;
+    ++touching;
+    // What rises higher stands beside it.
+    const int label = point.label_beyond;
+    const bool is_below =
+        label > 0 && HeightAlong(up, others[static_cast<std::size_t>(label) - 1].visible_box, 1) <
+                         bottom + kContact_m;
+    ++touches[is_below ? label : 0];
+  }
+  if (touching == 0 || static_cast<float>(touching) < kMinShare * static_cast<float>(ends)) {
+    return std::nullopt;
+  }
+  return std::max_element(touches.begin(), touches.end(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
 }
 
 // What an object may stand on, and how far below the lowest point that was seen.
@@ -87,22 +120,27 @@ void CompleteObjects(const RgbdFrame& frame, const cv::Mat& points,
     FittedShape best;
     LevelFrame best_frame;
     std::optional<int> carrier;
-    const auto consider = [&](float drop_m, std::optional<int> label) {
+    const auto consider = [&](float drop_m, std::optional<int> label, float extra_cost) {
       LevelFrame under = FrameUnder(object.visible_box);
       under.origin -= under.rotation.col(2) * drop_m;
       FittedShape shape = FitShape(object, outline, frame.intrinsics, under);
+      shape.fit.cost += extra_cost;
       if (best.fit.cost <= shape.fit.cost) return;
       best = std::move(shape);
       best_frame = under;
       carrier = label;
     };
+    const std::optional<int> touching = Touching(object, objects, outline);
     const std::vector<Carrier> carriers = CarriersOf(object, objects, done, supports[i]);
-    for (const Carrier& below : carriers) {
-      consider(below.drop_m, below.label);
-      // What touches it needs no other explanation.
-      if (below.drop_m < 1.5F * kContact_m) break;
+    const float nearest = carriers.empty() ? 1 : carriers.front().drop_m;
+    if (nearest < kContact_m) {
+      consider(nearest, carriers.front().label, 0);
+    } else {
+      consider(0, touching, touching ? 0 : kCostOfFloating);
+      for (const Carrier& below : carriers) {
+        consider(below.drop_m, below.label, touching ? kCostOfFloating : 0);
+      }
     }
-    if (!carrier) consider(0, std::nullopt);
     if (carrier) object.stands_on.push_back(*carrier);
     SetShape(best, best_frame, object);
     SetUnseenShare(detections.labels, frame.intrinsics, best, best_frame, object);

@@ -83,7 +83,12 @@ std::vector<OutlinePoint> OutlineAlongColors(const RgbdFrame& frame, const cv::M
   std::vector<OutlinePoint> outline(contour.size());
   for (std::size_t i = 0; i < contour.size(); ++i) {
     const float offset = static_cast<float>(offsets[i] * scale);
-    outline[i] = {contour[i] + outwards[i] * offset, outwards[i], profiles.EndsAt(i, offsets[i])};
+    const OutlineProfiles::Sample beyond = profiles.Beyond(i, offsets[i]);
+    outline[i] = {.pixel = contour[i] + outwards[i] * offset,
+                  .outwards = outwards[i],
+                  .is_own_end = profiles.EndsAt(i, offsets[i]),
+                  .beyond = beyond.point,
+                  .label_beyond = beyond.label};
   }
   return outline;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
@@ -14,6 +15,10 @@ struct OutlinePoint {
   Eigen::Vector2f outwards = Eigen::Vector2f::Zero();  // unit vector, away from the object
   // Whether the object ends here: else the image does, or something nearer hides the rest.
   bool is_own_end = false;
+  // What is seen just beyond: a point, NaN where nothing was measured, and whose it is, 0 =
+  // nobody's.
+  Eigen::Vector3f beyond = Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
+  int label_beyond = 0;
 };
 
 // The points of the outline of label `label` in order, some 2 px apart at 640 px of width and never

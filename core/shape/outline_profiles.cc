@@ -13,6 +13,7 @@ constexpr int kSide = 2;                   // colours that are compared on each 
 constexpr int kBeyond = 7;                 // that are looked at outside for what ends there
 constexpr int kFirst = -kInside - kSide;   // sampled places
 constexpr int kLast = kOutside + kBeyond;
+constexpr int kGap = 3;  // pixels at an edge are of neither side
 constexpr int kPlaces = kLast - kFirst + 1;
 constexpr int kWays = kInside + kOutside + 1;
 
@@ -21,6 +22,7 @@ constexpr int kWays = kInside + kOutside + 1;
 constexpr float kFullDifference = 90;       // of 8-bit RGB, Euclidean
 constexpr float kPerPlaceInside = 0.08F;    // of the mask
 constexpr float kPerPlaceMeasured = 0.05F;  // outside of it, with depth of something else
+constexpr float kPerPlaceInGap = 0.03F;     // away from the middle of a gap without depth
 constexpr float kPerBend = 0.2F;            // per place, from one point to the next
 
 // As cameras of this class have it: noise grows with the square of the distance (Khoshelham and
@@ -33,7 +35,7 @@ OutlineProfiles::OutlineProfiles(const cv::Mat& color_rgb, const cv::Mat& points
                                  const cv::Mat& labels, int label,
                                  const std::vector<Eigen::Vector2f>& contour,
                                  const std::vector<Eigen::Vector2f>& outwards, float scale)
-    : count_(contour.size()), samples_(contour.size() * kPlaces) {
+    : label_(label), count_(contour.size()), samples_(contour.size() * kPlaces) {
   const cv::Rect image({}, labels.size());
   for (std::size_t i = 0; i < count_; ++i) {
     for (int k = 0; k < kPlaces; ++k) {
@@ -42,20 +44,27 @@ OutlineProfiles::OutlineProfiles(const cv::Mat& color_rgb, const cv::Mat& points
       const cv::Point pixel(cvRound(at.x()), cvRound(at.y()));
       Sample& sample = samples_[i * kPlaces + static_cast<std::size_t>(k)];
       sample.is_in_image = image.contains(pixel);
-      sample.z = std::numeric_limits<float>::quiet_NaN();
       const cv::Point nearest(std::clamp(pixel.x, 0, image.width - 1),
                               std::clamp(pixel.y, 0, image.height - 1));
       const cv::Vec3b& color = color_rgb.at<cv::Vec3b>(nearest);
       sample.color = Eigen::Vector3f(color[0], color[1], color[2]);
       if (!sample.is_in_image) continue;
-      sample.is_inside = labels.at<std::uint16_t>(pixel) == label;
-      sample.z = points.at<cv::Vec3f>(pixel)[2];
+      sample.label = labels.at<std::uint16_t>(pixel);
+      const cv::Vec3f& point = points.at<cv::Vec3f>(pixel);
+      sample.point = {point[0], point[1], point[2]};
     }
   }
 }
 
 const OutlineProfiles::Sample& OutlineProfiles::At(std::size_t i, int place) const {
   return samples_[i * kPlaces + static_cast<std::size_t>(place - kFirst)];
+}
+
+// How many places beyond the mask nothing was measured in.
+int OutlineProfiles::GapAt(std::size_t i) const {
+  int gap = 0;
+  while (gap < kOutside && std::isnan(At(i, gap + 1).point.z())) ++gap;
+  return gap;
 }
 
 std::vector<float> OutlineProfiles::Costs() const {
@@ -71,10 +80,12 @@ std::vector<float> OutlineProfiles::Costs() const {
       const float difference = (inner - outer).norm() / kSide;
       row[place] = -std::min(difference / kFullDifference, 1.0F);
     }
+    const int gap = GapAt(i);
     float held = 0;
     for (int place = 1; place <= kOutside; ++place) {
       const Sample& sample = At(i, place);
-      if (!sample.is_inside && !std::isnan(sample.z)) held += kPerPlaceMeasured;
+      if (!IsInside(sample) && !std::isnan(sample.point.z())) held += kPerPlaceMeasured;
+      if (place <= gap) held += 2 * place <= gap ? -kPerPlaceInGap : kPerPlaceInGap;
       row[place] += held;
     }
     for (int place = -1; place >= -kInside; --place) {
@@ -120,26 +131,31 @@ std::vector<int> OutlineProfiles::BestWayAround() const {
   return around;
 }
 
-float OutlineProfiles::MedianZ(std::size_t i, int first, int last, bool of_object) const {
-  std::array<float, kPlaces> depths{};
+OutlineProfiles::Sample OutlineProfiles::MedianOf(std::size_t i, int first, int last,
+                                                  bool of_object) const {
+  std::array<const Sample*, kPlaces> found{};
   std::size_t count = 0;
   for (int place = first; place <= last; ++place) {
     const Sample& sample = At(i, place);
-    if (sample.is_inside == of_object && !std::isnan(sample.z)) depths[count++] = sample.z;
+    if (IsInside(sample) == of_object && !std::isnan(sample.point.z())) found[count++] = &sample;
   }
-  if (count == 0) return std::numeric_limits<float>::quiet_NaN();
-  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(count / 2);
-  std::nth_element(depths.begin(), middle, depths.begin() + static_cast<std::ptrdiff_t>(count));
-  return *middle;
+  if (count == 0) return {};
+  const auto middle = found.begin() + static_cast<std::ptrdiff_t>(count / 2);
+  std::nth_element(found.begin(), middle, found.begin() + static_cast<std::ptrdiff_t>(count),
+                   [](const Sample* a, const Sample* b) { return a->point.z() < b->point.z(); });
+  return **middle;
+}
+
+OutlineProfiles::Sample OutlineProfiles::Beyond(std::size_t i, int place) const {
+  return MedianOf(i, place + kGap, place + kBeyond, false);
 }
 
 bool OutlineProfiles::EndsAt(std::size_t i, int place) const {
-  constexpr int kGap = 3;  // pixels at an edge are of neither side
   for (int k = kGap; k <= kBeyond; ++k) {
     if (!At(i, place + k).is_in_image) return false;
   }
-  const float before = MedianZ(i, kFirst, std::max(place, 0), true);
-  const float beyond = MedianZ(i, place + kGap, place + kBeyond, false);
+  const float before = MedianOf(i, kFirst, std::max(place, 0), true).point.z();
+  const float beyond = Beyond(i, place).point.z();
   if (std::isnan(before) || std::isnan(beyond)) return true;
   return beyond > before - kNearerPerM * std::max(0.5F, before * before);
 }

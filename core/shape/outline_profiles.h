@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
@@ -18,20 +19,27 @@ class OutlineProfiles {
   // around that costs least: little where the colours differ, more the more it bends.
   std::vector<int> BestWayAround() const;
 
+  struct Sample {
+    Eigen::Vector3f color = Eigen::Vector3f::Zero();
+    Eigen::Vector3f point = Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
+    int label = 0;
+    bool is_in_image = false;
+  };
+
   // Whether what lies beyond this place of point `i` is farther away than what lies before it.
   bool EndsAt(std::size_t i, int place) const;
 
+  // What lies beyond this place: the one of median depth.
+  Sample Beyond(std::size_t i, int place) const;
+
  private:
-  struct Sample {
-    Eigen::Vector3f color;
-    float z = 0;  // NaN = not measured
-    bool is_inside = false, is_in_image = false;
-  };
-
   const Sample& At(std::size_t i, int place) const;
+  int GapAt(std::size_t i) const;
   std::vector<float> Costs() const;
-  float MedianZ(std::size_t i, int first, int last, bool of_object) const;
+  bool IsInside(const Sample& sample) const { return sample.label == label_; }
+  Sample MedianOf(std::size_t i, int first, int last, bool of_object) const;
 
+  int label_ = 0;
   std::size_t count_ = 0;
   std::vector<Sample> samples_;  // of point i: kPlaces in a row
 };

@@ -15,7 +15,7 @@ constexpr float kNoise_m = 0.002F, kNoisePerM = 0.0024F;
 constexpr float kOutlineNoise_px = 1.25F, kOutlineNoise_m = 0.001F;
 
 // Added to the cost of a solid: of two that explain as much, the one that could explain less.
-constexpr float kCostOfLying = 0, kCostOfFrustum = 0.03F, kCostOfBox = 0.02F;
+constexpr float kCostOfLying = 0, kCostOfFrustum = 0.06F, kCostOfBox = 0.02F;
 constexpr float kMostCost = 0.5F;  // of what is anything but "other"
 
 void SetPoint(LevelPoints& points, Eigen::Index i, const Eigen::Vector3f& p) {

@@ -32,12 +32,32 @@ ArrayXf FromAxis(const Solid& solid, const LevelPoints& p) {
   return ((p.x - solid.center.x()).square() + (p.y - solid.center.y()).square()).sqrt();
 }
 
-void DistancesOfBox(const Solid& solid, const LevelPoints& p, ArrayXf& distances) {
-  const ArrayXf u = AlongAxis(solid, p).abs() - solid.half_length_m;
-  const ArrayXf v = AcrossAxis(solid, p).abs() - solid.half_width_m;
+// From the nearest of the faces at -half and half that the camera sees, negative before it; far
+// inside where it sees none.
+ArrayXf BehindSeenFace(const ArrayXf& place, float half, float camera) {
+  if (std::abs(camera) <= half) return ArrayXf::Constant(place.size(), -1);
+  return (camera > 0 ? place : ArrayXf(-place)) - half;
+}
+
+void DistancesOfBox(const Solid& solid, const LevelPoints& p, const Eigen::Vector3f* camera,
+                    ArrayXf& distances) {
+  const ArrayXf along = AlongAxis(solid, p), across = AcrossAxis(solid, p);
+  const ArrayXf u = along.abs() - solid.half_length_m;
+  const ArrayXf v = across.abs() - solid.half_width_m;
   const ArrayXf w = DistanceOfLayer(p.h, solid.height_m);
-  distances = (u.max(0.0F).square() + v.max(0.0F).square() + w.max(0.0F).square()).sqrt() +
-              u.max(v).max(w).min(0.0F);
+  distances = (u.max(0.0F).square() + v.max(0.0F).square() + w.max(0.0F).square()).sqrt();
+  if (camera == nullptr) {
+    distances += u.max(v).max(w).min(0.0F);
+    return;
+  }
+  const Eigen::Vector2f to = camera->head<2>() - solid.center;
+  const float to_along = to.dot(solid.along);
+  const float to_across = solid.along.x() * to.y() - solid.along.y() * to.x();
+  distances += BehindSeenFace(along, solid.half_length_m, to_along)
+                   .max(BehindSeenFace(across, solid.half_width_m, to_across))
+                   .max(BehindSeenFace(p.h - solid.height_m / 2, solid.height_m / 2,
+                                       camera->z() - solid.height_m / 2))
+                   .min(0.0F);
 }
 
 void DistancesOfFrustum(const Solid& solid, const LevelPoints& p, ArrayXf& distances) {
@@ -137,10 +157,11 @@ Solid Moved(const Solid& solid, const Eigen::VectorXf& step) {
   return moved;
 }
 
-void SignedDistances(const Solid& solid, const LevelPoints& points, ArrayXf& distances) {
+void SignedDistances(const Solid& solid, const LevelPoints& points, ArrayXf& distances,
+                     const Eigen::Vector3f* camera) {
   switch (solid.kind) {
     case Solid::Kind::kBox:
-      return DistancesOfBox(solid, points, distances);
+      return DistancesOfBox(solid, points, camera, distances);
     case Solid::Kind::kUprightCylinder:
       distances = DistanceOfProduct(FromAxis(solid, points) - solid.radius_m,
                                     DistanceOfLayer(points.h, solid.height_m));

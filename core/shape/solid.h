@@ -36,6 +36,9 @@ int NumParameters(Solid::Kind kind);
 Solid Moved(const Solid& solid, const Eigen::VectorXf& step);
 
 // Distances from the surface, negative inside; of frusta to first order in how far the wall leans.
-void SignedDistances(const Solid& solid, const LevelPoints& points, Eigen::ArrayXf& distances);
+// With a camera, inside of a box the distance is that from the faces that the camera sees: what is
+// measured has come through none of the others.
+void SignedDistances(const Solid& solid, const LevelPoints& points, Eigen::ArrayXf& distances,
+                     const Eigen::Vector3f* camera = nullptr);
 
 }  // namespace fovea
