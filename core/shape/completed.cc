@@ -73,13 +73,13 @@ void SetShape(const FittedShape& fitted, const LevelFrame& frame, DetectedObject
   object.box = BoxOf(solid, frame);
   if (solid.kind != Solid::Kind::kBox) SetRoundShape(solid, frame, shape);
   if (fitted.kind == Shape::Kind::kRevolution) {
-    constexpr float kHollowShare = 0.06F;
-    shape.hollow = fitted.fit.hollow_share >= kHollowShare;
+    shape.hollow = IsHollow(fitted.fit);
     constexpr int kRadii = 8;
     for (int i = 0; i < kRadii; ++i) {
       const float share = (static_cast<float>(i) + 0.5F) / kRadii;
-      shape.radii_m.push_back(solid.bottom_radius_m +
-                              share * (solid.radius_m - solid.bottom_radius_m));
+      const float lowest =
+          solid.kind == Solid::Kind::kFrustum ? solid.bottom_radius_m : solid.radius_m;
+      shape.radii_m.push_back(lowest + share * (solid.radius_m - lowest));
     }
   }
 }

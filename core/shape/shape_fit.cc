@@ -95,7 +95,7 @@ float CostOfKind(Solid::Kind kind) {
 
 Shape::Kind KindOf(const FittedSolid& fit) {
   constexpr float kFlat_m = 0.03F, kFlatShare = 0.5F;
-  constexpr float kHollowShare = 0.06F, kEvenRadii = 0.12F;
+  constexpr float kEvenRadii = 0.12F;
   const Solid& solid = fit.solid;
   switch (solid.kind) {
     case Solid::Kind::kBox: {
@@ -104,6 +104,7 @@ Shape::Kind KindOf(const FittedSolid& fit) {
       return is_flat ? Shape::Kind::kFlat : Shape::Kind::kBox;
     }
     case Solid::Kind::kUprightCylinder:
+      return IsHollow(fit) ? Shape::Kind::kRevolution : Shape::Kind::kCylinder;
     case Solid::Kind::kLyingCylinder:
       return Shape::Kind::kCylinder;
     case Solid::Kind::kSphere:
@@ -111,14 +112,18 @@ Shape::Kind KindOf(const FittedSolid& fit) {
     case Solid::Kind::kFrustum: {
       const bool is_even =
           std::abs(solid.radius_m - solid.bottom_radius_m) < kEvenRadii * solid.radius_m;
-      return is_even && fit.hollow_share < kHollowShare ? Shape::Kind::kCylinder
-                                                        : Shape::Kind::kRevolution;
+      return is_even && !IsHollow(fit) ? Shape::Kind::kCylinder : Shape::Kind::kRevolution;
     }
   }
   return Shape::Kind::kOther;
 }
 
 }  // namespace
+
+bool IsHollow(const FittedSolid& fit) {
+  constexpr float kMinShare = 0.06F;
+  return fit.hollow_share >= kMinShare;
+}
 
 LevelFrame FrameUnder(const OrientedBox& box) {
   return {box.rotation, box.center - box.rotation.col(2) * (box.size_m.z() / 2)};

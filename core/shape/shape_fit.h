@@ -26,6 +26,9 @@ struct LevelFrame {
 // That of a box, whose footprint is centred on its origin, with its axes.
 LevelFrame FrameUnder(const OrientedBox& box);
 
+// Whether enough points lie below its rim.
+bool IsHollow(const FittedSolid& fit);
+
 struct FittedShape {
   Shape::Kind kind = Shape::Kind::kOther;
   float confidence = 0;

@@ -17,8 +17,8 @@ constexpr float kDifference = 1e-4F;  // metres and radians, for derivatives
 // A point inside of a hollow frustum costs as much as one 0.7 standard deviations off.
 constexpr float kHollowResidual = 0.7F;
 // Of twelve parts of its rim, as many must be seen.
-constexpr int kMinRimParts = 6;
-constexpr float kRim_m = 0.006F, kInnerShare = 0.85F;
+constexpr int kMinRimParts = 4;
+constexpr float kRim_m = 0.006F, kRimHeight_m = 0.01F, kInnerShare = 0.85F;
 constexpr float kMostGrowth = 1.6F, kRoom_m = 0.02F;
 
 // What is not seen of a box is likely not much thinner than what is. Moves sides by tenths of a
@@ -30,6 +30,17 @@ float Thinness(const Solid& solid) {
   const float width = 2 * std::min(solid.half_length_m, solid.half_width_m);
   const float likely = kLikelyShare * std::min(length, solid.height_m);
   return width < likely ? kWeight * (likely - width) / likely : 0;
+}
+
+// 1 for the points inside of an upright round solid that are deeper than its top: those of a
+// hollow.
+ArrayXf IsBelowRim(const SeenObject& seen, const Solid& solid) {
+  constexpr float kSurely = 2.5F;  // standard deviations
+  const LevelPoints& p = seen.points;
+  const float inner_m = kInnerShare * solid.radius_m;
+  const ArrayXf squared = (p.x - solid.center.x()).square() + (p.y - solid.center.y()).square();
+  const ArrayXf below = solid.height_m - p.h - (kSurely * seen.noise_m).max(kRim_m);
+  return (squared < inner_m * inner_m && below > 0).cast<float>();
 }
 
 // Distances, in standard deviations, of the points and of the rays, and where each ray is nearest.
@@ -56,8 +67,6 @@ class Residuals {
     all_.segment(num_points, num_rays) = distances_ / seen_.outline_noise_m;
     return all_;
   }
-
-  float HollowShare() const { return is_hollow_.size() > 0 ? is_hollow_.mean() : 0; }
 
  private:
   void PutOnRays(const ArrayXf& places) {
@@ -95,14 +104,11 @@ class Residuals {
   }
 
   void MarkHollow(const Solid& solid) {
-    if (solid.kind != Solid::Kind::kFrustum) {
+    if (solid.kind == Solid::Kind::kFrustum) {
+      is_hollow_ = IsBelowRim(seen_, solid);
+    } else {
       is_hollow_.setZero();
-      return;
     }
-    const LevelPoints& p = seen_.points;
-    const float inner_m = kInnerShare * solid.radius_m;
-    const ArrayXf squared = (p.x - solid.center.x()).square() + (p.y - solid.center.y()).square();
-    is_hollow_ = (squared < inner_m * inner_m && p.h < solid.height_m - kRim_m).cast<float>();
   }
 
   const SeenObject& seen_;
@@ -158,7 +164,7 @@ int SeenRimParts(const LevelPoints& p, const Solid& solid) {
     const Eigen::Vector2f out(p.x[i] - solid.center.x(), p.y[i] - solid.center.y());
     const float share = out.norm() / solid.radius_m;
     if (share < kInnerShare || share > 2 - kInnerShare) continue;
-    if (std::abs(p.h[i] - solid.height_m) > kRim_m) continue;
+    if (std::abs(p.h[i] - solid.height_m) > kRimHeight_m) continue;
     // Twelfths without an arc tangent: the quadrant, and in it tangents of 30 and 60 degrees.
     const float x = std::abs(out.x()), y = std::abs(out.y());
     const std::size_t third = y < 0.57735F * x ? 0 : y < 1.73205F * x ? 1 : 2;
@@ -203,9 +209,14 @@ FittedSolid FitSolid(const SeenObject& seen, const Solid& start) {
   }
   const ArrayXf at = residuals.Of(fitted.solid);
   fitted.cost = MeanCost(at, 1);
-  fitted.hollow_share = residuals.HollowShare();
-  if (fitted.hollow_share > 0 && SeenRimParts(seen.points, fitted.solid) < kMinRimParts) {
-    fitted.cost += fitted.hollow_share;
+  const Solid::Kind kind = fitted.solid.kind;
+  if (kind == Solid::Kind::kFrustum || kind == Solid::Kind::kUprightCylinder) {
+    const ArrayXf is_below = IsBelowRim(seen, fitted.solid);
+    const bool has_rim = SeenRimParts(seen.points, fitted.solid) >= kMinRimParts;
+    if (is_below.size() > 0 && has_rim) fitted.hollow_share = is_below.mean();
+    if (is_below.size() > 0 && !has_rim && kind == Solid::Kind::kFrustum) {
+      fitted.cost += is_below.mean();
+    }
   }
   fitted.residual_m = ResidualOf(seen, fitted.solid, at);
   return fitted;
