@@ -4,7 +4,7 @@
 
 namespace fovea::evaluation {
 
-// Adds `fovea-eval objects`.
-void AddObjectsCommand(CLI::App& app);
+// Adds `fovea-eval object-model`.
+void AddObjectModelCommand(CLI::App& app);
 
 }  // namespace fovea::evaluation
