@@ -1,4 +1,4 @@
-// Written by `fovea-eval objects`: the knots and slopes of each term.
+// Written by `fovea-eval object-model`: the knots and slopes of each term.
 #include "core/objects/object_model.h"
 
 namespace fovea {

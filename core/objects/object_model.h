@@ -31,7 +31,7 @@ struct ObjectModel {
   std::vector<double> LogWeights(const std::vector<ObjectEvidence>& evidence) const;
 };
 
-// Fitted to labelled scenes and frames by `fovea-eval objects`; docs/quality.md says which, and
+// Fitted to labelled scenes and frames by `fovea-eval object-model`; docs/quality.md says which, and
 // what it is worth on cameras that it was not fitted to.
 const ObjectModel& FittedObjectModel();
 

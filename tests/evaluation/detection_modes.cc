@@ -1,6 +1,5 @@
 #include "tests/evaluation/detection_modes.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -15,21 +14,11 @@
 #include "tests/evaluation/reliability_report.h"
 #include "tests/evaluation/report.h"
 #include "tests/evaluation/score_charts.h"
+#include "tests/evaluation/settings.h"
 #include "tests/evaluation/true_seeds.h"
 
 namespace fovea::evaluation {
 namespace {
-
-// name=value,value… → the name and the values.
-std::pair<std::string, std::vector<double>> ParseSetting(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  if (equals == std::string::npos) throw std::invalid_argument(text + ": expected name=value");
-  std::vector<double> values;
-  for (const std::string& value : CLI::detail::split(text.substr(equals + 1), ',')) {
-    values.push_back(std::stod(value));
-  }
-  return {text.substr(0, equals), values};
-}
 
 std::vector<Scene> LoadScenes(const DetectionFlags& flags) {
   const std::vector<double>& k = flags.intrinsics;
@@ -171,10 +160,7 @@ bool IsPeer(const std::string& method) {
 
 DetectorOptions OptionsOf(const DetectionFlags& flags, const std::string& profile) {
   DetectorOptions options = OptionsOfProfile(profile);
-  for (const std::string& setting : flags.settings) {
-    const auto [name, values] = ParseSetting(setting);
-    SetOption(options, name, values.at(0));
-  }
+  ApplySettings(options, flags.settings);
   return options;
 }
 

@@ -6,8 +6,10 @@
 
 #include "server/compute_process.h"
 #include "tests/evaluation/detection_command.h"
+#include "tests/evaluation/grasp_figures/grasps_command.h"
 #include "tests/evaluation/kinship_command.h"
-#include "tests/evaluation/object_fit/objects_command.h"
+#include "tests/evaluation/object_figures/objects_command.h"
+#include "tests/evaluation/object_fit/object_model_command.h"
 #include "tests/evaluation/rgbd_scenes/rgbd_scenes_command.h"
 #include "tests/evaluation/saliency/saliency_command.h"
 
@@ -20,7 +22,9 @@ int Run(int argc, char** argv) {
   fovea::evaluation::AddDetectionCommand(app);
   fovea::evaluation::AddSaliencyCommand(app);
   fovea::evaluation::AddKinshipCommand(app);
+  fovea::evaluation::AddObjectModelCommand(app);
   fovea::evaluation::AddObjectsCommand(app);
+  fovea::evaluation::AddGraspsCommand(app);
   fovea::evaluation::AddRgbdScenesCommand(app);
   try {
     app.parse(argc, argv);

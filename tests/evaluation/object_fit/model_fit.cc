@@ -224,7 +224,7 @@ double LossOf(const TreeSample& sample, const ObjectModel& model) {
 
 std::string ToSource(const ObjectModel& model) {
   std::string text =
-      "// Written by `fovea-eval objects`: the knots and slopes of each term.\n"
+      "// Written by `fovea-eval object-model`: the knots and slopes of each term.\n"
       "#include \"core/objects/object_model.h\"\n\nnamespace fovea {\n\n"
       "const ObjectModel& FittedObjectModel() {\n"
       "  constexpr double kNone = TermFunction::kNoKnot;\n"

@@ -1,4 +1,4 @@
-#include "tests/evaluation/object_fit/objects_command.h"
+#include "tests/evaluation/object_fit/object_model_command.h"
 
 #include <fmt/format.h>
 
@@ -146,10 +146,10 @@ void Run(const Flags& flags) {
 
 }  // namespace
 
-void AddObjectsCommand(CLI::App& app) {
+void AddObjectModelCommand(CLI::App& app) {
   auto flags = std::make_shared<Flags>();
-  CLI::App* command =
-      app.add_subcommand("objects", "Fit the model that tells objects from background and parts");
+  CLI::App* command = app.add_subcommand(
+      "object-model", "Fit the model that tells objects from background and parts");
   auto* data = command->add_option_group("scenes");
   data->add_option("--boxes", flags->boxes, "Folder of frames with boxes; DIR=WEIGHT weighs it");
   data->add_option("--mosd", flags->mosd, "Folder of <name>_{color,depth,label}.png as of mOSD");

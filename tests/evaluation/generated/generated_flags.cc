@@ -1,0 +1,62 @@
+#include "tests/evaluation/generated/generated_flags.h"
+
+#include <algorithm>
+#include <map>
+
+#include "tests/evaluation/settings.h"
+#include "tests/support/random_scene.h"
+
+namespace fovea::evaluation {
+namespace {
+
+using scenes::SensorKind;
+
+const std::map<std::string, SensorKind>& Sensors() {
+  static const std::map<std::string, SensorKind> sensors = {
+      {"ideal", SensorKind::kIdeal},
+      {"kinect", SensorKind::kKinect},
+      {"realsense", SensorKind::kRealSense},
+      {"halo_stereo", SensorKind::kHaloStereo}};
+  return sensors;
+}
+
+}  // namespace
+
+void AddGeneratedFlags(CLI::App& command, GeneratedFlags& flags) {
+  command.add_option("--kinds", flags.kinds, "Of scenes; all but empty_table unless told")
+      ->delimiter(',')
+      ->check(CLI::IsMember(scenes::SceneKinds()));
+  command.add_option("--scenes", flags.num_scenes, "Of each kind, each seen by every sensor")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  command.add_option("--seed", flags.first_seed, "Of the first scene of each kind")
+      ->capture_default_str();
+  command.add_option("--sensors", flags.sensors, "That see them")
+      ->delimiter(',')
+      ->check(CLI::IsMember(Sensors()))
+      ->capture_default_str();
+  command.add_option("--set", flags.settings, "name=value of a detector option; repeatable");
+  command.add_flag("--gravity", flags.give_gravity, "Tell the detector where down is");
+  command.add_option("--threads", flags.num_threads, "Scenes at a time")
+      ->check(CLI::Range(1, 64))
+      ->capture_default_str();
+  command.add_option("--json", flags.json, "Write all figures to this file");
+  command.add_option("--plot", flags.plot, "Write charts of them as SVG");
+}
+
+std::vector<std::string> KindsOf(const GeneratedFlags& flags) {
+  if (!flags.kinds.empty()) return flags.kinds;
+  std::vector<std::string> kinds = scenes::SceneKinds();
+  std::erase(kinds, "empty_table");
+  return kinds;
+}
+
+DetectorOptions OptionsOf(const GeneratedFlags& flags) {
+  DetectorOptions options = OptionsOfProfile("default");
+  ApplySettings(options, flags.settings);
+  return options;
+}
+
+SensorKind SensorOf(const std::string& name) { return Sensors().at(name); }
+
+}  // namespace fovea::evaluation

@@ -1,0 +1,116 @@
+#include "tests/evaluation/grasp_figures/grasp_run.h"
+
+#include <algorithm>
+#include <map>
+
+#include "tests/evaluation/generated/generated_run.h"
+#include "tests/evaluation/grasp_check/check_grasp.h"
+#include "tests/evaluation/grasp_check/grasp_search.h"
+#include "tests/evaluation/grasp_check/physical_scene.h"
+
+namespace fovea::evaluation {
+namespace {
+
+// The search finds the same for every sensor.
+class Possible {
+ public:
+  Possible(const PhysicalScene& scene, const std::vector<Gripper>& grippers)
+      : scene_(scene), grippers_(grippers) {}
+
+  bool Of(int body, std::size_t gripper) {
+    const auto [known, is_new] = known_.try_emplace({body, gripper}, false);
+    if (is_new) known->second = IsPossible(scene_, body, grippers_[gripper]);
+    return known->second;
+  }
+
+ private:
+  const PhysicalScene& scene_;
+  const std::vector<Gripper>& grippers_;
+  std::map<std::pair<int, std::size_t>, bool> known_;
+};
+
+std::vector<GripperResult> Check(const PhysicalScene& scene, int body,
+                                 const std::vector<Gripper>& grippers,
+                                 const DetectedObject& answer) {
+  std::vector<GripperResult> results(grippers.size());
+  for (const Grasp& grasp : answer.grasps) {
+    GripperResult& result = results.at(grasp.gripper);
+    result.outcomes.push_back(CheckGrasp(scene, body, grippers[grasp.gripper], grasp));
+    result.probabilities.push_back(std::clamp(double{grasp.probability}, 0.0, 1.0));
+  }
+  for (const NoGrasp& none : answer.no_grasps) {
+    results.at(none.gripper).reason = static_cast<int>(none.reason);
+  }
+  return results;
+}
+
+GraspRun CheckScene(const GeneratedScene& scene, const std::vector<Gripper>& grippers,
+                    bool find_possible) {
+  const PhysicalScene physical(scene.scene);
+  Possible possible(physical, grippers);
+  GraspRun run;
+  for (const GeneratedFrame& frame : scene.frames) {
+    for (const StageTime& time : frame.detections.stage_times) {
+      if (time.stage == "grasps") run.grasps_ms.push_back(time.duration_ms);
+    }
+    for (const scenes::ObjectTruth& truth : frame.labelled.objects) {
+      run.num_truth += truth.num_pixels > 0;
+    }
+    for (const MatchedObject& match : frame.matches) {
+      const scenes::ObjectTruth& truth = frame.labelled.objects[match.truth];
+      const int body = physical.BodyOf(truth.label);
+      GraspedObject object = {
+          scene.kind,
+          frame.sensor,
+          truth.name,
+          match.what,
+          scene.seed,
+          match.visible_share,
+          Check(physical, body, grippers, frame.detections.objects[match.answer])};
+      for (std::size_t g = 0; find_possible && g < grippers.size(); ++g) {
+        object.grippers[g].possible = possible.Of(body, g);
+      }
+      run.objects.push_back(std::move(object));
+    }
+  }
+  return run;
+}
+
+}  // namespace
+
+bool GripperResult::AnySucceeds(std::size_t most) const {
+  const auto end = outcomes.begin() + static_cast<long>(std::min(most, outcomes.size()));
+  return std::find(outcomes.begin(), end, Outcome::kSuccess) != end;
+}
+
+std::vector<Gripper> EvaluationGrippers() {
+  Gripper narrow, wide, cup;
+  narrow.name = "jaw 85 mm";
+  narrow.hand = JawGripper{};
+  JawGripper opens_wide;
+  opens_wide.max_opening_m = 0.14F;
+  wide.name = "jaw 140 mm";
+  wide.hand = opens_wide;
+  cup.name = "suction 30 mm";
+  cup.hand = SuctionGripper{};
+  cup.max_tilt_rad = 0.8F;
+  return {narrow, wide, cup};
+}
+
+GraspRun RunGrasps(const GeneratedFlags& flags, bool find_possible) {
+  DetectorOptions options = OptionsOf(flags);
+  options.grippers = EvaluationGrippers();
+  std::vector<GraspRun> runs(NumScenes(flags));
+  ForEachGeneratedScene(flags, options, [&](std::size_t i, const GeneratedScene& scene) {
+    runs[i] = CheckScene(scene, options.grippers, find_possible);
+  });
+  GraspRun all;
+  for (GraspRun& run : runs) {
+    std::move(run.objects.begin(), run.objects.end(), std::back_inserter(all.objects));
+    all.num_truth += run.num_truth;
+    all.grasps_ms.insert(all.grasps_ms.end(), run.grasps_ms.begin(), run.grasps_ms.end());
+  }
+  return all;
+}
+
+}  // namespace fovea::evaluation

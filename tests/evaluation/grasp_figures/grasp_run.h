@@ -1,0 +1,45 @@
+// How the grasps that are answered for generated scenes end.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/types/gripper.h"
+#include "tests/evaluation/generated/generated_flags.h"
+#include "tests/evaluation/grasp_check/outcome.h"
+
+namespace fovea::evaluation {
+
+// One gripper at one matched object.
+struct GripperResult {
+  std::vector<Outcome> outcomes;  // of the grasps that were offered, in their order
+  std::vector<double> probabilities;
+  std::optional<bool>
+      possible;     // whether a search with the true solids finds a grasp, if asked for
+  int reason = -1;  // of none offered, NoGrasp::Reason; -1 = none was given
+
+  bool FirstSucceeds() const { return !outcomes.empty() && outcomes.front() == Outcome::kSuccess; }
+  bool AnySucceeds(std::size_t most = 5) const;
+};
+
+struct GraspedObject {
+  std::string kind, sensor, name, what;
+  std::uint64_t seed = 0;
+  double visible_share = 0;
+  std::vector<GripperResult> grippers;  // in the order of Grippers()
+};
+
+// A jaw that opens to 85 mm, one to 140 mm and a suction cup of 30 mm, all else as usual.
+std::vector<Gripper> EvaluationGrippers();
+
+struct GraspRun {
+  std::vector<GraspedObject> objects;  // matched ones, in the order of scenes, sensors and labels
+  std::size_t num_truth = 0;           // that show at least one pixel
+  std::vector<double> grasps_ms;       // of stage "grasps", one for each frame
+};
+
+// `find_possible`: also search, which takes a second for each object and gripper without a grasp.
+GraspRun RunGrasps(const GeneratedFlags& flags, bool find_possible);
+
+}  // namespace fovea::evaluation

@@ -1,0 +1,36 @@
+#include "tests/evaluation/grasp_figures/grasps_command.h"
+
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "tests/evaluation/grasp_figures/grasp_report.h"
+#include "tests/evaluation/output.h"
+
+namespace fovea::evaluation {
+namespace {
+
+struct Flags : GeneratedFlags {
+  bool possible = false;
+};
+
+void Run(const Flags& flags) {
+  const GraspRun run = RunGrasps(flags, flags.possible);
+  PrintGrasps(std::cout, run);
+  WriteJson(flags.json, ToJson(run));
+  if (!flags.plot.empty() && !run.objects.empty()) WriteText(flags.plot, DrawSvg(GraspCharts(run)));
+}
+
+}  // namespace
+
+void AddGraspsCommand(CLI::App& app) {
+  auto flags = std::make_shared<Flags>();
+  CLI::App* command = app.add_subcommand(
+      "grasps", "Check the grasps of generated scenes against the true solids in them");
+  AddGeneratedFlags(*command, *flags);
+  command->add_flag("--possible", flags->possible,
+                    "Also search whether there is a grasp from above at all: slow");
+  command->callback([flags] { Run(*flags); });
+}
+
+}  // namespace fovea::evaluation

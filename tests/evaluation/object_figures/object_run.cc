@@ -1,0 +1,107 @@
+#include "tests/evaluation/object_figures/object_run.h"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <set>
+
+#include "tests/evaluation/generated/generated_run.h"
+#include "tests/evaluation/generated/true_class.h"
+#include "tests/evaluation/object_figures/true_supports.h"
+
+namespace fovea::evaluation {
+namespace {
+
+DescribedObject Describe(const GeneratedScene& scene, const GeneratedFrame& frame,
+                         const MatchedObject& match, const scenes::Body& body) {
+  const DetectedObject& answer = frame.detections.objects[match.answer];
+  const TrueClass truth = ClassOf(body);
+  DescribedObject object = {
+      scene.kind,       frame.sensor,        body.name, truth.name,
+      scene.seed,       match.visible_share, {},        truth.accepted.front(),
+      answer.shape.kind};
+  object.box = CompareBoxes(body, InWorld(answer.box, scene.scene.camera.world_from_camera));
+  object.shape_is_right = std::find(truth.accepted.begin(), truth.accepted.end(),
+                                    answer.shape.kind) != truth.accepted.end();
+  object.shape_confidence = answer.shape.confidence;
+  object.unseen_share = answer.unseen_share;
+  return object;
+}
+
+void AddRelations(const GeneratedFrame& frame, const std::vector<std::vector<int>>& supports,
+                  ObjectRun& run) {
+  std::map<int, int> label_of_truth;  // true label → answered label
+  std::set<int> answered_labels;
+  for (const MatchedObject& match : frame.matches) {
+    label_of_truth[static_cast<int>(match.truth) + 1] = static_cast<int>(match.answer) + 1;
+    answered_labels.insert(static_cast<int>(match.answer) + 1);
+  }
+  for (const MatchedObject& match : frame.matches) {
+    std::set<int> truth, answered, both;
+    for (const int below : supports[match.truth]) {
+      if (label_of_truth.contains(below)) truth.insert(label_of_truth[below]);
+    }
+    for (const int below : frame.detections.objects[match.answer].stands_on) {
+      if (answered_labels.contains(below)) answered.insert(below);
+    }
+    std::set_intersection(truth.begin(), truth.end(), answered.begin(), answered.end(),
+                          std::inserter(both, both.end()));
+    run.on_objects.truth += static_cast<int>(truth.size());
+    run.on_objects.answered += static_cast<int>(answered.size());
+    run.on_objects.right += static_cast<int>(both.size());
+    run.stands_right += truth == answered;
+  }
+}
+
+void AddTimes(const Detections& detections, ObjectRun& run) {
+  for (const StageTime& time : detections.stage_times) {
+    if (time.stage != "objects") continue;
+    run.objects_ms.push_back(time.duration_ms);
+    if (detections.objects.empty()) continue;
+    run.per_ten_ms.push_back(10 * time.duration_ms / double(detections.objects.size()));
+  }
+}
+
+ObjectRun DescribeScene(const GeneratedScene& scene) {
+  std::vector<const scenes::Body*> bodies;
+  for (const scenes::Body& body : scene.scene.bodies) {
+    if (body.is_object) bodies.push_back(&body);
+  }
+  const std::vector<std::vector<int>> supports = TrueSupports(scene.scene);
+  ObjectRun run;
+  for (const GeneratedFrame& frame : scene.frames) {
+    for (const MatchedObject& match : frame.matches) {
+      run.objects.push_back(Describe(scene, frame, match, *bodies[match.truth]));
+    }
+    AddRelations(frame, supports, run);
+    AddTimes(frame.detections, run);
+  }
+  return run;
+}
+
+template <typename Value>
+void Append(std::vector<Value>& to, std::vector<Value>& from) {
+  std::move(from.begin(), from.end(), std::back_inserter(to));
+}
+
+}  // namespace
+
+ObjectRun RunObjects(const GeneratedFlags& flags) {
+  std::vector<ObjectRun> runs(NumScenes(flags));
+  ForEachGeneratedScene(flags, OptionsOf(flags), [&](std::size_t i, const GeneratedScene& scene) {
+    runs[i] = DescribeScene(scene);
+  });
+  ObjectRun all;
+  for (ObjectRun& run : runs) {
+    Append(all.objects, run.objects);
+    Append(all.objects_ms, run.objects_ms);
+    Append(all.per_ten_ms, run.per_ten_ms);
+    all.on_objects.truth += run.on_objects.truth;
+    all.on_objects.answered += run.on_objects.answered;
+    all.on_objects.right += run.on_objects.right;
+    all.stands_right += run.stands_right;
+  }
+  return all;
+}
+
+}  // namespace fovea::evaluation

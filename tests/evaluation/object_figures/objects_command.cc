@@ -1,0 +1,31 @@
+#include "tests/evaluation/object_figures/objects_command.h"
+
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "tests/evaluation/object_figures/object_report.h"
+#include "tests/evaluation/output.h"
+
+namespace fovea::evaluation {
+namespace {
+
+void Run(const GeneratedFlags& flags) {
+  const ObjectRun run = RunObjects(flags);
+  PrintObjects(std::cout, run);
+  WriteJson(flags.json, ToJson(run));
+  const std::vector<Chart> charts = ObjectCharts(run);
+  if (!charts.empty()) WriteText(flags.plot, DrawSvg(charts));
+}
+
+}  // namespace
+
+void AddObjectsCommand(CLI::App& app) {
+  auto flags = std::make_shared<GeneratedFlags>();
+  CLI::App* command = app.add_subcommand(
+      "objects", "Compare boxes, shapes and relations in generated scenes with the truth");
+  AddGeneratedFlags(*command, *flags);
+  command->callback([flags] { Run(*flags); });
+}
+
+}  // namespace fovea::evaluation
