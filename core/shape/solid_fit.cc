@@ -18,7 +18,7 @@ constexpr float kDifference = 1e-4F;  // metres and radians, for derivatives
 constexpr float kHollowResidual = 0.7F;
 // Of twelve parts of its rim, as many must be seen.
 constexpr int kMinRimParts = 4;
-constexpr float kRim_m = 0.006F, kRimHeight_m = 0.01F, kInnerShare = 0.85F;
+constexpr float kRim_m = 0.006F, kRimHeight_m = 0.01F, kInnerShare = 0.9F;
 constexpr float kMostGrowth = 1.6F, kRoom_m = 0.02F;
 
 // What is not seen of a box is likely not much thinner than what is. Moves sides by tenths of a
@@ -32,15 +32,19 @@ float Thinness(const Solid& solid) {
   return width < likely ? kWeight * (likely - width) / likely : 0;
 }
 
-// 1 for the points inside of an upright round solid that are deeper than its top: those of a
-// hollow.
+// 1 for the points of a hollow: seen through the top of an upright round solid, and below it.
 ArrayXf IsBelowRim(const SeenObject& seen, const Solid& solid) {
   constexpr float kSurely = 2.5F;  // standard deviations
   const LevelPoints& p = seen.points;
   const float inner_m = kInnerShare * solid.radius_m;
-  const ArrayXf squared = (p.x - solid.center.x()).square() + (p.y - solid.center.y()).square();
+  const Eigen::Vector3f& camera = seen.camera;
+  if (camera.z() <= solid.height_m) return ArrayXf::Zero(p.size());
+  // Where the lines of sight pass the height of the top.
+  const ArrayXf share = (camera.z() - solid.height_m) / (camera.z() - p.h).max(kRim_m);
+  const ArrayXf x = camera.x() + share * (p.x - camera.x()) - solid.center.x();
+  const ArrayXf y = camera.y() + share * (p.y - camera.y()) - solid.center.y();
   const ArrayXf below = solid.height_m - p.h - (kSurely * seen.noise_m).max(kRim_m);
-  return (squared < inner_m * inner_m && below > 0).cast<float>();
+  return (x.square() + y.square() < inner_m * inner_m && below > 0).cast<float>();
 }
 
 // Distances, in standard deviations, of the points and of the rays, and where each ray is nearest.
@@ -202,8 +206,8 @@ FittedSolid FitSolid(const SeenObject& seen, const Solid& start) {
         cost = new_cost;
         damping /= 4;
       } else {
-        residuals.Of(fitted.solid);
         damping *= 8;
+        if (step + 1 < kStepsPerScale) residuals.Of(fitted.solid);
       }
     }
   }
