@@ -15,7 +15,7 @@ constexpr float kNoise_m = 0.002F, kNoisePerM = 0.0024F;
 constexpr float kOutlineNoise_px = 1.25F, kOutlineNoise_m = 0.001F;
 
 // Added to the cost of a solid: of two that explain as much, the one that could explain less.
-constexpr float kCostOfLying = 0, kCostOfFrustum = 0.06F, kCostOfBox = 0.02F;
+constexpr float kCostOfLying = 0, kCostOfFrustum = 0.05F, kCostOfFullFrustum = 0.12F, kCostOfBox = 0.02F;
 constexpr float kMostCost = 0.5F;  // of what is anything but "other"
 
 void SetPoint(LevelPoints& points, Eigen::Index i, const Eigen::Vector3f& p) {
@@ -78,14 +78,14 @@ Solid StartOf(Solid::Kind kind, const OrientedBox& box) {
   return solid;
 }
 
-float CostOfKind(Solid::Kind kind) {
-  switch (kind) {
+float CostOfKind(const FittedSolid& fit) {
+  switch (fit.solid.kind) {
     case Solid::Kind::kBox:
       return kCostOfBox;
     case Solid::Kind::kLyingCylinder:
       return kCostOfLying;
     case Solid::Kind::kFrustum:
-      return kCostOfFrustum;
+      return IsHollow(fit) ? kCostOfFrustum : kCostOfFullFrustum;
     case Solid::Kind::kUprightCylinder:
     case Solid::Kind::kSphere:
       return 0;
@@ -140,7 +140,7 @@ FittedShape FitShape(const DetectedObject& object, const std::vector<OutlinePoin
        {Solid::Kind::kBox, Solid::Kind::kUprightCylinder, Solid::Kind::kLyingCylinder,
         Solid::Kind::kSphere, Solid::Kind::kFrustum}) {
     const FittedSolid fit = FitSolid(seen, StartOf(kind, start));
-    const float cost = fit.cost + CostOfKind(kind);
+    const float cost = fit.cost + CostOfKind(fit);
     const float squared = std::max(cost, 0.02F) * std::max(cost, 0.02F);
     odds += 1 / (squared * squared);
     if (cost >= best_cost) continue;
