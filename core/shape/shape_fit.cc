@@ -15,8 +15,9 @@ constexpr float kNoise_m = 0.002F, kNoisePerM = 0.0024F;
 constexpr float kOutlineNoise_px = 1.25F, kOutlineNoise_m = 0.001F;
 
 // Added to the cost of a solid: of two that explain as much, the one that could explain less.
-constexpr float kCostOfLying = 0, kCostOfFrustum = 0.05F, kCostOfFullFrustum = 0.12F, kCostOfBox = 0.02F;
-constexpr float kMostCost = 0.5F;  // of what is anything but "other"
+constexpr float kCostOfLying = 0, kCostOfFrustum = 0.05F, kCostOfFullFrustum = 0.12F,
+                kCostOfBox = 0.02F;
+constexpr float kMostCost = 0.38F;  // of what is anything but "other"
 
 void SetPoint(LevelPoints& points, Eigen::Index i, const Eigen::Vector3f& p) {
   points.x[i] = p.x();
@@ -64,6 +65,26 @@ SeenObject See(const DetectedObject& object, const std::vector<OutlinePoint>& ou
   AddPoints(object.cloud, frame, seen);
   AddOutline(outline, intrinsics, frame, object.centroid.z(), seen);
   return seen;
+}
+
+// Whether what was seen, as large as this, may belong to such a solid, for all that is hidden of
+// it.
+bool MayBe(Solid::Kind kind, const Eigen::Vector3f& size_m) {
+  constexpr float kMostHidden = 2.8F;
+  const float width = (size_m.x() + size_m.y()) / 2;
+  const bool is_round = size_m.x() < kMostHidden * size_m.y();
+  switch (kind) {
+    case Solid::Kind::kBox:
+      return true;
+    case Solid::Kind::kUprightCylinder:
+    case Solid::Kind::kFrustum:
+      return is_round;
+    case Solid::Kind::kLyingCylinder:
+      return size_m.z() < kMostHidden * size_m.y() && size_m.y() < kMostHidden * size_m.z();
+    case Solid::Kind::kSphere:
+      return is_round && size_m.z() < kMostHidden * width && width < kMostHidden * size_m.z();
+  }
+  return true;
 }
 
 Solid StartOf(Solid::Kind kind, const OrientedBox& box) {
@@ -139,6 +160,7 @@ FittedShape FitShape(const DetectedObject& object, const std::vector<OutlinePoin
   for (const Solid::Kind kind :
        {Solid::Kind::kBox, Solid::Kind::kUprightCylinder, Solid::Kind::kLyingCylinder,
         Solid::Kind::kSphere, Solid::Kind::kFrustum}) {
+    if (!MayBe(kind, start.size_m)) continue;
     const FittedSolid fit = FitSolid(seen, StartOf(kind, start));
     const float cost = fit.cost + CostOfKind(fit);
     const float squared = std::max(cost, 0.02F) * std::max(cost, 0.02F);

@@ -12,7 +12,7 @@ using Eigen::ArrayXf;
 
 // From wide to narrow: points that are far off pull at first.
 constexpr std::array<float, 3> kScales = {4, 2, 1};
-constexpr int kStepsPerScale = 4;
+constexpr int kStepsPerScale = 3;
 constexpr float kDifference = 1e-4F;  // metres and radians, for derivatives
 // A point inside of a hollow frustum costs as much as one 0.7 standard deviations off.
 constexpr float kHollowResidual = 0.7F;
@@ -79,32 +79,45 @@ class Residuals {
     on_rays_.h = seen_.camera.z() + seen_.directions.h * places;
   }
 
-  // The distance from a convex solid along a ray has one minimum; golden sections find it.
+  // The distance from a convex solid along a ray has one minimum; golden sections find it, after
+  // the first time from where it was.
   void FindNearest(const Solid& solid) {
-    constexpr int kSections = 12;
-    constexpr float kGolden = 0.381966F;
     const Eigen::Vector3f size = solid.Size();
     const Eigen::Vector3f middle(solid.center.x(), solid.center.y(), size.z() / 2);
     const Eigen::Vector3f to = middle - seen_.camera;
     const ArrayXf squared =
         seen_.directions.x.square() + seen_.directions.y.square() + seen_.directions.h.square();
-    const ArrayXf closest =
-        (seen_.directions.x * to.x() + seen_.directions.y * to.y() + seen_.directions.h * to.z()) /
-        squared;
-    const ArrayXf reach = size.norm() / squared.sqrt();
-    ArrayXf low = closest - reach, high = closest + reach;
-    ArrayXf at_a, at_b;
+    ArrayXf reach = size.norm() / squared.sqrt();
+    if (places_.size() == 0) {
+      places_ = (seen_.directions.x * to.x() + seen_.directions.y * to.y() +
+                 seen_.directions.h * to.z()) /
+                squared;
+    } else {
+      reach *= 0.25F;
+    }
+    constexpr int kSections = 9;
+    constexpr float kGolden = 0.381966F;
+    ArrayXf low = places_ - reach, high = places_ + reach;
+    ArrayXf a = low + kGolden * (high - low), b = high - kGolden * (high - low), at_a, at_b, at_new;
+    PutOnRays(a);
+    SignedDistances(solid, on_rays_, at_a);
+    PutOnRays(b);
+    SignedDistances(solid, on_rays_, at_b);
     for (int i = 0; i < kSections; ++i) {
-      const ArrayXf a = low + kGolden * (high - low), b = high - kGolden * (high - low);
-      PutOnRays(a);
-      SignedDistances(solid, on_rays_, at_a);
-      PutOnRays(b);
-      SignedDistances(solid, on_rays_, at_b);
       const auto is_before = (at_a < at_b).eval();
       high = is_before.select(b, high);
       low = is_before.select(low, a);
+      places_ = is_before.select(low + kGolden * (high - low), high - kGolden * (high - low));
+      PutOnRays(places_);
+      SignedDistances(solid, on_rays_, at_new);
+      const ArrayXf kept = is_before.select(a, b), at_kept = is_before.select(at_a, at_b);
+      a = is_before.select(places_, kept);
+      at_a = is_before.select(at_new, at_kept);
+      b = is_before.select(kept, places_);
+      at_b = is_before.select(at_kept, at_new);
     }
-    PutOnRays((low + high) / 2);
+    places_ = (at_a < at_b).select(a, b);
+    PutOnRays(places_);
   }
 
   void MarkHollow(const Solid& solid) {
@@ -117,6 +130,7 @@ class Residuals {
 
   const SeenObject& seen_;
   LevelPoints on_rays_;
+  ArrayXf places_;  // along the rays, of what is nearest to the solid
   ArrayXf is_hollow_, distances_, all_;
 };
 
