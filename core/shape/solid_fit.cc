@@ -103,18 +103,24 @@ class Residuals {
     SignedDistances(solid, on_rays_, at_a);
     PutOnRays(b);
     SignedDistances(solid, on_rays_, at_b);
-    for (int i = 0; i < kSections; ++i) {
-      const auto is_before = (at_a < at_b).eval();
-      high = is_before.select(b, high);
-      low = is_before.select(low, a);
-      places_ = is_before.select(low + kGolden * (high - low), high - kGolden * (high - low));
+    for (int section = 0; section < kSections; ++section) {
+      for (Eigen::Index i = 0; i < places_.size(); ++i) {  // what compilers make vectors of
+        const bool is_before = at_a[i] < at_b[i];
+        high[i] = is_before ? b[i] : high[i];
+        low[i] = is_before ? low[i] : a[i];
+        const float step = kGolden * (high[i] - low[i]);
+        places_[i] = is_before ? low[i] + step : high[i] - step;
+      }
       PutOnRays(places_);
       SignedDistances(solid, on_rays_, at_new);
-      const ArrayXf kept = is_before.select(a, b), at_kept = is_before.select(at_a, at_b);
-      a = is_before.select(places_, kept);
-      at_a = is_before.select(at_new, at_kept);
-      b = is_before.select(kept, places_);
-      at_b = is_before.select(at_kept, at_new);
+      for (Eigen::Index i = 0; i < places_.size(); ++i) {
+        const bool is_before = at_a[i] < at_b[i];
+        const float kept = is_before ? a[i] : b[i], at_kept = is_before ? at_a[i] : at_b[i];
+        a[i] = is_before ? places_[i] : kept;
+        at_a[i] = is_before ? at_new[i] : at_kept;
+        b[i] = is_before ? kept : places_[i];
+        at_b[i] = is_before ? at_kept : at_new[i];
+      }
     }
     places_ = (at_a < at_b).select(a, b);
     PutOnRays(places_);
