@@ -46,7 +46,8 @@ Bounds BoundsOf(const scenes::Body& body, const Eigen::Matrix3d& axes) {
 std::set<double> TipHeights(double low, double high) {
   const double lowest = low + 0.0015, highest = std::max(lowest, high - 0.003);
   std::set<double> heights;
-  for (const double height : {lowest, (low + high) / 2, high - 0.01, high - 0.02, high - 0.035}) {
+  for (const double height :
+       {lowest, (low + high) / 2, high - 0.005, high - 0.01, high - 0.02, high - 0.035}) {
     heights.insert(std::clamp(height, lowest, highest));
   }
   return heights;
