@@ -153,8 +153,9 @@ LevelFrame FrameUnder(const OrientedBox& box) {
 FittedShape FitShape(const DetectedObject& object, const std::vector<OutlinePoint>& outline,
                      const CameraIntrinsics& intrinsics, const LevelFrame& frame) {
   const SeenObject seen = See(object, outline, intrinsics, frame);
-  OrientedBox start = object.box;
-  start.size_m.z() = 2 * (object.box.center - frame.origin).dot(frame.rotation.col(2));
+  OrientedBox start = object.visible_box;
+  const Eigen::Vector3f top = start.center + frame.rotation.col(2) * (start.size_m.z() / 2);
+  start.size_m.z() = frame.FromCamera(top).z();
   FittedShape best;
   float best_cost = 2, odds = 0;
   for (const Solid::Kind kind :
