@@ -10,9 +10,12 @@
 #include "core/depth/measured_depth.h"
 #include "core/explanation.h"
 #include "core/grasping/plan_grasps.h"
+#include "core/object_surroundings.h"
 #include "core/objects/portions.h"
 #include "core/paper/detect_as_paper.h"
 #include "core/refinement.h"
+#include "core/relations/blocked_by.h"
+#include "core/relations/free_places.h"
 #include "core/saliency/mean_saliency.h"
 #include "core/scene/background.h"
 #include "core/scene_geometry.h"
@@ -115,8 +118,8 @@ struct FoundObjects : RefinedScene {
 };
 
 // The first stage of `clock` has begun.
-void FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* trace,
-                 TimeBudget& budget, StageClock& clock, Detections& result) {
+ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* trace,
+                               TimeBudget& budget, StageClock& clock, Detections& result) {
   Diagnostics& counts = result.diagnostics;
 
   // Section 1: the smoothed depth image and the point cloud.
@@ -189,9 +192,6 @@ void FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* 
   result.labels = LabelsWithin(scene.grid, found.objects, scene.standing | (measured == measured));
   DescribeObjects(frame, scene.points, saliency, found.confidences, scene.supports, options.objects,
                   result);
-  if (!options.grippers.empty()) clock.Begin("grasps");
-  PlanGrasps({scene.points, result.labels, scene.supports, -scene.gravity.direction},
-             options.grippers, result.objects);
   clock.Finish();
   if (trace != nullptr) {
     *trace = {depth,
@@ -209,6 +209,24 @@ void FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* 
               found.evidence,
               scene.standing};
   }
+  return {scene.points, std::move(scene.supports)};
+}
+
+// What a robot asks of the objects beside what they are.
+void AnswerRobot(const ObjectSurroundings& around, const DetectorOptions& options,
+                 StageClock& clock, Detections& result) {
+  BlockByWhatStandsOn(result.objects);
+  if (options.place) {
+    clock.Begin("places");
+    result.free_places =
+        FindFreePlaces(around.points, around.supports, result.objects, *options.place);
+  }
+  if (!options.grippers.empty()) {
+    clock.Begin("grasps");
+    PlanGrasps({around.points, result.labels, around.supports, -result.gravity.direction},
+               options.grippers, result.objects);
+  }
+  clock.Finish();
 }
 
 Detections NothingYet(const RgbdFrame& frame) {
@@ -231,11 +249,9 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   StageClock clock("depth");
   try {
     const bool in_time = InTime(budget, [&] {
-      if (options.paper) {
-        paper::FindObjects(frame, *options.paper, options.grippers, trace, clock, result);
-      } else {
-        FindObjects(frame, options, trace, budget, clock, result);
-      }
+      AnswerRobot(options.paper ? paper::FindObjects(frame, *options.paper, trace, clock, result)
+                                : FindObjects(frame, options, trace, budget, clock, result),
+                  options, clock, result);
     });
     if (!in_time) result = NothingYet(frame);
   } catch (Cancelled& cancelled) {

@@ -27,6 +27,7 @@
 #include "core/segmentation/occlusion_merge.h"
 #include "core/segmentation/voxel_grid.h"
 #include "core/types/gripper.h"
+#include "core/types/place.h"
 
 namespace fovea {
 
@@ -59,7 +60,8 @@ struct DetectorOptions {
   const ObjectModel* object_model = &FittedObjectModel();  // not null, outlives the options
   ChoiceOptions choice;
   ObjectOptions objects;
-  std::vector<Gripper> grippers;  // to plan grasps for; of profile "paper" too
+  std::vector<Gripper> grippers;      // to plan grasps for; of profile "paper" too
+  std::optional<PlaceOptions> place;  // what to find free places for; of profile "paper" too
 };
 
 // "paper": the method as Bao et al. describe it. "default": what goes beyond it. An empty name

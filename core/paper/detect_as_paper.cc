@@ -4,7 +4,6 @@
 
 #include "core/depth/back_projection.h"
 #include "core/depth/measured_depth.h"
-#include "core/grasping/plan_grasps.h"
 #include "core/paper/confidence.h"
 #include "core/paper/superpixel_contrast.h"
 #include "core/paper/support_reading.h"
@@ -16,9 +15,8 @@
 
 namespace fovea::paper {
 
-void FindObjects(const RgbdFrame& frame, const PaperOptions& options,
-                 const std::vector<Gripper>& grippers, Trace* trace, StageClock& clock,
-                 Detections& result) {
+ObjectSurroundings FindObjects(const RgbdFrame& frame, const PaperOptions& options, Trace* trace,
+                               StageClock& clock, Detections& result) {
   Diagnostics& counts = result.diagnostics;
 
   // Section 1: the smoothed depth image and the point cloud.
@@ -93,9 +91,6 @@ void FindObjects(const RgbdFrame& frame, const PaperOptions& options,
   DescribeObjects(frame, points, MeanSaliency(color_saliency, depth_saliency),
                   Confidences(result.labels, measured, frame.intrinsics), supports, options.objects,
                   result);
-  if (!grippers.empty()) clock.Begin("grasps");
-  PlanGrasps({points, result.labels, supports, -result.gravity.direction}, grippers,
-             result.objects);
   clock.Finish();
   if (trace != nullptr) {
     *trace = {depth,
@@ -113,6 +108,7 @@ void FindObjects(const RgbdFrame& frame, const PaperOptions& options,
               {},
               {}};
   }
+  return {points, supports};
 }
 
 }  // namespace fovea::paper

@@ -69,7 +69,7 @@ struct DetectedObject {
   std::vector<Grasp> grasps;   // of each gripper that was asked for, likeliest first
   std::vector<NoGrasp> no_grasps;  // of the grippers without one
   // What carries it and what must be taken away before it: labels, 0 = a support surface.
-  std::vector<int> stands_on, leans_on, blocked_by;
+  std::vector<int> stands_on, blocked_by;
   std::vector<ColoredPoint> cloud;  // one point per mask pixel, row-major order
 };
 
@@ -121,6 +121,12 @@ struct StageTime {
   double duration_ms = 0;
 };
 
+// Where something of the size that was asked for can be put down.
+struct FreePlace {
+  OrientedBox box;        // as it would stand there
+  float clearance_m = 0;  // around it, to whatever is not seen to be free
+};
+
 struct Detections {
   // CV_16UC1, frame size: 0 = background, k = object k; only where depth was measured, or where a
   // hole in the depth of a support is taken for what stands before it
@@ -129,7 +135,8 @@ struct Detections {
   std::vector<RejectedObject> rejected;  // likeliest first; none in profile "paper"
   Gravity gravity;
   std::optional<SupportSurface> support;  // the dominating one
-  std::vector<Gripper> grippers;          // that grasps were planned for
+  std::vector<Gripper> grippers;       // that grasps were planned for
+  std::vector<FreePlace> free_places;  // most room first; empty unless asked for
   bool incomplete = false;  // the time budget ended before all of the scene was looked at
   Diagnostics diagnostics;
   std::vector<StageTime> stage_times;  // in the order of the pipeline

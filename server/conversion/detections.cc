@@ -7,6 +7,7 @@
 #include "server/conversion/gripper.h"
 #include "server/conversion/mask.h"
 #include "server/conversion/object.h"
+#include "server/conversion/place.h"
 #include "server/conversion/trace.h"
 
 namespace fovea::server {
@@ -105,6 +106,7 @@ v1::Detections ToProto(const Detections& detections, const Trace& trace, const v
   proto.set_incomplete(detections.incomplete);
   AddObjects(detections, frame, options, &proto);
   for (const Gripper& gripper : detections.grippers) *proto.add_grippers() = ToProto(gripper);
+  for (const FreePlace& place : detections.free_places) *proto.add_free_places() = ToProto(place);
   if (options.return_rejected()) AddRejected(detections, &proto);
   AddTrace(trace, options, &proto);
   return proto;

@@ -30,6 +30,19 @@ v1::Pose ToProto(const Eigen::Isometry3d& pose) {
   return proto;
 }
 
+Eigen::Isometry3d PoseOf(const OrientedBox& box) {
+  // Through a normalised quaternion: float rounding must not leave a matrix that is no rotation.
+  const Eigen::Quaterniond orientation(box.rotation.cast<double>());
+  return Eigen::Translation3d(box.center.cast<double>()) * orientation.normalized();
+}
+
+v1::OrientedBox ToProto(const OrientedBox& box) {
+  v1::OrientedBox proto;
+  *proto.mutable_pose() = ToProto(PoseOf(box));
+  *proto.mutable_size() = ToProto(box.size_m);
+  return proto;
+}
+
 Eigen::Vector3d FromProto(const v1::Vector3& vector) {
   return {vector.x(), vector.y(), vector.z()};
 }

@@ -3,12 +3,17 @@
 #include <Eigen/Geometry>
 #include <string>
 
+#include "core/types/detections.h"
 #include "fovea/v1/geometry.pb.h"
 
 namespace fovea::server {
 
 v1::Vector3 ToProto(const Eigen::Vector3f& vector);
 v1::Pose ToProto(const Eigen::Isometry3d& pose);
+
+// The pose of a box, a rotation to the last digits of double.
+Eigen::Isometry3d PoseOf(const OrientedBox& box);
+v1::OrientedBox ToProto(const OrientedBox& box);
 
 Eigen::Vector3d FromProto(const v1::Vector3& vector);
 

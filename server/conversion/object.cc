@@ -8,25 +8,12 @@
 namespace fovea::server {
 namespace {
 
-Eigen::Isometry3d PoseOf(const OrientedBox& box) {
-  // Through a normalised quaternion: float rounding must not leave a matrix that is no rotation.
-  const Eigen::Quaterniond orientation(box.rotation.cast<double>());
-  return Eigen::Translation3d(box.center.cast<double>()) * orientation.normalized();
-}
-
 v1::Color ColorToProto(const std::array<std::uint8_t, 3>& rgb) {
   v1::Color color;
   color.set_red(rgb[0]);
   color.set_green(rgb[1]);
   color.set_blue(rgb[2]);
   return color;
-}
-
-v1::OrientedBox BoxToProto(const OrientedBox& box) {
-  v1::OrientedBox proto;
-  *proto.mutable_pose() = ToProto(PoseOf(box));
-  *proto.mutable_size() = ToProto(box.size_m);
-  return proto;
 }
 
 }  // namespace
@@ -42,8 +29,8 @@ v1::Object ToProto(const DetectedObject& object, const std::string& frame_id,
   *proto.mutable_bounding_box() = ToProto(object.bounds_px);
   proto.set_num_pixels(static_cast<std::uint32_t>(object.num_pixels));
 
-  *proto.mutable_oriented_box() = BoxToProto(object.box);
-  *proto.mutable_visible_box() = BoxToProto(object.visible_box);
+  *proto.mutable_oriented_box() = ToProto(object.box);
+  *proto.mutable_visible_box() = ToProto(object.visible_box);
   if (reference_from_camera) {
     *proto.mutable_pose_in_reference() = ToProto(*reference_from_camera * PoseOf(object.box));
   }
@@ -68,7 +55,6 @@ v1::Object ToProto(const DetectedObject& object, const std::string& frame_id,
     *proto.add_no_grasps() = ToProto(none, name_of(none.gripper));
   }
   for (const int label : object.stands_on) proto.add_stands_on(static_cast<std::uint32_t>(label));
-  for (const int label : object.leans_on) proto.add_leans_on(static_cast<std::uint32_t>(label));
   for (const int label : object.blocked_by) proto.add_blocked_by(static_cast<std::uint32_t>(label));
   return proto;
 }

@@ -11,6 +11,7 @@
 
 #include "server/conversion/field_error.h"
 #include "server/conversion/gripper.h"
+#include "server/conversion/place.h"
 
 namespace fovea::server {
 namespace {
@@ -102,6 +103,7 @@ DetectorOptions FromProto(const v1::DetectOptions& options, const OptionPolicy& 
   for (const auto& [name, value] : parameters) SetParameter(result, name, value, policy);
   result.time_budget = TimeBudgetFromProto(options);
   result.grippers = FromProto(options.grasps());
+  result.place = PlaceFromProto(options);
   InField("options.parameters", [&] { Validate(result); });
   return result;
 }

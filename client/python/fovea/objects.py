@@ -122,10 +122,8 @@ class Object:
     depth_missing: bool
     grasps: list[Grasp]  # of each gripper, likeliest first
     no_grasps: list[NoGrasp]  # the grippers without one
-    # Labels, 0 = a support surface: what carries it, what it leans on, what must be moved before it.
-    stands_on: list[int]
-    leans_on: list[int]
-    blocked_by: list[int]
+    stands_on: list[int]  # labels of what carries it, 0 = a support surface
+    blocked_by: list[int]  # labels of what must be taken away before it, in this order
     # HxW of the image.
     mask: npt.NDArray[np.bool_] | None = field(repr=False)
     # One point for each pixel of the mask, row-major.
@@ -157,7 +155,6 @@ def object_from_proto(proto: detection_pb2.Object, height: int, width: int) -> O
         grasps=[_grasp(grasp) for grasp in proto.grasps],
         no_grasps=[_no_grasp(none) for none in proto.no_grasps],
         stands_on=list(proto.stands_on),
-        leans_on=list(proto.leans_on),
         blocked_by=list(proto.blocked_by),
         mask=decode_mask(proto.mask, height, width) if proto.HasField("mask") else None,
         cloud=_cloud(proto.cloud) if proto.HasField("cloud") else None,

@@ -1,0 +1,16 @@
+// What the objects of a scene stand in.
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "core/scene/support_surface.h"
+
+namespace fovea {
+
+struct ObjectSurroundings {
+  cv::Mat points;                 // CV_32FC3, camera frame, of all pixels; NaN = none
+  std::vector<Support> supports;  // the dominating one first
+};
+
+}  // namespace fovea

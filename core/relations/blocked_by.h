@@ -1,0 +1,14 @@
+// What must be taken away before what.
+#pragma once
+
+#include <vector>
+
+#include "core/types/detections.h"
+
+namespace fovea {
+
+// Fills `blocked_by` of each object from `stands_on` of all: what stands on it, and on that, what
+// must go first first. Object k has label k.
+void BlockByWhatStandsOn(std::vector<DetectedObject>& objects);
+
+}  // namespace fovea
