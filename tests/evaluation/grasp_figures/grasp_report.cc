@@ -3,6 +3,7 @@
 #include <fmt/ostream.h>
 
 #include <algorithm>
+#include <array>
 
 #include "tests/evaluation/grasp_figures/grasp_statistics.h"
 #include "tests/evaluation/statistics.h"
@@ -24,6 +25,29 @@ void PrintRow(std::ostream& out, const std::string& name, const GripperFigures& 
              Percent(figures.any, figures.objects), Percent(figures.offered, figures.objects),
              Percent(figures.first, figures.offered), Percent(figures.possible, figures.objects),
              Percent(figures.none_right, figures.none), Percent(with_cup, figures.objects));
+}
+
+// In the order of NoGrasp::Reason.
+constexpr std::array<const char*, 9> kReasonNames = {"too wide",        "neighbour", "covered",
+                                                     "too low",         "sloped",    "cut",
+                                                     "too little seen", "no seal",   "unlikely"};
+
+// Why there are no grasps, and how often the search agrees that there is none.
+void PrintReasons(std::ostream& out, const GraspRun& run, std::size_t gripper) {
+  std::array<std::pair<int, int>, kReasonNames.size()> counts = {};
+  for (const GraspedObject& object : run.objects) {
+    const GripperResult& result = object.grippers[gripper];
+    if (result.reason < 0 || !result.outcomes.empty()) continue;
+    auto& [count, impossible] = counts.at(static_cast<std::size_t>(result.reason));
+    ++count;
+    impossible += result.possible && !*result.possible;
+  }
+  fmt::print(out, "  none, reason (of these impossible):");
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const auto& [count, impossible] = counts[i];
+    if (count > 0) fmt::print(out, " {} {} ({}),", kReasonNames[i], count, impossible);
+  }
+  fmt::print(out, "\n");
 }
 
 // Of first grasps, those that fail with the highest probabilities: what to look at first.
@@ -62,6 +86,7 @@ void PrintGripper(std::ostream& out, const GraspRun& run, std::size_t gripper) {
     if (counts[i] > 0) fmt::print(out, " {} {},", kOutcomeNames[i], counts[i]);
   }
   fmt::print(out, "\n");
+  PrintReasons(out, run, gripper);
   PrintWorst(out, run, gripper);
 }
 
