@@ -14,31 +14,6 @@ void PrintTotal(std::ostream& out, const char* title, const Reliability& reliabi
              reliability.calibration_error);
 }
 
-nlohmann::json ToJson(const Reliability& reliability) {
-  nlohmann::json bins = nlohmann::json::array();
-  for (const ReliabilityBin& bin : reliability.bins) {
-    bins.push_back({{"low", bin.low},
-                    {"high", bin.high},
-                    {"count", bin.count},
-                    {"mean_confidence", bin.mean_confidence},
-                    {"share_correct", bin.share_correct}});
-  }
-  return {{"bins", bins},
-          {"calibration_error", reliability.calibration_error},
-          {"confident", reliability.confident},
-          {"share_of_confident", reliability.share_of_confident}};
-}
-
-Series Curve(const char* name, const Reliability& reliability) {
-  Series series{name, {}, {}};
-  for (const ReliabilityBin& bin : reliability.bins) {
-    if (bin.count == 0) continue;
-    series.x.push_back(bin.mean_confidence);
-    series.y.push_back(bin.share_correct);
-  }
-  return series;
-}
-
 }  // namespace
 
 ReliabilityReport ReportReliability(const std::vector<std::vector<Prediction>>& groups) {
@@ -68,6 +43,21 @@ void PrintReliability(std::ostream& out, const ReliabilityReport& report) {
              fmt::join(report.confident_share_of_groups, " "));
 }
 
+nlohmann::json ToJson(const Reliability& reliability) {
+  nlohmann::json bins = nlohmann::json::array();
+  for (const ReliabilityBin& bin : reliability.bins) {
+    bins.push_back({{"low", bin.low},
+                    {"high", bin.high},
+                    {"count", bin.count},
+                    {"mean_confidence", bin.mean_confidence},
+                    {"share_correct", bin.share_correct}});
+  }
+  return {{"bins", bins},
+          {"calibration_error", reliability.calibration_error},
+          {"confident", reliability.confident},
+          {"share_of_confident", reliability.share_of_confident}};
+}
+
 nlohmann::json ToJson(const ReliabilityReport& report) {
   return {
       {"reported", ToJson(report.reported)},
@@ -76,13 +66,23 @@ nlohmann::json ToJson(const ReliabilityReport& report) {
       {"calibration", {{"from", report.calibration.from}, {"share", report.calibration.share}}}};
 }
 
+Series ReliabilityCurve(const std::string& name, const Reliability& reliability) {
+  Series series{name, {}, {}};
+  for (const ReliabilityBin& bin : reliability.bins) {
+    if (bin.count == 0) continue;
+    series.x.push_back(bin.mean_confidence);
+    series.y.push_back(bin.share_correct);
+  }
+  return series;
+}
+
 Chart ReliabilityChart(const ReliabilityReport& report) {
   return {.title = "Objects that are right",
           .x_label = "confidence",
           .y_label = "share right",
           .series = {{"ideal", {0, 1}, {0, 1}},
-                     Curve("reported", report.reported),
-                     Curve("held out", report.held_out)},
+                     ReliabilityCurve("reported", report.reported),
+                     ReliabilityCurve("held out", report.held_out)},
           .categories = {}};
 }
 

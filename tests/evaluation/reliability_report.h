@@ -3,6 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <ostream>
+#include <string>
 #include <vector>
 
 #include "tests/evaluation/plot.h"
@@ -21,7 +22,11 @@ struct ReliabilityReport {
 ReliabilityReport ReportReliability(const std::vector<std::vector<Prediction>>& groups);
 
 void PrintReliability(std::ostream& out, const ReliabilityReport& report);
+nlohmann::json ToJson(const Reliability& reliability);
 nlohmann::json ToJson(const ReliabilityReport& report);
+
+// The share correct over the mean confidence of the bins that have any.
+Series ReliabilityCurve(const std::string& name, const Reliability& reliability);
 Chart ReliabilityChart(const ReliabilityReport& report);
 
 }  // namespace fovea::evaluation

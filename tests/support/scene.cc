@@ -46,6 +46,14 @@ const Material& MaterialAt(const Body& body, const Hit& hit) {
   return body.other_materials.at(static_cast<std::size_t>(hit.material) - 1);
 }
 
+std::vector<const Body*> ObjectsOf(const Scene& scene) {
+  std::vector<const Body*> objects;
+  for (const Body& body : scene.bodies) {
+    if (body.is_object) objects.push_back(&body);
+  }
+  return objects;
+}
+
 Camera CameraOfSize(const cv::Size& size_px) {
   const double scale = size_px.width / 640.0;
   Camera camera;

@@ -55,6 +55,9 @@ struct Scene {
   Light light;
 };
 
+// The bodies that are objects, in the order of their labels (1, 2, …).
+std::vector<const Body*> ObjectsOf(const Scene& scene);
+
 // Intrinsics of a 640×480 camera with 525 px focal length, scaled to another width.
 Camera CameraOfSize(const cv::Size& size_px);
 

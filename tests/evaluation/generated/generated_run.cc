@@ -12,14 +12,6 @@
 namespace fovea::evaluation {
 namespace {
 
-std::vector<const scenes::Body*> Objects(const scenes::Scene& scene) {
-  std::vector<const scenes::Body*> objects;
-  for (const scenes::Body& body : scene.bodies) {
-    if (body.is_object) objects.push_back(&body);
-  }
-  return objects;
-}
-
 GeneratedFrame Look(const GeneratedScene& scene, const std::string& sensor, bool give_gravity,
                     const DetectorOptions& options, const std::vector<int>& pixels_alone) {
   GeneratedFrame frame;
@@ -27,7 +19,7 @@ GeneratedFrame Look(const GeneratedScene& scene, const std::string& sensor, bool
   frame.labelled = scenes::MakeFrame(scene.scene, SensorOf(sensor), scene.seed);
   if (give_gravity) frame.labelled.frame.gravity = frame.labelled.gravity;
   frame.detections = Detect(frame.labelled.frame, options);
-  const std::vector<const scenes::Body*> objects = Objects(scene.scene);
+  const std::vector<const scenes::Body*> objects = ObjectsOf(scene.scene);
   for (const auto& [truth, answer] :
        MatchMasks(frame.labelled.labels, frame.detections.labels, frame.labelled.frame.depth_m)) {
     const auto i = static_cast<std::size_t>(truth) - 1;

@@ -3,12 +3,13 @@
 namespace fovea::evaluation {
 namespace {
 
-// x, y and z of the palm.
+// x, y and z of the palm: each its own or, where it is 0, the usual one.
 Eigen::Vector3d PalmOf(const JawGripper& gripper) {
   constexpr double kDepth_m = 0.04;
-  if (!gripper.palm_m.isZero()) return gripper.palm_m.cast<double>();
-  return {double{gripper.max_opening_m} + 2 * double{gripper.finger_thickness_m}, kDepth_m,
-          kDepth_m};
+  const double width_m = gripper.max_opening_m + 2 * gripper.finger_thickness_m;
+  const Eigen::Array3d usual(width_m, kDepth_m, kDepth_m);
+  const Eigen::Array3d own = gripper.palm_m.cast<double>().array();
+  return (own > 0).select(own, usual);
 }
 
 }  // namespace

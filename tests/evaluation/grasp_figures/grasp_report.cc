@@ -3,48 +3,13 @@
 #include <fmt/ostream.h>
 
 #include <algorithm>
-#include <functional>
-#include <map>
-#include <nlohmann/json.hpp>
+#include <array>
 
-#include "tests/evaluation/generated/visibility.h"
-#include "tests/evaluation/reliability.h"
+#include "tests/evaluation/grasp_figures/grasp_statistics.h"
 #include "tests/evaluation/statistics.h"
 
 namespace fovea::evaluation {
 namespace {
-
-using NameOfGroup = std::function<std::string(const GraspedObject&)>;
-
-void Add(GripperFigures& sum, const GripperResult& result) {
-  ++sum.objects;
-  sum.offered += !result.outcomes.empty();
-  sum.first += result.FirstSucceeds();
-  sum.any += result.AnySucceeds();
-  sum.possible += result.possible.value_or(false);
-  if (!result.outcomes.empty()) return;
-  ++sum.none;
-  sum.none_right += result.possible && !*result.possible;
-}
-
-std::vector<GroupFigures> Grouped(const GraspRun& run, const NameOfGroup& name_of) {
-  const std::size_t count = EvaluationGrippers().size();
-  std::map<std::string, GroupFigures> groups;
-  for (const GraspedObject& object : run.objects) {
-    const std::string name = name_of(object);
-    GroupFigures& group = groups.try_emplace(name, GroupFigures{name, {}, {}}).first->second;
-    group.grippers.resize(count);
-    group.jaw_or_suction.resize(count - 1);
-    for (std::size_t g = 0; g < count; ++g) Add(group.grippers[g], object.grippers[g]);
-    for (std::size_t g = 0; g + 1 < count; ++g) {
-      group.jaw_or_suction[g] +=
-          object.grippers[g].FirstSucceeds() || object.grippers.back().FirstSucceeds();
-    }
-  }
-  std::vector<GroupFigures> list;
-  for (auto& [name, group] : groups) list.push_back(std::move(group));
-  return list;
-}
 
 double Percent(int part, int whole) { return whole > 0 ? 100.0 * part / whole : 0; }
 
@@ -62,28 +27,48 @@ void PrintRow(std::ostream& out, const std::string& name, const GripperFigures& 
              Percent(figures.none_right, figures.none), Percent(with_cup, figures.objects));
 }
 
-int WithCup(const GroupFigures& group, std::size_t g) {
-  return g < group.jaw_or_suction.size() ? group.jaw_or_suction[g] : group.grippers[g].first;
-}
+// In the order of NoGrasp::Reason.
+constexpr std::array<const char*, 9> kReasonNames = {"too wide",        "neighbour", "covered",
+                                                     "too low",         "sloped",    "cut",
+                                                     "too little seen", "no seal",   "unlikely"};
 
-// First grasps only: what is offered first is what a robot takes.
-std::vector<Prediction> PredictionsOf(const GraspRun& run, std::size_t gripper) {
-  std::vector<Prediction> predictions;
+// Why there are no grasps, and how often the search agrees that there is none.
+void PrintReasons(std::ostream& out, const GraspRun& run, std::size_t gripper) {
+  std::array<std::pair<int, int>, kReasonNames.size()> counts = {};
   for (const GraspedObject& object : run.objects) {
     const GripperResult& result = object.grippers[gripper];
-    if (result.outcomes.empty()) continue;
-    predictions.push_back({result.probabilities.front(), result.FirstSucceeds()});
+    if (result.reason < 0 || !result.outcomes.empty()) continue;
+    auto& [count, impossible] = counts.at(static_cast<std::size_t>(result.reason));
+    ++count;
+    impossible += result.possible && !*result.possible;
   }
-  return predictions;
+  fmt::print(out, "  none, reason (of these impossible):");
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const auto& [count, impossible] = counts[i];
+    if (count > 0) fmt::print(out, " {} {} ({}),", kReasonNames[i], count, impossible);
+  }
+  fmt::print(out, "\n");
 }
 
-std::vector<int> OutcomesOf(const GraspRun& run, std::size_t gripper) {
-  std::vector<int> counts(kOutcomeNames.size());
+// Of first grasps, those that fail with the highest probabilities: what to look at first.
+void PrintWorst(std::ostream& out, const GraspRun& run, std::size_t gripper) {
+  constexpr std::size_t kMost = 8;
+  std::vector<const GraspedObject*> failures;
   for (const GraspedObject& object : run.objects) {
-    const auto& outcomes = object.grippers[gripper].outcomes;
-    if (!outcomes.empty()) ++counts[static_cast<std::size_t>(outcomes.front())];
+    const GripperResult& result = object.grippers[gripper];
+    if (!result.outcomes.empty() && !result.FirstSucceeds()) failures.push_back(&object);
   }
-  return counts;
+  const auto probability = [&](const GraspedObject* object) {
+    return object->grippers[gripper].probabilities.front();
+  };
+  std::stable_sort(failures.begin(), failures.end(),
+                   [&](const auto* a, const auto* b) { return probability(a) > probability(b); });
+  failures.resize(std::min(failures.size(), kMost));
+  for (const GraspedObject* object : failures) {
+    fmt::print(out, "  fails with {:.2f}: {} {} {}, {} seen to {:.2f}: {}\n", probability(object),
+               object->kind, object->seed, object->sensor, object->name, object->visible_share,
+               NameOf(object->grippers[gripper].outcomes.front()));
+  }
 }
 
 void PrintGripper(std::ostream& out, const GraspRun& run, std::size_t gripper) {
@@ -101,49 +86,11 @@ void PrintGripper(std::ostream& out, const GraspRun& run, std::size_t gripper) {
     if (counts[i] > 0) fmt::print(out, " {} {},", kOutcomeNames[i], counts[i]);
   }
   fmt::print(out, "\n");
-}
-
-nlohmann::json ToJson(const GripperFigures& f) {
-  return {{"objects", f.objects},      {"offered", f.offered},   {"first_succeeds", f.first},
-          {"any_succeeds", f.any},     {"possible", f.possible}, {"none", f.none},
-          {"none_right", f.none_right}};
-}
-
-nlohmann::json ToJson(const Reliability& reliability) {
-  nlohmann::json bins = nlohmann::json::array();
-  for (const ReliabilityBin& bin : reliability.bins) {
-    bins.push_back({{"low", bin.low},
-                    {"count", bin.count},
-                    {"mean_probability", bin.mean_confidence},
-                    {"share_right", bin.share_correct}});
-  }
-  return {{"calibration_error", reliability.calibration_error}, {"bins", bins}};
-}
-
-nlohmann::json ToJson(const GraspedObject& object) {
-  nlohmann::json grippers = nlohmann::json::array();
-  for (const GripperResult& result : object.grippers) {
-    nlohmann::json outcomes = nlohmann::json::array();
-    for (const Outcome outcome : result.outcomes) outcomes.push_back(NameOf(outcome));
-    nlohmann::json json = {{"outcomes", outcomes}, {"probabilities", result.probabilities}};
-    if (result.possible) json["possible"] = *result.possible;
-    if (result.reason >= 0) json["no_grasp_reason"] = result.reason;
-    grippers.push_back(json);
-  }
-  return {{"kind", object.kind}, {"seed", object.seed},  {"sensor", object.sensor},
-          {"name", object.name}, {"class", object.what}, {"visible_share", object.visible_share},
-          {"grippers", grippers}};
+  PrintReasons(out, run, gripper);
+  PrintWorst(out, run, gripper);
 }
 
 }  // namespace
-
-std::vector<std::vector<GroupFigures>> FiguresOf(const GraspRun& run) {
-  return {Grouped(run, [](const auto&) { return "all"; }),
-          Grouped(run, [](const auto& object) { return object.what; }),
-          Grouped(run, [](const auto& object) { return VisibilityName(object.visible_share); }),
-          Grouped(run, [](const auto& object) { return object.sensor; }),
-          Grouped(run, [](const auto& object) { return object.kind; })};
-}
 
 void PrintGrasps(std::ostream& out, const GraspRun& run) {
   fmt::print(out, "{} of {} objects matched; stage \"grasps\" takes {:.2f} ms, 90 % below {:.2f}\n",
@@ -153,66 +100,13 @@ void PrintGrasps(std::ostream& out, const GraspRun& run) {
   const std::vector<Gripper> grippers = EvaluationGrippers();
   for (std::size_t g = 0; g < grippers.size(); ++g) {
     PrintHeader(out, grippers[g].name);
-    for (const std::vector<GroupFigures>& groups : figures) {
-      for (const GroupFigures& group : groups) {
-        PrintRow(out, group.name, group.grippers[g], WithCup(group, g));
+    for (const Grouping& grouping : figures) {
+      for (const GroupFigures& group : grouping.groups) {
+        PrintRow(out, group.name, group.grippers[g], group.with_cup[g]);
       }
     }
     PrintGripper(out, run, g);
   }
-}
-
-nlohmann::json ToJson(const GraspRun& run) {
-  nlohmann::json json = {{"matched", run.objects.size()}, {"truth", run.num_truth}};
-  const std::vector<Gripper> grippers = EvaluationGrippers();
-  const char* kGroupings[] = {"all", "class", "visibility", "sensor", "kind"};
-  const auto figures = FiguresOf(run);
-  for (std::size_t g = 0; g < grippers.size(); ++g) {
-    nlohmann::json& own = json["grippers"][grippers[g].name];
-    for (std::size_t k = 0; k < figures.size(); ++k) {
-      for (const GroupFigures& group : figures[k]) {
-        nlohmann::json row = ToJson(group.grippers[g]);
-        row["this_or_suction"] = WithCup(group, g);
-        own[kGroupings[k]][group.name] = row;
-      }
-    }
-    own["probability"] = ToJson(MeasureReliability(PredictionsOf(run, g)));
-    const std::vector<int> counts = OutcomesOf(run, g);
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-      own["first_outcomes"][kOutcomeNames[i]] = counts[i];
-    }
-  }
-  json["objects"] = nlohmann::json::array();
-  for (const GraspedObject& object : run.objects) json["objects"].push_back(ToJson(object));
-  return json;
-}
-
-std::vector<Chart> GraspCharts(const GraspRun& run) {
-  const std::vector<Gripper> grippers = EvaluationGrippers();
-  const std::vector<GroupFigures> classes = FiguresOf(run)[1];
-  Chart chart, right;
-  chart.title = "First grasps that succeed";
-  chart.y_label = "%";
-  chart.y_max = 100;
-  right.title = "Probability of the first grasp";
-  right.x_label = "probability";
-  right.y_label = "share that succeeds";
-  right.series = {{"ideal", {0, 1}, {0, 1}}};
-  for (const GroupFigures& group : classes) chart.categories.push_back(group.name);
-  for (std::size_t g = 0; g < grippers.size(); ++g) {
-    Series bars = {grippers[g].name, {}, {}}, curve = bars;
-    for (const GroupFigures& group : classes) {
-      bars.y.push_back(100 * group.grippers[g].FirstShare());
-    }
-    for (const ReliabilityBin& bin : MeasureReliability(PredictionsOf(run, g)).bins) {
-      if (bin.count == 0) continue;
-      curve.x.push_back(bin.mean_confidence);
-      curve.y.push_back(bin.share_correct);
-    }
-    chart.series.push_back(bars);
-    right.series.push_back(curve);
-  }
-  return {chart, right};
 }
 
 }  // namespace fovea::evaluation

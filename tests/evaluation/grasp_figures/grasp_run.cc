@@ -1,12 +1,14 @@
 #include "tests/evaluation/grasp_figures/grasp_run.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 
 #include "tests/evaluation/generated/generated_run.h"
 #include "tests/evaluation/grasp_check/check_grasp.h"
 #include "tests/evaluation/grasp_check/grasp_search.h"
 #include "tests/evaluation/grasp_check/physical_scene.h"
+#include "tests/evaluation/grasp_figures/overlay_files.h"
 
 namespace fovea::evaluation {
 namespace {
@@ -100,9 +102,11 @@ std::vector<Gripper> EvaluationGrippers() {
 GraspRun RunGrasps(const GeneratedFlags& flags, bool find_possible) {
   DetectorOptions options = OptionsOf(flags);
   options.grippers = EvaluationGrippers();
+  if (!flags.overlays.empty()) std::filesystem::create_directories(flags.overlays);
   std::vector<GraspRun> runs(NumScenes(flags));
   ForEachGeneratedScene(flags, options, [&](std::size_t i, const GeneratedScene& scene) {
     runs[i] = CheckScene(scene, options.grippers, find_possible);
+    if (!flags.overlays.empty()) WriteOverlays(flags.overlays, scene, options.grippers);
   });
   GraspRun all;
   for (GraspRun& run : runs) {

@@ -39,7 +39,8 @@ struct GraspRun {
   std::vector<double> grasps_ms;       // of stage "grasps", one for each frame
 };
 
-// `find_possible`: also search, which takes a second for each object and gripper without a grasp.
+// Writes pictures to flags.overlays, if any. `find_possible`: also search, which takes a second for
+// each object and gripper without a grasp.
 GraspRun RunGrasps(const GeneratedFlags& flags, bool find_possible);
 
 }  // namespace fovea::evaluation

@@ -4,6 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "tests/evaluation/grasp_figures/grasp_export.h"
 #include "tests/evaluation/grasp_figures/grasp_report.h"
 #include "tests/evaluation/output.h"
 
@@ -30,6 +31,8 @@ void AddGraspsCommand(CLI::App& app) {
   AddGeneratedFlags(*command, *flags);
   command->add_flag("--possible", flags->possible,
                     "Also search whether there is a grasp from above at all: slow");
+  command->add_option("--overlays", flags->overlays,
+                      "Write pictures of the first grasps to this folder: green succeeds");
   command->callback([flags] { Run(*flags); });
 }
 

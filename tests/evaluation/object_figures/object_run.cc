@@ -63,10 +63,7 @@ void AddTimes(const Detections& detections, ObjectRun& run) {
 }
 
 ObjectRun DescribeScene(const GeneratedScene& scene) {
-  std::vector<const scenes::Body*> bodies;
-  for (const scenes::Body& body : scene.scene.bodies) {
-    if (body.is_object) bodies.push_back(&body);
-  }
+  const std::vector<const scenes::Body*> bodies = ObjectsOf(scene.scene);
   const std::vector<std::vector<int>> supports = TrueSupports(scene.scene);
   ObjectRun run;
   for (const GeneratedFrame& frame : scene.frames) {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "tests/evaluation/object_figures/object_export.h"
 #include "tests/evaluation/object_figures/object_report.h"
 #include "tests/evaluation/output.h"
 

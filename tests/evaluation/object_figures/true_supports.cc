@@ -15,10 +15,7 @@ bool RestsOn(const scenes::Body& body, const scenes::Body& other) {
 }  // namespace
 
 std::vector<std::vector<int>> TrueSupports(const scenes::Scene& scene) {
-  std::vector<const scenes::Body*> objects;
-  for (const scenes::Body& body : scene.bodies) {
-    if (body.is_object) objects.push_back(&body);
-  }
+  const std::vector<const scenes::Body*> objects = ObjectsOf(scene);
   std::vector<std::vector<int>> supports(objects.size());
   for (std::size_t i = 0; i < objects.size(); ++i) {
     for (std::size_t j = 0; j < objects.size(); ++j) {

@@ -1,0 +1,42 @@
+#include "tests/evaluation/grasp_figures/overlay_files.h"
+
+#include <algorithm>
+#include <opencv2/imgcodecs.hpp>
+
+#include "tests/evaluation/grasp_check/check_grasp.h"
+#include "tests/evaluation/grasp_figures/grasp_overlay.h"
+
+namespace fovea::evaluation {
+namespace {
+
+std::string FileNameOf(const Gripper& gripper) {
+  std::string name = gripper.name;
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
+
+}  // namespace
+
+void WriteOverlays(const std::string& folder, const GeneratedScene& scene,
+                   const std::vector<Gripper>& grippers) {
+  const PhysicalScene physical(scene.scene);
+  for (const GeneratedFrame& frame : scene.frames) {
+    for (std::size_t g = 0; g < grippers.size(); ++g) {
+      std::vector<EndedGrasp> ended;
+      for (const MatchedObject& match : frame.matches) {
+        const std::vector<Grasp>& grasps = frame.detections.objects[match.answer].grasps;
+        const auto first = std::find_if(grasps.begin(), grasps.end(),
+                                        [g](const Grasp& grasp) { return grasp.gripper == g; });
+        if (first == grasps.end()) continue;
+        const int body = physical.BodyOf(frame.labelled.objects[match.truth].label);
+        ended.push_back({*first, CheckGrasp(physical, body, grippers[g], *first)});
+      }
+      if (ended.empty()) continue;
+      const std::string name = scene.kind + "_" + std::to_string(scene.seed) + "_" + frame.sensor +
+                               "_" + FileNameOf(grippers[g]) + ".png";
+      cv::imwrite(folder + "/" + name, DrawGrasps(frame.labelled.frame, grippers[g], ended));
+    }
+  }
+}
+
+}  // namespace fovea::evaluation
