@@ -1,0 +1,129 @@
+#include "core/relations/free_places.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <opencv2/core.hpp>
+
+#include "core/relations/blocked_by.h"
+
+namespace fovea {
+namespace {
+
+constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+
+// A camera 1 m above a table of 1 m by 0.6 m, looking straight down: a pixel is 2 mm.
+struct Table {
+  cv::Mat points{480, 640, CV_32FC3, cv::Scalar::all(kNone)};
+  std::vector<Support> supports{{{-Eigen::Vector3f::UnitZ(), 1, 1000}, Footprint(), 1}};
+
+  Table() { Put({-0.5F, -0.3F}, {0.5F, 0.3F}, 0); }
+  void Put(const Eigen::Vector2f& low, const Eigen::Vector2f& high, float height_m) {
+    for (int row = 0; row < points.rows; ++row) {
+      for (int col = 0; col < points.cols; ++col) {
+        const Eigen::Vector2f at(0.002F * static_cast<float>(col - 320),
+                                 0.002F * static_cast<float>(row - 240));
+        if ((at - low).minCoeff() < 0 || (high - at).minCoeff() < 0) continue;
+        points.at<cv::Vec3f>(row, col) = {at.x(), at.y(), 1 - height_m};
+      }
+    }
+  }
+  std::vector<FreePlace> Places(const PlaceOptions& options,
+                                const std::vector<DetectedObject>& objects = {}) const {
+    return FindFreePlaces(points, supports, objects, options);
+  }
+};
+
+// Half of what a box covers along x and y of the camera.
+Eigen::Vector2f Reach(const OrientedBox& box) {
+  return (box.rotation.leftCols<2>().cwiseAbs() * box.size_m.head<2>()).head<2>() / 2;
+}
+
+TEST(FindFreePlaces, OfAnEmptyTableTheMiddleHasTheMostRoom) {
+  const auto places = Table().Places({.size_m = {0.2F, 0.1F, 0.15F}, .max_places = 1});
+  ASSERT_EQ(places.size(), 1U);
+  const OrientedBox& box = places[0].box;
+  EXPECT_NEAR(box.center.y(), 0, 0.03F);
+  EXPECT_NEAR(box.center.z(), 1 - 0.075F, 1e-3F);  // stands on the table
+  EXPECT_TRUE(box.size_m.isApprox(Eigen::Vector3f(0.2F, 0.1F, 0.15F)));
+  EXPECT_NEAR(box.rotation.determinant(), 1, 1e-5F);
+  // The long side along the table: 0.3 - 0.05 to the edge.
+  EXPECT_NEAR(places[0].clearance_m, 0.25F, 0.04F);
+}
+
+TEST(FindFreePlaces, StaysOnTheTableBesideThingsAndItsOtherPlaces) {
+  Table table;
+  table.Put({-0.1F, -0.3F}, {0.1F, 0.3F}, 0.08F);
+  const PlaceOptions options{.size_m = {0.15F, 0.12F, 0.1F}, .margin_m = 0.03F, .max_places = 20};
+  const auto places = table.Places(options);
+  ASSERT_GT(places.size(), 3U);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const OrientedBox& box = places[i].box;
+    const Eigen::Vector2f reach = Reach(box), at = box.center.head<2>().cwiseAbs();
+    EXPECT_LT(at.x() + reach.x(), 0.5F - 0.02F);
+    EXPECT_LT(at.y() + reach.y(), 0.3F - 0.02F);
+    EXPECT_GT(at.x() - reach.x(), 0.1F + 0.01F);
+    EXPECT_GE(places[i].clearance_m, options.margin_m);
+    for (std::size_t j = 0; j < i; ++j) {
+      EXPECT_GT((box.center - places[j].box.center).norm(), 0.12F);
+      EXPECT_LE(places[i].clearance_m, places[j].clearance_m);
+    }
+  }
+}
+
+TEST(FindFreePlaces, WhatIsHiddenIsNotFreeAndWhatIsHigherIsNotInTheWay) {
+  const PlaceOptions low{.size_m = {0.3F, 0.3F, 0.1F}, .max_places = 1};
+  Table table;
+  table.Put({-0.5F, -0.3F}, {0.5F, 0.3F}, kNone);
+  EXPECT_TRUE(table.Places(low).empty());
+
+  Table under_a_lamp;
+  under_a_lamp.Put({-0.05F, -0.3F}, {0.05F, 0.3F}, 0.5F);
+  const auto places = under_a_lamp.Places(low);
+  ASSERT_EQ(places.size(), 1U);
+  EXPECT_GT(std::abs(places[0].box.center.x()), 0.15F);  // beside what the lamp hides
+}
+
+TEST(FindFreePlaces, OfThingsTheHiddenPartTakesRoomToo) {
+  Table table;
+  DetectedObject object;
+  object.box.center = {0.25F, 0, 0.95F};
+  object.box.rotation << 1, 0, 0, 0, -1, 0, 0, 0, -1;
+  object.box.size_m = {0.5F, 0.6F, 0.1F};
+  const auto places = table.Places({.size_m = {0.1F, 0.1F, 0.1F}}, {object});
+  ASSERT_FALSE(places.empty());
+  for (const FreePlace& place : places) EXPECT_LT(place.box.center.x() + 0.05F, 0);
+}
+
+TEST(FindFreePlaces, OfWhatIsTooLargeThereIsNone) {
+  EXPECT_TRUE(Table().Places({.size_m = {0.9F, 0.7F, 0.1F}}).empty());
+  EXPECT_TRUE(FindFreePlaces(Table().points, {}, {}, {.size_m = {0.1F, 0.1F, 0.1F}}).empty());
+}
+
+std::vector<DetectedObject> Stack(const std::vector<std::vector<int>>& stands_on) {
+  std::vector<DetectedObject> objects(stands_on.size());
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    objects[i].label = static_cast<int>(i) + 1;
+    objects[i].stands_on = stands_on[i];
+  }
+  BlockByWhatStandsOn(objects);
+  return objects;
+}
+
+TEST(BlockByWhatStandsOn, IsAllAboveTheTopmostFirst) {
+  const auto objects = Stack({{0}, {1}, {2}, {0}});
+  EXPECT_EQ(objects[0].blocked_by, (std::vector<int>{3, 2}));
+  EXPECT_EQ(objects[1].blocked_by, std::vector<int>{3});
+  EXPECT_TRUE(objects[2].blocked_by.empty());
+  EXPECT_TRUE(objects[3].blocked_by.empty());
+}
+
+TEST(BlockByWhatStandsOn, EndsWhereThingsCarryEachOther) {
+  const auto objects = Stack({{2}, {1}});
+  EXPECT_EQ(objects[0].blocked_by, std::vector<int>{2});
+  EXPECT_EQ(objects[1].blocked_by, std::vector<int>{1});
+}
+
+}  // namespace
+}  // namespace fovea
