@@ -207,14 +207,16 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& op
               LabelsOfChosen(found.tree, found.tree.LikelyNodes(), found.segments),
               found.tree,
               found.evidence,
-              scene.standing};
+              scene.standing,
+              {}};
   }
   return {scene.points, std::move(scene.supports)};
 }
 
 // What a robot asks of the objects beside what they are.
-void AnswerRobot(const ObjectSurroundings& around, const DetectorOptions& options,
-                 StageClock& clock, Detections& result) {
+void AnswerRobot(const RgbdFrame& frame, const ObjectSurroundings& around,
+                 const DetectorOptions& options, Trace* trace, StageClock& clock,
+                 Detections& result) {
   BlockByWhatStandsOn(result.objects);
   if (options.place) {
     clock.Begin("places");
@@ -223,8 +225,9 @@ void AnswerRobot(const ObjectSurroundings& around, const DetectorOptions& option
   }
   if (!options.grippers.empty()) {
     clock.Begin("grasps");
-    PlanGrasps({around.points, result.labels, around.supports, -result.gravity.direction},
-               options.grippers, result.objects);
+    PlanGrasps({around.points, result.labels, frame.intrinsics, -result.gravity.direction},
+               options.grippers, result.objects,
+               trace != nullptr ? &trace->grasp_candidates : nullptr);
   }
   clock.Finish();
 }
@@ -249,9 +252,10 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   StageClock clock("depth");
   try {
     const bool in_time = InTime(budget, [&] {
-      AnswerRobot(options.paper ? paper::FindObjects(frame, *options.paper, trace, clock, result)
-                                : FindObjects(frame, options, trace, budget, clock, result),
-                  options, clock, result);
+      const ObjectSurroundings around =
+          options.paper ? paper::FindObjects(frame, *options.paper, trace, clock, result)
+                        : FindObjects(frame, options, trace, budget, clock, result);
+      AnswerRobot(frame, around, options, trace, clock, result);
     });
     if (!in_time) result = NothingYet(frame);
   } catch (Cancelled& cancelled) {

@@ -4,6 +4,7 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
+#include "core/grasping/grasp_terms.h"
 #include "core/objects/object_evidence.h"
 #include "core/segmentation/mean_color.h"
 #include "core/segmentation/merge_tree.h"
@@ -28,6 +29,8 @@ struct Trace {
   MergeTree tree;             // of the segments
   std::vector<ObjectEvidence> evidence;  // of its nodes
   cv::Mat standing;  // CV_8UC1, not 0 where a surface stands in for missing depth; may be empty
+  // Of each object, every grasp that was judged for one of the grippers.
+  std::vector<std::vector<ScoredGrasp>> grasp_candidates;
 };
 
 }  // namespace fovea

@@ -106,6 +106,7 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const PaperOptions& optio
               objects,
               {},
               {},
+              {},
               {}};
   }
   return {points, supports};

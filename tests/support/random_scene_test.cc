@@ -16,14 +16,6 @@ namespace {
 
 constexpr std::uint64_t kSeeds = 6;
 
-std::vector<Body> ObjectsOf(const Scene& scene) {
-  std::vector<Body> objects;
-  for (const Body& body : scene.bodies) {
-    if (body.is_object) objects.push_back(body);
-  }
-  return objects;
-}
-
 class SceneOfKind : public testing::TestWithParam<std::string> {
  protected:
   // Runs a check for each seed and names the seed in its failures.
@@ -58,7 +50,8 @@ TEST_P(SceneOfKind, ObjectsShareNoVolumeWithAnything) {
 
 TEST_P(SceneOfKind, ObjectsRestOnASupportOrOnAnotherObject) {
   ForEachSeed([](const Scene& scene, std::uint64_t) {
-    for (const Body& object : ObjectsOf(scene)) {
+    for (const Body* const body : ObjectsOf(scene)) {
+      const Body& object = *body;
       const double low = VerticalExtent(object).first;
       const auto at_its_foot = [&](double height) { return std::abs(height - low) < 1e-9; };
       const bool carried =
@@ -75,9 +68,9 @@ TEST_P(SceneOfKind, ObjectsRestOnASupportOrOnAnotherObject) {
 TEST_P(SceneOfKind, ObjectsAreVisible) {
   ForEachSeed([](const Scene& scene, std::uint64_t) {
     const cv::Mat labels = RenderLabels(scene);
-    const std::vector<Body> objects = ObjectsOf(scene);
+    const std::vector<const Body*> objects = ObjectsOf(scene);
     for (std::size_t k = 1; k <= objects.size(); ++k) {
-      EXPECT_GE(cv::countNonZero(labels == static_cast<double>(k)), 60) << objects[k - 1].name;
+      EXPECT_GE(cv::countNonZero(labels == static_cast<double>(k)), 60) << objects[k - 1]->name;
     }
   });
 }

@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "core/grasping/top_grasp.h"
 
 namespace fovea {
 namespace {
@@ -61,21 +60,6 @@ TEST(FitOrientedBox, TakesASinglePoint) {
   EXPECT_EQ(box.center, Eigen::Vector3f(0, 0, 1));
   EXPECT_EQ(box.size_m, Eigen::Vector3f(0, 0, 0));
   EXPECT_TRUE(box.rotation.allFinite());
-}
-
-TEST(GraspFromAbove, ClosesAcrossTheNarrowerSideBelowTheTop) {
-  const auto points = BoxPoints({0.2F, 0.06F, 0.1F}, 0, {0.1F, 0.5F, 1});
-  const Grasp grasp = GraspFromAbove(FitOrientedBox(points, kUp, kTable), {.finger_depth_m = 0.02});
-  EXPECT_TRUE(grasp.tool_center_point.isApprox(Eigen::Vector3f(0.1F, 0.42F, 1), 1e-3F));
-  EXPECT_TRUE(grasp.approach.isApprox(-kUp));
-  EXPECT_NEAR(std::abs(grasp.closing.z()), 1, 1e-3F);
-  EXPECT_NEAR(grasp.opening_m, 0.06F, 1e-4F);
-}
-
-TEST(GraspFromAbove, DoesNotReachBelowTheMiddleOfAFlatObject) {
-  const auto points = BoxPoints({0.2F, 0.06F, 0.01F}, 0, {0, 0.5F, 1});
-  const Grasp grasp = GraspFromAbove(FitOrientedBox(points, kUp, kTable), {.finger_depth_m = 0.02});
-  EXPECT_NEAR(grasp.tool_center_point.y(), 0.495F, 1e-4F);
 }
 
 }  // namespace

@@ -1,0 +1,19 @@
+// What grasps are planned in.
+#pragma once
+
+#include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+
+#include "core/types/rgbd_frame.h"
+
+namespace fovea {
+
+// Both images have the frame's size.
+struct GraspScene {
+  const cv::Mat& points;  // CV_32FC3, camera frame; NaN = none
+  const cv::Mat& labels;  // CV_16UC1, 0 = background, k = the object with label k
+  const CameraIntrinsics& intrinsics;
+  const Eigen::Vector3f up;  // unit vector, against gravity
+};
+
+}  // namespace fovea

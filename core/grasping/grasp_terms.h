@@ -1,0 +1,65 @@
+// What speaks for a grasp and what against it, as numbers.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "core/types/grasp.h"
+
+namespace fovea {
+
+inline constexpr std::size_t kNumGraspTerms = 22;
+using GraspTerms = std::array<float, kNumGraspTerms>;
+
+// Lengths in centimetres, slopes as tangents, shares 0 … 1. The first ten are of the object.
+enum ObjectGraspTerm : std::size_t {
+  kTermDistance,      // from the camera, metres
+  kTermConfidence,    // that it is an object
+  kTermUnseen,        // share of its surface
+  kTermTruncated,     //
+  kTermShapeSure,     // confidence of its shape; 0 of kOther
+  kTermRound,         // whether it is round: sphere, cylinder, of revolution
+  kTermResidual,      // of the shape
+  kTermFlat,          //
+  kTermHeight,        // up to 15
+  kTermDepthMissing,  //
+  kNumTermsOfObject,
+};
+
+enum JawTerm : std::size_t {
+  kTermOpeningLeft = kNumTermsOfObject,  // of the gripper beyond what is needed, up to 2
+  kTermClearance,                        // beside the fingers, up to 2
+  kTermTipGap,                           // below the tips, up to 2
+  kTermPalmGap,                          // below the palm, up to 2
+  kTermSlopeAcross,                      // the steeper contact
+  kTermSlopeDown,                        // the steeper contact
+  kTermContactWidth,                     // share of the pad's width, the narrower contact
+  kTermContactDepth,                     // from the tips up, the lower contact, up to 2.5
+  kTermUnseenContacts,                   // share
+  kTermHandBehindTarget,                 // share of the fingers
+  kTermHandBehindOther,                  // share of the fingers, what is not measured counts half
+  kTermHandOutside,                      // share of the fingers, outside of the image
+};
+
+enum SuctionTerm : std::size_t {
+  kTermUnevenness = kNumTermsOfObject,  // of the patch, in standard deviations of depth
+  kTermUsable,                          // radius of the patch beyond that of the lip, up to 2
+  kTermCurvature,                       // of its most curved direction, of what the lip allows
+  kTermTilt,                            // of the approach from the preferred one, sine
+  kTermOffCenter,                       // of the axis from the middle, in diameters of the lip
+  kTermCovered,                         // share of sixteen sectors of the lip with points
+  kTermTubeGap,                         // beside the tube, up to 2
+  kTermPoints,                          // under the lip, logarithm of their number
+};
+
+// What a grasp is judged as: one function each.
+enum class GraspFamily { kAcross, kRim, kHandle, kSuction };
+inline constexpr std::size_t kNumGraspFamilies = 4;
+
+struct ScoredGrasp {
+  Grasp grasp;
+  GraspFamily family = GraspFamily::kAcross;
+  GraspTerms terms{};
+};
+
+}  // namespace fovea

@@ -1,0 +1,209 @@
+#include "core/grasping/jaw_grasps.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/grasping/jaw_contacts.h"
+#include "core/grasping/jaw_places.h"
+#include "core/grasping/sight.h"
+#include "core/types/interruption.h"
+
+namespace fovea {
+namespace {
+
+constexpr std::size_t kMostPlaces = 400;  // of each hand
+constexpr float kCentimetres = 100;
+
+// Shares of the places of both fingers, by what the camera says of them.
+struct HandSights {
+  float behind_target = 0, behind_other = 0, outside = 0;
+};
+
+HandSights LookAtFingers(const GraspScene& scene, int label, const HandGrid& grid,
+                         const TurnedGrid& turned, const JawPlace& place, float middle_m,
+                         float opened_m, const JawGripper& gripper) {
+  HandSights sights;
+  constexpr int kPlaces = 12;
+  for (const float side : {-1.0F, 1.0F}) {
+    const float along = middle_m + side * (opened_m + gripper.finger_thickness_m) / 2;
+    for (const float across : {-0.5F, 0.0F, 0.5F}) {
+      for (const float above_m : {0.004F, 0.02F}) {
+        const Eigen::Vector3f at = turned.ToGrid(
+            along, place.across_m + across * gripper.finger_width_m, place.tip_m + above_m);
+        switch (SightOf(scene, label, grid.frame.ToCamera(at))) {
+          case Sight::kBehindTarget:
+            sights.behind_target += 1.0F / kPlaces;
+            break;
+          case Sight::kBehindOther:
+            sights.behind_other += 1.0F / kPlaces;
+            break;
+          case Sight::kUnmeasured:
+            sights.behind_other += 0.5F / kPlaces;
+            break;
+          case Sight::kOutsideOfImage:
+            sights.outside += 1.0F / kPlaces;
+            break;
+          default:
+            break;
+        }
+      }
+    }
+  }
+  return sights;
+}
+
+float UnseenShare(const GraspScene& scene, int label, const HandGrid& grid,
+                  const std::array<JawContact, 2>& contacts) {
+  constexpr std::size_t kMost = 8;  // of each contact
+  float seen = 0, all = 0;
+  for (const JawContact& contact : contacts) {
+    const std::size_t step = contact.places.size() / kMost + 1;
+    for (std::size_t i = 0; i < contact.places.size(); i += step) {
+      all += 1;
+      const Sight sight = SightOf(scene, label, grid.frame.ToCamera(contact.places[i]));
+      seen += sight == Sight::kOnTarget ? 1 : 0;
+    }
+  }
+  return all > 0 ? 1 - seen / all : 1;
+}
+
+// A quarter of a turn, and as many twelfths of half a turn; not by sines, which differ between
+// machines.
+Eigen::Vector2f ClosingOf(int turn) {
+  constexpr float kCos = 0.965925826F, kSin = 0.258819045F;
+  Eigen::Vector2f closing = Eigen::Vector2f::UnitY();
+  for (int i = 0; i < turn; ++i) {
+    closing = {kCos * closing.x() - kSin * closing.y(), kSin * closing.x() + kCos * closing.y()};
+  }
+  return closing;
+}
+
+// How far the object reaches along the closing direction at most.
+float ExtentAlong(const TurnedGrid& turned) {
+  int first = turned.num_columns, last = -1;
+  for (int row = turned.first_row; row <= turned.last_row; ++row) {
+    const float* heights = turned.TargetRow(row);
+    for (int c = 0; c < turned.num_columns; ++c) {
+      if (heights[c] <= HandGrid::kNothing) continue;
+      first = std::min(first, c);
+      last = std::max(last, c);
+    }
+  }
+  return static_cast<float>(last - first + 1) * turned.cell_m;
+}
+
+Grasp::Kind KindOf(const DetectedObject& object, const JawPlace& place, float width_m,
+                   float extent_m, bool is_level) {
+  constexpr float kThin = 0.55F;  // of the whole
+  if (is_level) return Grasp::Kind::kSide;
+  if (place.is_part && object.shape.kind == Shape::Kind::kRevolution) return Grasp::Kind::kRim;
+  const bool is_thin = width_m < kThin * extent_m;
+  return place.is_part || is_thin ? Grasp::Kind::kHandle : Grasp::Kind::kAcross;
+}
+
+GraspFamily FamilyOf(Grasp::Kind kind) {
+  if (kind == Grasp::Kind::kRim) return GraspFamily::kRim;
+  return kind == Grasp::Kind::kHandle ? GraspFamily::kHandle : GraspFamily::kAcross;
+}
+
+struct Turn {
+  const GraspScene& scene;
+  const DetectedObject& object;
+  const HandGrid& grid;
+  const CompletedSolid& solid;
+  const TurnedGrid& turned;
+  float extent_m;
+};
+
+void AddGrasp(const Turn& turn, const JawPlace& place, const GraspTerms& of_object, JawHand& hand) {
+  constexpr float kTooSteep = 1.5F;  // times the friction coefficient
+  const std::array<JawContact, 2> contacts = CloseOn(turn.turned, turn.solid, place, hand.jaw);
+  const float width = contacts[1].along_m - contacts[0].along_m;
+  const float middle = (contacts[1].along_m + contacts[0].along_m) / 2;
+  if (contacts[0].places.empty() || contacts[1].places.empty() || width <= 0) return;
+  if (width > hand.jaw.max_opening_m) return hand.failures.Add(NoGrasp::Reason::kTooWide);
+  const auto steeper = [&](float a, float b) { return std::max(std::abs(a), std::abs(b)); };
+  const float across = steeper(contacts[0].slope_across, contacts[1].slope_across);
+  const float down = steeper(contacts[0].slope_down, contacts[1].slope_down);
+  if (std::max(across, down) > kTooSteep * hand.jaw.friction) {
+    return hand.failures.Add(NoGrasp::Reason::kSloped);
+  }
+  ScoredGrasp scored;
+  scored.terms = of_object;
+  GraspTerms& t = scored.terms;
+  t[kTermOpeningLeft] = std::min(2.0F, kCentimetres * (hand.jaw.max_opening_m - width));
+  t[kTermClearance] = kCentimetres * place.clearance_m;
+  t[kTermTipGap] = kCentimetres * place.tip_gap_m;
+  t[kTermPalmGap] = kCentimetres * place.palm_gap_m;
+  t[kTermSlopeAcross] = across;
+  t[kTermSlopeDown] = down;
+  t[kTermContactWidth] = std::min(contacts[0].share, contacts[1].share);
+  t[kTermContactDepth] =
+      kCentimetres * std::min({0.025F, contacts[0].depth_m, contacts[1].depth_m});
+  t[kTermUnseenContacts] = UnseenShare(turn.scene, turn.object.label, turn.grid, contacts);
+  const HandSights sights = LookAtFingers(turn.scene, turn.object.label, turn.grid, turn.turned,
+                                          place, middle, OpenedAround(width, hand.jaw), hand.jaw);
+  t[kTermHandBehindTarget] = sights.behind_target;
+  t[kTermHandBehindOther] = sights.behind_other;
+  t[kTermHandOutside] = sights.outside;
+  constexpr float kLevel = 0.5F;  // cosine of the approach with the object's upright
+  const bool is_level = std::abs(turn.grid.floor_normal.z()) < kLevel;
+  Grasp& grasp = scored.grasp;
+  grasp.kind = KindOf(turn.object, place, width, turn.extent_m, is_level);
+  grasp.gripper = hand.gripper;
+  grasp.tool_center_point =
+      turn.grid.frame.ToCamera(turn.turned.ToGrid(middle, place.across_m, place.tip_m));
+  grasp.approach = -turn.grid.frame.rotation.col(2);
+  grasp.closing = turn.grid.frame.rotation *
+                  Eigen::Vector3f(turn.turned.closing.x(), turn.turned.closing.y(), 0);
+  grasp.opening_m = width;
+  grasp.clearance_m = std::min({place.clearance_m, place.tip_gap_m, place.palm_gap_m});
+  grasp.unseen_contacts = t[kTermUnseenContacts];
+  scored.family = FamilyOf(grasp.kind);
+  hand.grasps.push_back(scored);
+}
+
+}  // namespace
+
+GraspTerms TermsOfObject(const DetectedObject& object) {
+  using Kind = Shape::Kind;
+  const Kind kind = object.shape.kind;
+  GraspTerms terms{};
+  terms[kTermDistance] = object.box.center.norm();
+  terms[kTermConfidence] = object.confidence;
+  terms[kTermUnseen] = object.unseen_share;
+  terms[kTermTruncated] = object.truncated ? 1 : 0;
+  terms[kTermShapeSure] = kind == Kind::kOther ? 0 : object.shape.confidence;
+  terms[kTermRound] =
+      kind == Kind::kSphere || kind == Kind::kCylinder || kind == Kind::kRevolution ? 1 : 0;
+  terms[kTermResidual] = std::min(2.0F, kCentimetres * object.shape.residual_m);
+  terms[kTermFlat] = kind == Kind::kFlat ? 1 : 0;
+  terms[kTermHeight] = std::min(15.0F, kCentimetres * object.box.size_m.z());
+  terms[kTermDepthMissing] = object.depth_missing ? 1 : 0;
+  return terms;
+}
+
+void FindJawGrasps(const GraspScene& scene, const DetectedObject& object, const HandGrid& grid,
+                   std::vector<JawHand>& hands) {
+  const CompletedSolid solid(object, grid.frame);
+  const GraspTerms of_object = TermsOfObject(object);
+  const float half_across = solid.HalfExtents().head<2>().norm() + 0.025F;
+  std::vector<JawPlace> places;
+  // Far apart turns first: the cap on places leaves none of them out.
+  for (const int turn : {0, 6, 3, 9, 1, 7, 4, 10, 2, 8, 5, 11}) {
+    InterruptionPoint();
+    // The object's box is narrowest along its y axis, which is the grid's.
+    const TurnedGrid turned = Turned(grid, ClosingOf(turn), half_across);
+    const Turn at = {scene, object, grid, solid, turned, ExtentAlong(turned)};
+    for (JawHand& hand : hands) {
+      places.clear();
+      FindJawPlaces(grid, turned, hand.jaw, hand.failures, places);
+      for (const JawPlace& place : places) {
+        if (hand.grasps.size() >= kMostPlaces) break;
+        AddGrasp(at, place, of_object, hand);
+      }
+    }
+  }
+}
+
+}  // namespace fovea

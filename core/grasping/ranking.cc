@@ -1,0 +1,37 @@
+#include "core/grasping/ranking.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fovea {
+namespace {
+
+// Which a robot that fails with one need not try after it.
+bool AreAlike(const Grasp& a, const Grasp& b) {
+  constexpr float kFar_m = 0.015F;
+  constexpr float kAligned = 0.95F;  // cosine: 18 degrees
+  return (a.tool_center_point - b.tool_center_point).norm() < kFar_m &&
+         std::abs(a.closing.dot(b.closing)) > kAligned && a.approach.dot(b.approach) > kAligned;
+}
+
+}  // namespace
+
+std::vector<Grasp> RankGrasps(std::vector<ScoredGrasp> grasps, int max_grasps) {
+  std::stable_sort(grasps.begin(), grasps.end(), [](const ScoredGrasp& a, const ScoredGrasp& b) {
+    return a.grasp.probability > b.grasp.probability;
+  });
+  std::vector<Grasp> ranked;
+  for (const ScoredGrasp& scored : grasps) {
+    const Grasp& grasp = scored.grasp;
+    if (grasp.probability < kLeastProbability ||
+        ranked.size() >= static_cast<std::size_t>(max_grasps)) {
+      break;
+    }
+    const bool is_known = std::any_of(ranked.begin(), ranked.end(),
+                                      [&](const Grasp& other) { return AreAlike(grasp, other); });
+    if (!is_known) ranked.push_back(grasp);
+  }
+  return ranked;
+}
+
+}  // namespace fovea

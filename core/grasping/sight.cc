@@ -1,0 +1,29 @@
+#include "core/grasping/sight.h"
+
+#include <cmath>
+
+#include "core/types/projection.h"
+
+namespace fovea {
+
+Sight SightOf(const GraspScene& scene, int label, const Eigen::Vector3f& place) {
+  constexpr float kTolerance_m = 0.008F, kTolerancePer_m = 0.004F;
+  constexpr float kNearest_m = 0.01F;
+  if (place.z() < kNearest_m) return Sight::kOutsideOfImage;
+  const cv::Point2d at = Project(place, scene.intrinsics);
+  if (!(at.x > -0.5 && at.y > -0.5 && at.x < scene.points.cols - 0.5 &&
+        at.y < scene.points.rows - 0.5)) {
+    return Sight::kOutsideOfImage;
+  }
+  const int row = static_cast<int>(std::lround(at.y)), column = static_cast<int>(std::lround(at.x));
+  const float seen_m = scene.points.ptr<cv::Vec3f>(row)[column][2];
+  if (std::isnan(seen_m)) return Sight::kUnmeasured;
+  const bool is_target = scene.labels.ptr<std::uint16_t>(row)[column] == label;
+  const float tolerance = kTolerance_m + kTolerancePer_m * place.z() * place.z();
+  if (seen_m < place.z() - tolerance) {
+    return is_target ? Sight::kBehindTarget : Sight::kBehindOther;
+  }
+  return is_target && seen_m < place.z() + tolerance ? Sight::kOnTarget : Sight::kFree;
+}
+
+}  // namespace fovea

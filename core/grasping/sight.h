@@ -1,0 +1,23 @@
+// What the camera says of a place in the scene.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "core/grasping/grasp_scene.h"
+
+namespace fovea {
+
+enum class Sight {
+  kFree,            // something behind it is seen
+  kOnTarget,        // the object itself is seen there
+  kBehindTarget,    // the object hides it
+  kBehindOther,     // something else hides it
+  kUnmeasured,      // no depth
+  kOutsideOfImage,  // or behind the camera
+};
+
+// `place`: camera frame. Within the tolerance, which grows with the square of the distance as the
+// noise of depth cameras does, of a measured point it is at it; of another's that counts as free.
+Sight SightOf(const GraspScene& scene, int label, const Eigen::Vector3f& place);
+
+}  // namespace fovea

@@ -1,0 +1,126 @@
+#include "core/grasping/suction_grasps.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/grasping/jaw_grasps.h"
+#include "core/grasping/suction_patch.h"
+#include "core/types/interruption.h"
+
+namespace fovea {
+namespace {
+
+constexpr float kCentimetres = 100;
+constexpr float kTube_m = 0.15F;  // of the tube behind the cup that must be free
+
+// Pixels of the object, spread evenly; the nearest to the middle of its mask among them.
+std::vector<cv::Point> PixelsToTry(const GraspScene& scene, const DetectedObject& object) {
+  constexpr int kAcross = 8;
+  std::vector<cv::Point> pixels;
+  const cv::Rect& bounds = object.bounds_px;
+  for (int i = 0; i < kAcross; ++i) {
+    for (int j = 0; j < kAcross; ++j) {
+      const cv::Point pixel(bounds.x + (2 * j + 1) * bounds.width / (2 * kAcross),
+                            bounds.y + (2 * i + 1) * bounds.height / (2 * kAcross));
+      if (scene.labels.at<std::uint16_t>(pixel) == object.label) pixels.push_back(pixel);
+    }
+  }
+  return pixels;
+}
+
+// The smallest distance between the tube and what else is in the columns of the grid, up to 20 mm;
+// negative where they meet.
+float TubeGap(const HandGrid& grid, const SuctionPatch& patch, float radius_m) {
+  constexpr float kFarthest_m = 0.02F, kOnPatch_m = 0.006F;
+  // Around the tube, cosines and sines of multiples of 45 degrees.
+  constexpr float kHalf = 0.70710678F;
+  constexpr std::array<std::pair<float, float>, 8> kAround = {{{1, 0},
+                                                               {kHalf, kHalf},
+                                                               {0, 1},
+                                                               {-kHalf, kHalf},
+                                                               {-1, 0},
+                                                               {-kHalf, -kHalf},
+                                                               {0, -1},
+                                                               {kHalf, -kHalf}}};
+  const Eigen::Vector3f start = grid.frame.FromCamera(patch.center);
+  const Eigen::Vector3f way = grid.frame.rotation.transpose() * patch.normal;
+  const Eigen::Vector3f u = way.unitOrthogonal(), v = way.cross(u);
+  float gap = kFarthest_m;
+  for (float along = kOnPatch_m; along < kTube_m; along += 0.01F) {
+    for (const float wider : {0.0F, 0.005F, 0.01F, 0.02F}) {
+      for (const auto& [c, s] : kAround) {
+        const Eigen::Vector3f at = start + along * way + (radius_m + wider) * (c * u + s * v);
+        const int x = grid.CellAt(at.x()), y = grid.CellAt(at.y());
+        if (x < 0 || y < 0 || x >= grid.size || y >= grid.size) continue;
+        if (grid.At(y, x).other <= at.z()) continue;
+        gap = std::min(gap, wider > 0 ? wider - 0.005F : -kFarthest_m);
+      }
+    }
+  }
+  return gap;
+}
+
+}  // namespace
+
+std::vector<ScoredGrasp> FindSuctionGrasps(const GraspScene& scene, const DetectedObject& object,
+                                           const HandGrid& grid, const Gripper& gripper,
+                                           std::size_t index, Failures& failures) {
+  constexpr float kLeastCovered = 0.6F;
+  constexpr float kNoise_m = 0.001F, kNoisePerM = 0.002F;  // of depth, per square metre
+  const auto& cup = std::get<SuctionGripper>(gripper.hand);
+  const Eigen::Vector3f approach = -grid.frame.rotation.col(2);
+  const GraspTerms of_object = TermsOfObject(object);
+  std::vector<ScoredGrasp> grasps;
+  for (const cv::Point& pixel : PixelsToTry(scene, object)) {
+    InterruptionPoint();
+    const auto patch = PatchAt(scene, object.label, pixel, cup.diameter_m);
+    if (!patch) {
+      failures.Add(NoGrasp::Reason::kTooLittleSeen);
+      continue;
+    }
+    const float noise = kNoise_m + kNoisePerM * patch->center.z() * patch->center.z();
+    const bool is_even =
+        patch->unevenness_m < cup.max_unevenness_m + 2 * noise && patch->covered >= kLeastCovered;
+    const float cosine = -patch->normal.dot(approach);
+    if (!is_even) {
+      failures.Add(NoGrasp::Reason::kNoSeal);
+      continue;
+    }
+    if (cosine < std::cos(gripper.max_tilt_rad)) {
+      failures.Add(NoGrasp::Reason::kSloped);
+      continue;
+    }
+    const float gap = TubeGap(grid, *patch, cup.diameter_m / 2);
+    if (gap < 0) {
+      failures.Add(NoGrasp::Reason::kNeighbor);
+      continue;
+    }
+    const Eigen::Vector3f to_middle = object.box.center - patch->center;
+    const float off_center = (to_middle - patch->normal * to_middle.dot(patch->normal)).norm();
+    ScoredGrasp scored;
+    scored.family = GraspFamily::kSuction;
+    scored.terms = of_object;
+    GraspTerms& t = scored.terms;
+    t[kTermUnevenness] = std::min(4.0F, patch->unevenness_m / noise);
+    t[kTermCurvature] = std::min(4.0F, patch->curvature_per_m / cup.max_curvature_per_m);
+    t[kTermTilt] = std::sqrt(std::max(0.0F, 1 - cosine * cosine));
+    t[kTermOffCenter] = std::min(4.0F, off_center / cup.diameter_m);
+    t[kTermCovered] = patch->covered;
+    t[kTermTubeGap] = kCentimetres * gap;
+    t[kTermPoints] = std::min(2.0F, static_cast<float>(patch->num_points) / 100);
+    Grasp& grasp = scored.grasp;
+    grasp.kind = Grasp::Kind::kSuction;
+    grasp.gripper = index;
+    grasp.tool_center_point = patch->center;
+    grasp.approach = -patch->normal;
+    grasp.closing = patch->normal.unitOrthogonal();
+    grasp.clearance_m = gap;
+    grasp.unevenness_m = patch->unevenness_m;
+    grasp.off_center_m = off_center;
+    grasps.push_back(scored);
+  }
+  return grasps;
+}
+
+}  // namespace fovea

@@ -1,0 +1,26 @@
+// What a suction cup would lie on.
+#pragma once
+
+#include <Eigen/Core>
+#include <opencv2/core/types.hpp>
+#include <optional>
+
+#include "core/grasping/grasp_scene.h"
+
+namespace fovea {
+
+struct SuctionPatch {
+  Eigen::Vector3f center;     // on the fitted surface, camera frame
+  Eigen::Vector3f normal;     // unit vector, towards the camera
+  float unevenness_m = 0;     // root mean square distance from the fitted surface
+  float curvature_per_m = 0;  // of the fitted surface, on the average of all directions
+  float covered = 0;          // share of sixteen sectors of the lip with points of the object
+  int num_points = 0;
+};
+
+// The patch of an object around a pixel of it, under a cup of this diameter: a plane, then a round
+// surface over it. None where there are too few points.
+std::optional<SuctionPatch> PatchAt(const GraspScene& scene, int label, const cv::Point& pixel,
+                                    float diameter_m);
+
+}  // namespace fovea
