@@ -67,7 +67,7 @@ std::vector<float> TipHeights(const Station& at) {
   const float lowest =
       std::max(floor + kAboveFloor_m, under_palm - at.gripper.finger_length_m + 2 * kMargin_m);
   std::vector<float> heights;
-  for (const float depth_m : {at.gripper.finger_length_m, 0.025F, 0.014F, 0.007F}) {
+  for (const float depth_m : {at.gripper.finger_length_m, 0.025F, 0.014F, 0.007F, 0.005F}) {
     const float height = std::max(lowest, top - depth_m);
     if (top - height < kLeastGrip_m) continue;
     if (heights.empty() || height - heights.back() > kMargin_m) heights.push_back(height);

@@ -27,7 +27,7 @@ float OpenedAround(float width_m, const JawGripper& gripper);
 // The size of the box behind the fingers, defaults filled in.
 Eigen::Vector3f PalmOf(const JawGripper& gripper);
 
-// Appends the places of one turn of the hand: up to nine strips across the object, four depths,
+// Appends the places of one turn of the hand: up to nine strips across the object, five depths,
 // five parts each. What does not work is counted in `failures`.
 void FindJawPlaces(const HandGrid& grid, const TurnedGrid& turned, const JawGripper& gripper,
                    Failures& failures, std::vector<JawPlace>& places);

@@ -7,6 +7,7 @@
 #include "server/compute_process.h"
 #include "tests/evaluation/detection_command.h"
 #include "tests/evaluation/grasp_figures/grasps_command.h"
+#include "tests/evaluation/grasp_fit/grasp_model_command.h"
 #include "tests/evaluation/kinship_command.h"
 #include "tests/evaluation/object_figures/objects_command.h"
 #include "tests/evaluation/object_fit/object_model_command.h"
@@ -22,6 +23,7 @@ int Run(int argc, char** argv) {
   fovea::evaluation::AddDetectionCommand(app);
   fovea::evaluation::AddSaliencyCommand(app);
   fovea::evaluation::AddKinshipCommand(app);
+  fovea::evaluation::AddGraspModelCommand(app);
   fovea::evaluation::AddObjectModelCommand(app);
   fovea::evaluation::AddObjectsCommand(app);
   fovea::evaluation::AddGraspsCommand(app);

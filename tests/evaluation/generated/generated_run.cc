@@ -1,6 +1,7 @@
 #include "tests/evaluation/generated/generated_run.h"
 
 #include <mutex>
+#include <utility>
 
 #include "tests/evaluation/generated/matching.h"
 #include "tests/evaluation/generated/true_class.h"
@@ -18,7 +19,9 @@ GeneratedFrame Look(const GeneratedScene& scene, const std::string& sensor, bool
   frame.sensor = sensor;
   frame.labelled = scenes::MakeFrame(scene.scene, SensorOf(sensor), scene.seed);
   if (give_gravity) frame.labelled.frame.gravity = frame.labelled.gravity;
-  frame.detections = Detect(frame.labelled.frame, options);
+  Trace trace;
+  frame.detections = Detect(frame.labelled.frame, options, &trace);
+  frame.grasp_candidates = std::move(trace.grasp_candidates);
   const std::vector<const scenes::Body*> objects = ObjectsOf(scene.scene);
   for (const auto& [truth, answer] :
        MatchMasks(frame.labelled.labels, frame.detections.labels, frame.labelled.frame.depth_m)) {

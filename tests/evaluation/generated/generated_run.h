@@ -24,6 +24,8 @@ struct GeneratedFrame {
   std::string sensor;
   scenes::LabelledFrame labelled;
   Detections detections;
+  // Of each of its objects, every grasp that was judged.
+  std::vector<std::vector<ScoredGrasp>> grasp_candidates;
   std::vector<MatchedObject> matches;  // masks with IoU > 0.5 where there is depth
 };
 

@@ -1,0 +1,122 @@
+#include "tests/evaluation/grasp_fit/grasp_trials.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+
+#include "tests/evaluation/generated/generated_run.h"
+#include "tests/evaluation/grasp_check/check_grasp.h"
+#include "tests/evaluation/grasp_check/physical_scene.h"
+#include "tests/evaluation/grasp_figures/grasp_run.h"
+#include "tests/evaluation/logistic_regression.h"
+
+namespace fovea::evaluation {
+namespace {
+
+constexpr std::size_t kSpread = 18, kLikeliest = 6;
+
+// Of the candidates of one gripper.
+std::vector<const ScoredGrasp*> Chosen(const std::vector<ScoredGrasp>& candidates,
+                                       std::size_t gripper, const GraspModel& model) {
+  std::vector<const ScoredGrasp*> own, chosen;
+  for (const ScoredGrasp& candidate : candidates) {
+    if (candidate.grasp.gripper == gripper) own.push_back(&candidate);
+  }
+  const std::size_t step = own.size() / kSpread + 1;
+  for (std::size_t i = 0; i < own.size(); i += step) chosen.push_back(own[i]);
+  std::stable_sort(own.begin(), own.end(), [&](const auto* a, const auto* b) {
+    return model.Probability(*a) > model.Probability(*b);
+  });
+  own.resize(std::min(own.size(), kLikeliest));
+  chosen.insert(chosen.end(), own.begin(), own.end());
+  return chosen;
+}
+
+void TryIn(const GeneratedScene& scene, const std::vector<Gripper>& grippers,
+           const GraspModel& model, GraspTrials& trials) {
+  const PhysicalScene physical(scene.scene);
+  for (const GeneratedFrame& frame : scene.frames) {
+    for (const MatchedObject& match : frame.matches) {
+      const int body = physical.BodyOf(frame.labelled.objects[match.truth].label);
+      for (std::size_t g = 0; g < grippers.size(); ++g) {
+        const auto chosen = Chosen(frame.grasp_candidates[match.answer], g, model);
+        for (const ScoredGrasp* grasp : chosen) {
+          const Outcome outcome = CheckGrasp(physical, body, grippers[g], grasp->grasp);
+          trials[static_cast<std::size_t>(grasp->family)].push_back(
+              {grasp->terms, 1.0 / static_cast<double>(chosen.size()),
+               outcome == Outcome::kSuccess});
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+GraspTrials TryGrasps(const GeneratedFlags& flags, const GraspModel& model) {
+  DetectorOptions options = OptionsOf(flags);
+  options.grippers = EvaluationGrippers();
+  std::vector<GraspTrials> of_scenes(NumScenes(flags));
+  ForEachGeneratedScene(flags, options, [&](std::size_t i, const GeneratedScene& scene) {
+    TryIn(scene, options.grippers, model, of_scenes[i]);
+  });
+  GraspTrials all;
+  for (GraspTrials& trials : of_scenes) {
+    for (std::size_t f = 0; f < kNumGraspFamilies; ++f) {
+      std::move(trials[f].begin(), trials[f].end(), std::back_inserter(all[f]));
+    }
+  }
+  return all;
+}
+
+GraspModel FitGraspModel(const GraspTrials& trials) {
+  GraspModel model;
+  for (std::size_t f = 0; f < kNumGraspFamilies; ++f) {
+    const auto count = static_cast<Eigen::Index>(trials[f].size());
+    if (count == 0) continue;
+    Eigen::MatrixXd rows(count, static_cast<Eigen::Index>(kNumGraspTerms));
+    Eigen::VectorXd succeeds(count), weights(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const GraspTrial& trial = trials[f][static_cast<std::size_t>(i)];
+      for (std::size_t t = 0; t < kNumGraspTerms; ++t) {
+        rows(i, static_cast<Eigen::Index>(t)) = static_cast<double>(trial.terms[t]);
+      }
+      succeeds[i] = trial.succeeds ? 1 : 0;
+      weights[i] = trial.weight;
+    }
+    const LogisticModel fitted = FitLogistic(rows, succeeds, weights);
+    fmt::print("family {}: {} trials, {:.1f} % succeed, log loss {:.3f}\n", f, count,
+               100 * succeeds.dot(weights) / weights.sum(),
+               LogLoss(fitted.LogOdds(rows), succeeds, weights));
+    model.families[f].bias = fitted.bias;
+    for (std::size_t t = 0; t < kNumGraspTerms; ++t) {
+      model.families[f].weights[t] = fitted.weights[static_cast<Eigen::Index>(t)];
+    }
+  }
+  return model;
+}
+
+std::string ToSource(const GraspModel& model) {
+  std::string text =
+      "// Made by `fovea-eval grasp-model`; see docs/quality.md.\n"
+      "#include \"core/grasping/grasp_model.h\"\n\nnamespace fovea {\n\n"
+      "const GraspModel& FittedGraspModel() {\n"
+      "  // One row a family: across, rim, handle, suction.\n"
+      "  static const GraspModel kModel = {{{\n";
+  for (const GraspFunction& function : model.families) {
+    text += fmt::format("      {{{:.4f},\n       {{", function.bias);
+    for (std::size_t t = 0; t < kNumGraspTerms; ++t) {
+      text += fmt::format("{}{:.4f}",
+                          t == 0       ? ""
+                          : t % 8 == 0 ? ",\n        "
+                                       : ", ",
+                          function.weights[t]);
+    }
+    text += "}},\n";
+  }
+  return text + "  }}};\n  return kModel;\n}\n\n}  // namespace fovea\n";
+}
+
+}  // namespace fovea::evaluation

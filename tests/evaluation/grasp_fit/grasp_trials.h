@@ -1,0 +1,30 @@
+// Candidates for grasps of generated scenes, and whether each succeeds.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/grasping/grasp_model.h"
+#include "tests/evaluation/generated/generated_flags.h"
+
+namespace fovea::evaluation {
+
+struct GraspTrial {
+  GraspTerms terms;
+  double weight = 1;  // all candidates of one object and gripper together count 1
+  bool succeeds = false;
+};
+
+using GraspTrials = std::array<std::vector<GraspTrial>, kNumGraspFamilies>;
+
+// At most 24 candidates of each matched object and gripper: evenly spread over all that were
+// judged, and the six that `model` takes for the likeliest, which are what is offered.
+GraspTrials TryGrasps(const GeneratedFlags& flags, const GraspModel& model);
+
+// The functions under which the trials are likeliest; prints what they are worth.
+GraspModel FitGraspModel(const GraspTrials& trials);
+
+// The source text of core/grasping/fitted_grasp_model.cc.
+std::string ToSource(const GraspModel& model);
+
+}  // namespace fovea::evaluation
