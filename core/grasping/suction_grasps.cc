@@ -61,6 +61,26 @@ float TubeGap(const HandGrid& grid, const SuctionPatch& patch, float radius_m) {
   return gap;
 }
 
+// Of the solid that the object is taken for, which is surer than that of a noisy patch; that of the
+// patch where it has none.
+float CurvatureAt(const DetectedObject& object, const SuctionPatch& patch) {
+  constexpr float kOnTop = 0.7F;  // cosine
+  const Shape& shape = object.shape;
+  switch (shape.kind) {
+    case Shape::Kind::kBox:
+    case Shape::Kind::kFlat:
+      return 0;
+    case Shape::Kind::kSphere:
+      return 1 / shape.radius_m;
+    case Shape::Kind::kCylinder:
+      return std::abs(shape.axis.dot(patch.normal)) > kOnTop ? 0 : 1 / shape.radius_m;
+    case Shape::Kind::kRevolution:
+    case Shape::Kind::kOther:
+      break;
+  }
+  return patch.curvature_per_m;
+}
+
 }  // namespace
 
 std::vector<ScoredGrasp> FindSuctionGrasps(const GraspScene& scene, const DetectedObject& object,
@@ -103,7 +123,7 @@ std::vector<ScoredGrasp> FindSuctionGrasps(const GraspScene& scene, const Detect
     scored.terms = of_object;
     GraspTerms& t = scored.terms;
     t[kTermUnevenness] = std::min(4.0F, patch->unevenness_m / noise);
-    t[kTermCurvature] = std::min(4.0F, patch->curvature_per_m / cup.max_curvature_per_m);
+    t[kTermCurvature] = std::min(4.0F, CurvatureAt(object, *patch) / cup.max_curvature_per_m);
     t[kTermTilt] = std::sqrt(std::max(0.0F, 1 - cosine * cosine));
     t[kTermOffCenter] = std::min(4.0F, off_center / cup.diameter_m);
     t[kTermCovered] = patch->covered;

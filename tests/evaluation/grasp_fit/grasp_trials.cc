@@ -15,7 +15,7 @@
 namespace fovea::evaluation {
 namespace {
 
-constexpr std::size_t kSpread = 18, kLikeliest = 6;
+constexpr std::size_t kSpread = 10, kLikeliest = 10;
 
 // Of the candidates of one gripper.
 std::vector<const ScoredGrasp*> Chosen(const std::vector<ScoredGrasp>& candidates,

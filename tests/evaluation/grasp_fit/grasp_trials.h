@@ -17,8 +17,8 @@ struct GraspTrial {
 
 using GraspTrials = std::array<std::vector<GraspTrial>, kNumGraspFamilies>;
 
-// At most 24 candidates of each matched object and gripper: evenly spread over all that were
-// judged, and the six that `model` takes for the likeliest, which are what is offered.
+// At most 20 candidates of each matched object and gripper: evenly spread over all that were
+// judged, and the ten that `model` takes for the likeliest, which are what is offered.
 GraspTrials TryGrasps(const GeneratedFlags& flags, const GraspModel& model);
 
 // The functions under which the trials are likeliest; prints what they are worth.
