@@ -20,40 +20,39 @@ constexpr float kFarSize = 4;
 // How fast a hand moves things.
 constexpr double kFastest_m_s = 1, kLongestReach_s = 0.5;
 
+// At least one pixel, however near or small it is.
+double AreaPx(const Sighting& sighting, const CameraIntrinsics& k) {
+  const double z = std::max(0.01F, sighting.centroid.z());
+  return std::max(1.0, sighting.visible_m2 * k.fx_px * k.fy_px / (z * z));
+}
+
 // How many of the track's points the camera now sees in the mask of each label.
-struct Coverage {
-  std::unordered_map<int, int> points_of_label;
-  double area_px = 0;  // of all of its points
-};
+using Coverage = std::unordered_map<int, int>;
 
 Coverage CoverageOf(const Sighting& track, const AssociationFrame& frame) {
   Coverage coverage;
-  const CameraIntrinsics& k = frame.intrinsics;
   const cv::Rect2d image(-0.5, -0.5, frame.labels.cols, frame.labels.rows);
   for (const Eigen::Vector3f& point : track.points) {
     if (!(point.z() > 0)) continue;
-    const cv::Point2d pixel = Project(point, k);
+    const cv::Point2d pixel = Project(point, frame.intrinsics);
     if (!image.contains(pixel)) continue;
     const int label = frame.labels.at<std::uint16_t>(cvRound(pixel.y), cvRound(pixel.x));
-    if (label != 0) ++coverage.points_of_label[label];
+    if (label != 0) ++coverage[label];
   }
-  const double z = std::max(0.01F, track.centroid.z());
-  coverage.area_px = track.visible_m2 * k.fx_px * k.fy_px / (z * z);
   return coverage;
 }
 
 double OverlapOf(const Coverage& coverage, const Sighting& track, const Sighting& detection,
                  const AssociationFrame& frame) {
-  const auto found = coverage.points_of_label.find(detection.label);
-  if (found == coverage.points_of_label.end()) return 0;
-  const double z = detection.centroid.z();
-  const double area_px =
-      detection.visible_m2 * frame.intrinsics.fx_px * frame.intrinsics.fy_px / (z * z);
+  const auto found = coverage.find(detection.label);
+  if (found == coverage.end()) return 0;
   const double share =
       static_cast<double>(found->second) / static_cast<double>(track.points.size());
-  const double smaller = std::min(coverage.area_px, area_px);
-  const double common = std::min(share * coverage.area_px, smaller);
-  return common / 2 * (1 / (coverage.area_px + area_px - common) + 1 / smaller);
+  const double track_px = AreaPx(track, frame.intrinsics);
+  const double detection_px = AreaPx(detection, frame.intrinsics);
+  const double smaller_px = std::min(track_px, detection_px);
+  const double common_px = std::min(share * track_px, smaller_px);
+  return common_px / 2 * (1 / (track_px + detection_px - common_px) + 1 / smaller_px);
 }
 
 double CostOf(const Track& track, const Coverage& coverage, const Sighting& detection,

@@ -22,14 +22,14 @@ v1::Color ColorToProto(const std::array<std::uint8_t, 3>& rgb) {
   return color;
 }
 
-v1::OrientedBox BoxToProto(const OrientedBox& box) {
+}  // namespace
+
+v1::OrientedBox ToProto(const OrientedBox& box) {
   v1::OrientedBox proto;
   *proto.mutable_pose() = ToProto(PoseOf(box));
   *proto.mutable_size() = ToProto(box.size_m);
   return proto;
 }
-
-}  // namespace
 
 v1::Object ToProto(const DetectedObject& object, const std::string& frame_id,
                    const std::optional<Eigen::Isometry3d>& reference_from_camera,
@@ -42,8 +42,8 @@ v1::Object ToProto(const DetectedObject& object, const std::string& frame_id,
   *proto.mutable_bounding_box() = ToProto(object.bounds_px);
   proto.set_num_pixels(static_cast<std::uint32_t>(object.num_pixels));
 
-  *proto.mutable_oriented_box() = BoxToProto(object.box);
-  *proto.mutable_visible_box() = BoxToProto(object.visible_box);
+  *proto.mutable_oriented_box() = ToProto(object.box);
+  *proto.mutable_visible_box() = ToProto(object.visible_box);
   if (reference_from_camera) {
     *proto.mutable_pose_in_reference() = ToProto(*reference_from_camera * PoseOf(object.box));
   }

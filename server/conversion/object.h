@@ -16,6 +16,8 @@ v1::Object ToProto(const DetectedObject& object, const std::string& frame_id,
                    const std::optional<Eigen::Isometry3d>& reference_from_camera,
                    const std::vector<Gripper>& grippers);
 
+v1::OrientedBox ToProto(const OrientedBox& box);
+
 v1::PointCloud CloudToProto(const std::vector<ColoredPoint>& cloud);
 
 }  // namespace fovea::server
