@@ -10,6 +10,7 @@
 #include "tests/evaluation/object_fit/objects_command.h"
 #include "tests/evaluation/rgbd_scenes/rgbd_scenes_command.h"
 #include "tests/evaluation/saliency/saliency_command.h"
+#include "tests/evaluation/tracking/tracking_command.h"
 
 namespace {
 
@@ -22,6 +23,7 @@ int Run(int argc, char** argv) {
   fovea::evaluation::AddKinshipCommand(app);
   fovea::evaluation::AddObjectsCommand(app);
   fovea::evaluation::AddRgbdScenesCommand(app);
+  fovea::evaluation::AddTrackingCommand(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
