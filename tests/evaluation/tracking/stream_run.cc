@@ -15,12 +15,24 @@
 namespace fovea::evaluation {
 namespace {
 
+// CV_8UC1, 255 where depth was measured.
+cv::Mat IsMeasured(const scenes::LabelledFrame& truth) {
+  return truth.frame.depth_m == truth.frame.depth_m;
+}
+
+std::optional<ObjectTrack> TrackOf(int label, const Detections& found) {
+  for (const DetectedObject& object : found.objects) {
+    if (object.label == label) return object.track;
+  }
+  return std::nullopt;
+}
+
 // The truth as an answer: masks where there is depth, and boxes of the visible points along the
 // camera's axes.
 Detections TrueDetections(const scenes::LabelledFrame& truth) {
   Detections detections;
   detections.labels = truth.labels.clone();
-  detections.labels.setTo(0, truth.frame.depth_m != truth.frame.depth_m);
+  detections.labels.setTo(0, ~IsMeasured(truth));
   const CameraIntrinsics& k = truth.frame.intrinsics;
   for (const Region& region : Regions(detections.labels)) {
     DetectedObject object;
@@ -58,7 +70,7 @@ Detections TrueDetections(const scenes::LabelledFrame& truth) {
 // `found`: with tracks.
 TrackFrame Compare(const scenes::LabelledFrame& truth, const Detections& found) {
   cv::Mat true_labels = truth.labels.clone(), labels = found.labels;
-  true_labels.setTo(0, (truth.frame.depth_m != truth.frame.depth_m) & (labels == 0));
+  true_labels.setTo(0, ~IsMeasured(truth) & (labels == 0));
   const std::vector<Region> things = Regions(true_labels), masks = Regions(labels);
   const Eigen::MatrixXd common = Intersections(true_labels, things, labels, masks);
   std::vector<Eigen::Index> rows, columns;
@@ -73,7 +85,7 @@ TrackFrame Compare(const scenes::LabelledFrame& truth, const Detections& found) 
     for (Eigen::Index i = 0; i < common.rows(); ++i) {
       if (things[i].num_pixels < kFewestPixels) ignored += common(i, j);
     }
-    const auto& track = found.objects.at(masks[j].label - 1).track;
+    const auto track = TrackOf(masks[j].label, found);
     if (2 * ignored > masks[j].num_pixels || !track) continue;
     columns.push_back(j);
     frame.tracks.push_back(track->id);
