@@ -36,9 +36,7 @@ struct StreamSpec {
 enum class Masks { kDetected, kTrue };
 
 // With poses, which are off by 1 mm and 0.05° as an arm's are, and without; as `Poses` numbers
-// them. Things of which fewer than kFewestPixels with depth are seen do not count, nor what is
-// found on them.
-constexpr int kFewestPixels = 300;
+// them.
 std::array<TrackedStream, 2> TrackStream(const StreamSpec& spec, const DetectorOptions& options,
                                          Masks masks);
 

@@ -4,23 +4,17 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <utility>
 
 #include "core/tracking/assignment.h"
+#include "tests/evaluation/tracking/identity_scores.h"
 
 namespace fovea::evaluation {
 namespace {
 
 constexpr int kNumThresholds = 19;
-constexpr double kHalf = 0.5;
 
 double ThresholdAt(int k) { return 0.05 * (k + 1); }
 
-bool Reaches(double similarity, double threshold) { return similarity >= threshold - 1e-9; }
-
-using Id = std::uint64_t;
-template <typename Value>
-using PerPair = std::map<std::pair<Id, Id>, Value>;
 using PerId = std::map<Id, double>;
 
 template <typename Value>
@@ -28,9 +22,6 @@ Value At(const PerPair<Value>& values, Id thing, Id track) {
   const auto found = values.find({thing, track});
   return found == values.end() ? Value{} : found->second;
 }
-
-// Pairs with a track, of each thing in each frame; -1: none.
-using Matches = std::vector<std::vector<int>>;
 
 // How much a thing and a track belong together over all of the sequence, by which HOTA decides
 // where a frame leaves a choice.
@@ -104,50 +95,6 @@ Counts CountAt(double threshold, const TrackSequence& frames, const Matches& mat
         count * count / (found_things[thing] + found_tracks[track] - count);
   }
   return counts;
-}
-
-// The most frames that a pairing of things with tracks, one to one, can have in common.
-double IdentityMatches(const TrackSequence& frames) {
-  PerPair<double> common;
-  std::map<Id, Eigen::Index> rows, columns;
-  for (const TrackFrame& frame : frames) {
-    for (Eigen::Index i = 0; i < frame.similarity.rows(); ++i) {
-      for (Eigen::Index j = 0; j < frame.similarity.cols(); ++j) {
-        if (!Reaches(frame.similarity(i, j), kHalf)) continue;
-        ++common[{frame.things[i], frame.tracks[j]}];
-        rows.try_emplace(frame.things[i], static_cast<Eigen::Index>(rows.size()));
-        columns.try_emplace(frame.tracks[j], static_cast<Eigen::Index>(columns.size()));
-      }
-    }
-  }
-  Eigen::MatrixXd gains = Eigen::MatrixXd::Zero(rows.size(), columns.size());
-  for (const auto& [pair, count] : common) gains(rows[pair.first], columns[pair.second]) = count;
-  const std::vector<int> assigned = MaximumAssignment(gains);
-  double sum = 0;
-  for (std::size_t i = 0; i < assigned.size(); ++i) {
-    if (assigned[i] >= 0) sum += gains(static_cast<Eigen::Index>(i), assigned[i]);
-  }
-  return sum;
-}
-
-void CountSwitches(std::size_t sequence, const TrackSequence& frames, const Matches& matches,
-                   TrackScores& scores) {
-  std::map<Id, Id> last;
-  for (std::size_t f = 0; f < frames.size(); ++f) {
-    const TrackFrame& frame = frames[f];
-    scores.things += static_cast<int>(frame.things.size());
-    for (std::size_t i = 0; i < matches[f].size(); ++i) {
-      const int j = matches[f][i];
-      if (j < 0 || !Reaches(frame.similarity(static_cast<Eigen::Index>(i), j), kHalf)) continue;
-      ++scores.found;
-      const auto [before, is_first] = last.try_emplace(frame.things[i], frame.tracks[j]);
-      scores.first_found += is_first;
-      if (before->second != frame.tracks[j]) {
-        scores.switches.push_back({sequence, f, frame.things[i], before->second, frame.tracks[j]});
-      }
-      before->second = frame.tracks[j];
-    }
-  }
 }
 
 }  // namespace

@@ -1,16 +1,13 @@
 #include "tests/evaluation/tracking/tracking_command.h"
 
-#include <fmt/format.h>
-
-#include <iostream>
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
 
 #include "tests/evaluation/output.h"
 #include "tests/evaluation/parallel.h"
-#include "tests/evaluation/statistics.h"
 #include "tests/evaluation/tracking/stream_run.h"
+#include "tests/evaluation/tracking/tracking_report.h"
 #include "tests/support/random_scene.h"
 
 namespace fovea::evaluation {
@@ -47,84 +44,11 @@ std::vector<StreamSpec> SpecsOf(const Flags& flags, const std::string& motion) {
   return specs;
 }
 
-const char* NameOf(CameraMotionSource source) {
-  switch (source) {
-    case CameraMotionSource::kFirstFrame:
-      return "first_frame";
-    case CameraMotionSource::kGiven:
-      return "given";
-    case CameraMotionSource::kEstimated:
-      return "estimated";
-    case CameraMotionSource::kStanding:
-      return "standing";
-    case CameraMotionSource::kUnknown:
-      return "unknown";
-  }
-  return "";
-}
-
-void List(const std::vector<Switch>& switches, const std::vector<StreamSpec>& specs) {
-  for (const Switch& each : switches) {
-    const StreamSpec& spec = specs[each.sequence];
-    std::cout << fmt::format("  {} {} {}: frame {}, thing {}: track {} -> {}\n", spec.motion,
-                             spec.kind, spec.seed, each.frame, each.thing, each.from, each.to);
-  }
-}
-
-nlohmann::json Report(const std::vector<StreamSpec>& specs, bool list_switches, Poses poses,
-                      const std::vector<std::array<TrackedStream, 2>>& streams) {
-  std::vector<TrackSequence> sequences;
-  std::vector<double> times_ms;
-  std::map<std::string, int> sources;
-  int covered = 0, same = 0;
-  for (const auto& both : streams) {
-    const TrackedStream& stream = both[static_cast<std::size_t>(poses)];
-    sequences.push_back(stream.frames);
-    times_ms.insert(times_ms.end(), stream.times_ms.begin(), stream.times_ms.end());
-    for (const auto& [source, frames] : stream.motion_sources) sources[NameOf(source)] += frames;
-    covered += stream.was_covered;
-    same += stream.is_same_after;
-  }
-  const TrackScores scores = ScoreTracks(sequences);
-  const std::string& motion = specs.front().motion;
-  const char* name = poses == Poses::kGiven ? "given" : "none";
-  std::cout << fmt::format(
-      "{:<8} {:<6} {:>7} {:>7} {:>6.1f} {:>6.1f} {:>6.1f} {:>8.1f} {:>6.1f} {:>9.2f} {:>7.2f} "
-      "{:>4}/{:<4} {:>6.1f} {:>6.1f} ",
-      motion, name, scores.things, scores.found, 100 * scores.hota, 100 * scores.det_a,
-      100 * scores.ass_a, 100 * scores.ass_a_of_found, 100 * scores.idf1, scores.SwitchesPer100(),
-      100 * scores.KeptShare(), same, covered, Median(times_ms), Quantile(times_ms, 0.95));
-  for (const auto& [source, frames] : sources) std::cout << ' ' << source << ' ' << frames;
-  std::cout << '\n' << std::flush;
-  if (list_switches) List(scores.switches, specs);
-  return {{"motion", motion},
-          {"poses", name},
-          {"streams", streams.size()},
-          {"object_frames", scores.things},
-          {"found", scores.found},
-          {"hota", scores.hota},
-          {"det_a", scores.det_a},
-          {"ass_a", scores.ass_a},
-          {"ass_a_of_found", scores.ass_a_of_found},
-          {"idf1", scores.idf1},
-          {"switches", scores.NumSwitches()},
-          {"switches_per_100", scores.SwitchesPer100()},
-          {"kept_share", scores.KeptShare()},
-          {"covered", covered},
-          {"same_after_cover", same},
-          {"median_ms", Median(times_ms)},
-          {"p95_ms", Quantile(times_ms, 0.95)},
-          {"motion_sources", sources}};
-}
-
 void Run(const Flags& flags) {
   const DetectorOptions options = OptionsOfProfile(flags.profile);
   const Masks masks = flags.true_masks ? Masks::kTrue : Masks::kDetected;
   nlohmann::json rows = nlohmann::json::array();
-  std::cout << fmt::format(
-      "{:<8} {:<6} {:>7} {:>7} {:>6} {:>6} {:>6} {:>8} {:>6} {:>9} {:>7} {:>9} {:>6} {:>6}  {}\n",
-      "motion", "poses", "objects", "found", "HOTA", "DetA", "AssA", "AssAfnd", "IDF1", "switch100",
-      "kept%", "same/cov", "ms", "ms95", "frames by source of motion");
+  PrintTrackingHeader();
   for (const std::string& motion : flags.motions) {
     const std::vector<StreamSpec> specs = SpecsOf(flags, motion);
     std::vector<std::array<TrackedStream, 2>> streams(specs.size());
@@ -135,8 +59,8 @@ void Run(const Flags& flags) {
       const std::scoped_lock lock(mutex);
       ShowProgress(motion, ++done, specs.size());
     });
-    rows.push_back(Report(specs, flags.list_switches, Poses::kGiven, streams));
-    rows.push_back(Report(specs, flags.list_switches, Poses::kNone, streams));
+    rows.push_back(ReportTracking(specs, streams, Poses::kGiven, flags.list_switches));
+    rows.push_back(ReportTracking(specs, streams, Poses::kNone, flags.list_switches));
   }
   WriteJson(flags.json, rows);
 }
