@@ -20,7 +20,7 @@ enum class Poses { kGiven, kNone };
 
 struct TrackedStream {
   TrackSequence frames;
-  std::vector<double> times_ms;                      // of tracking a frame
+  std::vector<double> times_ms;                      // processor time of tracking a frame
   std::map<CameraMotionSource, int> motion_sources;  // frames with each
   // Of the thing that is covered: whether it was found before and after that, and under one id.
   bool was_covered = false, is_same_after = false;
