@@ -15,6 +15,7 @@
 #include "server/rpc/caller.h"
 #include "server/scheduling/thread_priority.h"
 #include "server/status.h"
+#include "server/stream_tracker.h"
 #include "server/tracing/tracer.h"
 #include "server/watching/metrics.h"
 #include "server/watching/request_log.h"
@@ -122,6 +123,7 @@ Detections FrameAnswerer::Compute(const FrameRequest& request, const Caller& cal
                                   cv::Size* image, std::vector<StageTime>* times) const {
   std::vector<std::string> losses;
   const DetectorOptions options = FromProto(*request.options, policy_);
+  RequireStream(*request.options, request.tracker);
   const RgbdFrame frame = FromProto(*request.frame, max_pixels_, &losses);
   *image = frame.depth_m.size();
   InField("options.parameters", [&] { RequireNotEmpty(options.region, frame.depth_m.size()); });
@@ -129,6 +131,9 @@ Detections FrameAnswerer::Compute(const FrameRequest& request, const Caller& cal
   // What the method throws from here on is no longer about the request, TooComplex apart.
   Detections detections =
       DetectInTime(frame, options, caller, WantsTrace(*request.options) ? trace : nullptr, times);
+  if (request.tracker != nullptr) {
+    request.tracker->Add(*request.frame, request.options->tracking(), frame, detections, times);
+  }
   std::vector<std::string>& messages = detections.diagnostics.messages;
   messages.insert(messages.begin(), losses.begin(), losses.end());
   return detections;

@@ -23,6 +23,7 @@ using DetectFunction = std::function<Detections(const RgbdFrame&, const Detector
 
 class Caller;
 class Metrics;
+class StreamTracker;
 class Tracer;
 
 // One frame that is to be answered; null where the request has none.
@@ -31,6 +32,7 @@ struct FrameRequest {
   const v1::DetectOptions* options = nullptr;
   std::chrono::steady_clock::time_point received;
   std::chrono::steady_clock::time_point began;  // its turn, parsing included
+  StreamTracker* tracker = nullptr;  // of the stream that it is a frame of; null: it is alone
 };
 
 // Thread-safe.

@@ -19,6 +19,8 @@ double ServerMs(const v1::Detections& detections) {
 
 std::string Remarks(const v1::Object& object) {
   std::string remarks;
+  if (object.track_id() != 0) remarks += fmt::sprintf("  #%llu", object.track_id());
+  if (object.moving()) remarks += "  moving";
   if (object.truncated()) remarks += "  cut by the border";
   if (object.depth_missing()) remarks += "  without depth";
   return remarks;

@@ -13,7 +13,9 @@
 
 #include "core/types/grasp.h"
 #include "core/types/gripper.h"
+#include "core/types/oriented_box.h"
 #include "core/types/shape.h"
+#include "core/types/track.h"
 
 namespace fovea {
 
@@ -31,15 +33,6 @@ struct Gravity {
   enum class Source { kEstimated, kGiven };
   Eigen::Vector3f direction = Eigen::Vector3f::UnitY();  // unit vector, points down
   Source source = Source::kEstimated;
-};
-
-// The smallest box around an object among those with one axis along gravity.
-// Columns of `rotation` are the box axes in the camera frame: x along the longer side of the
-// footprint, y along the shorter, z up (against gravity); right-handed.
-struct OrientedBox {
-  Eigen::Vector3f center = Eigen::Vector3f::Zero();
-  Eigen::Matrix3f rotation = Eigen::Matrix3f::Identity();
-  Eigen::Vector3f size_m = Eigen::Vector3f::Zero();  // full extents along the box axes
 };
 
 struct ColoredPoint {
@@ -70,7 +63,8 @@ struct DetectedObject {
   std::vector<NoGrasp> no_grasps;  // of the grippers without one
   // What carries it and what must be taken away before it: labels, 0 = a support surface.
   std::vector<int> stands_on, blocked_by;
-  std::vector<ColoredPoint> cloud;  // one point per mask pixel, row-major order
+  std::vector<ColoredPoint> cloud;   // one point per mask pixel, row-major order
+  std::optional<ObjectTrack> track;  // where frames are tracked (core/tracking/tracker.h)
 };
 
 // A position at which an object is looked for.
@@ -140,6 +134,7 @@ struct Detections {
   bool incomplete = false;  // the time budget ended before all of the scene was looked at
   Diagnostics diagnostics;
   std::vector<StageTime> stage_times;  // in the order of the pipeline
+  std::optional<Tracking> tracking;    // where frames are tracked
 };
 
 }  // namespace fovea

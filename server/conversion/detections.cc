@@ -9,6 +9,7 @@
 #include "server/conversion/object.h"
 #include "server/conversion/place.h"
 #include "server/conversion/trace.h"
+#include "server/conversion/tracking.h"
 
 namespace fovea::server {
 namespace {
@@ -57,6 +58,7 @@ void AddObjects(const Detections& detections, const v1::Frame& frame,
   for (const DetectedObject& object : detections.objects) {
     v1::Object& added = *proto->add_objects();
     added = ToProto(object, frame.id(), reference_from_camera, detections.grippers);
+    AddTrack(object, &added);
     if (options.return_masks()) {
       *added.mutable_mask() = MaskToProto(detections.labels, object.label, object.bounds_px);
     }
@@ -108,6 +110,7 @@ v1::Detections ToProto(const Detections& detections, const Trace& trace, const v
   for (const Gripper& gripper : detections.grippers) *proto.add_grippers() = ToProto(gripper);
   for (const FreePlace& place : detections.free_places) *proto.add_free_places() = ToProto(place);
   if (options.return_rejected()) AddRejected(detections, &proto);
+  AddTracking(detections, &proto);
   AddTrace(trace, options, &proto);
   return proto;
 }

@@ -253,7 +253,8 @@ void StreamCall::Compute() {
   const FrameRequest frame{.frame = request.has_frame() ? &request.frame() : nullptr,
                            .options = &options_,
                            .received = received.at,
-                           .began = began};
+                           .began = began,
+                           .tracker = &tracker_};
   if (status.ok()) {
     status = environment_.answerer.Answer(frame, caller_, response_.mutable_detections());
   } else {

@@ -13,6 +13,7 @@
 #include "server/rpc/caller.h"
 #include "server/rpc/detection_service.h"
 #include "server/rpc/transfer_limit.h"
+#include "server/stream_tracker.h"
 
 namespace fovea::server {
 
@@ -65,6 +66,7 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   grpc::ByteBuffer bytes_;             // of the message that is being read
   v1::DetectStreamResponse response_;  // of the frame that is worked on
   v1::DetectOptions options_;          // the last ones given, up to that frame
+  StreamTracker tracker_;              // of the frames that were answered
 
   std::mutex mutex_;
   std::optional<std::string> newer_options_;  // of the frames that were dropped since then

@@ -1,6 +1,6 @@
 #include "tests/evaluation/box_matching.h"
 
-#include "tests/evaluation/assignment.h"
+#include "core/tracking/assignment.h"
 
 namespace fovea::evaluation {
 

@@ -13,6 +13,7 @@
 #include "tests/evaluation/object_fit/object_model_command.h"
 #include "tests/evaluation/rgbd_scenes/rgbd_scenes_command.h"
 #include "tests/evaluation/saliency/saliency_command.h"
+#include "tests/evaluation/tracking/tracking_command.h"
 
 namespace {
 
@@ -28,6 +29,7 @@ int Run(int argc, char** argv) {
   fovea::evaluation::AddObjectsCommand(app);
   fovea::evaluation::AddGraspsCommand(app);
   fovea::evaluation::AddRgbdScenesCommand(app);
+  fovea::evaluation::AddTrackingCommand(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

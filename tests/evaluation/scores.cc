@@ -3,7 +3,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "tests/evaluation/assignment.h"
+#include "core/tracking/assignment.h"
 #include "tests/evaluation/boundary_score.h"
 #include "tests/evaluation/box_matching.h"
 #include "tests/evaluation/regions.h"

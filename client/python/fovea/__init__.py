@@ -38,11 +38,13 @@ from fovea.objects import BoundingBox2D, Grasp, Object, OrientedBox, PointCloud
 from fovea.options import DetectOptions, RetryOptions, TlsOptions
 from fovea.server_info import Option, ServerInfo, StageStatistics, Statistics
 from fovea.stream import StreamAnswer
+from fovea.tracking import CameraMotion, HiddenTrack
 from fovea.version import __version__
 
 __all__ = [
     "BoundingBox2D",
     "CameraIntrinsics",
+    "CameraMotion",
     "Cancelled",
     "Client",
     "DeadlineExceeded",
@@ -53,6 +55,7 @@ __all__ = [
     "Frame",
     "Grasp",
     "Gravity",
+    "HiddenTrack",
     "InvalidArgument",
     "MissingPackage",
     "Object",

@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass, field
 
 import numpy as np
 import numpy.typing as npt
 
+from fovea.enums import name_of
 from fovea.geometry import FloatArray, vector_from_proto
 from fovea.objects import Object, object_from_proto
+from fovea.tracking import (
+    CameraMotion,
+    HiddenTrack,
+    camera_motion_from_proto,
+    hidden_track_from_proto,
+)
 from fovea.v1 import detection_pb2, frame_pb2
 
 
@@ -116,6 +122,12 @@ class Detections:
     trace: Trace | None = None  # unless asked for
     rejected: list[RejectedObject] = field(default_factory=list)  # likeliest first; if asked for
     incomplete: bool = False  # the time budget ended before all of the frame was looked at
+    # With DetectOptions.tracking, else None: track_ids of one epoch belong together; another one
+    # says that they started anew, as they do when a stream was opened again.
+    track_epoch: int | None = None
+    camera_motion: CameraMotion | None = None  # None also for the first frame of an epoch
+    # For two seconds after a thing was seen last, by track_id.
+    hidden_tracks: list[HiddenTrack] = field(default_factory=list)
 
     def label_image(self) -> npt.NDArray[np.uint16]:
         """HxW: 0 = background, k = the object with label k. Needs masks."""
@@ -138,7 +150,7 @@ def detections_from_proto(proto: detection_pb2.Detections) -> Detections:
         objects=[object_from_proto(each, proto.height, proto.width) for each in proto.objects],
         gravity=Gravity(
             direction=vector_from_proto(proto.gravity.direction),
-            source=_name_of(detection_pb2.GravitySource, proto.gravity.source),
+            source=name_of(detection_pb2.GravitySource, proto.gravity.source),
         ),
         support_surface=_support(proto.support_surface)
         if proto.HasField("support_surface")
@@ -157,15 +169,12 @@ def detections_from_proto(proto: detection_pb2.Detections) -> Detections:
         trace=_trace(proto.trace) if proto.HasField("trace") else None,
         rejected=[_rejected(each) for each in proto.rejected],
         incomplete=proto.incomplete,
+        track_epoch=proto.track_epoch or None,
+        camera_motion=camera_motion_from_proto(proto.camera_motion)
+        if proto.HasField("camera_motion")
+        else None,
+        hidden_tracks=[hidden_track_from_proto(each) for each in proto.hidden_tracks],
     )
-
-
-def _name_of(enum: type, number: int) -> str:
-    """ "estimated" for GRAVITY_SOURCE_ESTIMATED; the number where a newer server sends more."""
-    for name, value in enum.items():  # type: ignore[attr-defined]
-        if value == number:
-            return re.split("_SOURCE_|_REMOVAL_", str(name), maxsplit=1)[1].lower()
-    return str(number)
 
 
 def _support(proto: detection_pb2.SupportSurface) -> SupportSurface:
@@ -177,7 +186,7 @@ def _support(proto: detection_pb2.SupportSurface) -> SupportSurface:
 
 
 def _seed(proto: detection_pb2.Seed) -> Seed:
-    source = _name_of(detection_pb2.SeedSource, proto.source)
+    source = name_of(detection_pb2.SeedSource, proto.source)
     return Seed(x=proto.x, y=proto.y, position=vector_from_proto(proto.position), source=source)
 
 
@@ -215,8 +224,8 @@ def _trace(proto: detection_pb2.Trace) -> Trace:
             RemovedSeed(
                 x=each.x,
                 y=each.y,
-                source=_name_of(detection_pb2.SeedSource, each.source),
-                reason=_name_of(detection_pb2.SeedRemoval, each.reason),
+                source=name_of(detection_pb2.SeedSource, each.source),
+                reason=name_of(detection_pb2.SeedRemoval, each.reason),
             )
             for each in proto.removed_seeds
         ],

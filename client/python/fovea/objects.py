@@ -129,6 +129,14 @@ class Object:
     # One point for each pixel of the mask, row-major.
     cloud: PointCloud | None = field(repr=False)
     pose_in_reference: FloatArray | None  # 4x4, of the oriented box; None without camera_pose
+    # With DetectOptions.tracking, else None: one number for one thing in all answers with the same
+    # Detections.track_epoch.
+    track_id: int | None = None
+    first_seen_ns: int | None = None  # captured_at_ns of the first answer with it
+    times_seen: int = 0  # answers with it; 1: it is new, and may be a mistake
+    steadied_box: OrientedBox | None = None  # mean of oriented_box over the last answers
+    steadied_over: int = 0  # so many of them; starts again when it was moved
+    moving: bool = False  # against the background
 
 
 def object_from_proto(proto: detection_pb2.Object, height: int, width: int) -> Object:
@@ -142,8 +150,8 @@ def object_from_proto(proto: detection_pb2.Object, height: int, width: int) -> O
         saliency=proto.saliency,
         bounding_box=BoundingBox2D(box.x, box.y, box.width, box.height),
         num_pixels=proto.num_pixels,
-        oriented_box=_box(proto.oriented_box),
-        visible_box=_box(proto.visible_box),
+        oriented_box=box_from_proto(proto.oriented_box),
+        visible_box=box_from_proto(proto.visible_box),
         shape=_shape(proto.shape),
         yaw_is_arbitrary=proto.yaw_is_arbitrary,
         unseen_share=proto.unseen_share,
@@ -159,7 +167,17 @@ def object_from_proto(proto: detection_pb2.Object, height: int, width: int) -> O
         mask=decode_mask(proto.mask, height, width) if proto.HasField("mask") else None,
         cloud=_cloud(proto.cloud) if proto.HasField("cloud") else None,
         pose_in_reference=pose_from_proto(proto.pose_in_reference) if has_reference else None,
+        track_id=proto.track_id or None,
+        first_seen_ns=proto.first_seen.ToNanoseconds() if proto.HasField("first_seen") else None,
+        times_seen=proto.times_seen,
+        steadied_box=box_from_proto(proto.steadied_box) if proto.HasField("steadied_box") else None,
+        steadied_over=proto.steadied_over,
+        moving=proto.moving,
     )
+
+
+def box_from_proto(proto: geometry_pb2.OrientedBox) -> OrientedBox:
+    return OrientedBox(pose=pose_from_proto(proto.pose), size=vector_from_proto(proto.size))
 
 
 def _grasp(proto: detection_pb2.Grasp) -> Grasp:
@@ -188,9 +206,6 @@ def _no_grasp(proto: detection_pb2.NoGrasp) -> NoGrasp:
         reason=_word(detection_pb2.NoGraspReason.Name(proto.reason), "NO_GRASP_REASON_"),
     )
 
-
-def _box(proto: geometry_pb2.OrientedBox) -> OrientedBox:
-    return OrientedBox(pose=pose_from_proto(proto.pose), size=vector_from_proto(proto.size))
 
 
 def _shape(proto: detection_pb2.Shape) -> Shape:

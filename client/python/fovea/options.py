@@ -52,6 +52,8 @@ class DetectOptions:
     # Detections.incomplete tells if that was not all. 0: as long as it takes. Not with
     # return_trace.
     time_budget: float = 0
+    # Only in streams: objects keep a track_id from frame to frame.
+    tracking: bool = False
 
     def to_proto(self) -> detection_pb2.DetectOptions:
         """Raises InvalidArgument for a parameter that is no number, or a budget out of range."""
@@ -64,6 +66,8 @@ class DetectOptions:
             return_trace=self.return_trace,
             return_rejected=self.return_rejected,
         )
+        if self.tracking:
+            proto.tracking.enabled = True
         if self.time_budget:
             if not 0 < self.time_budget < 3600:
                 raise InvalidArgument(

@@ -29,5 +29,13 @@ TEST(Report, SaysWhyWhereLittleWasFoundOrNoSupport) {
   EXPECT_THAT(Report(Found(3, false), 5), HasSubstr("note: why"));
 }
 
+TEST(Report, NamesTracks) {
+  v1::Detections detections = Found(2, true);
+  detections.mutable_objects(0)->set_track_id(17);
+  detections.mutable_objects(0)->set_moving(true);
+  EXPECT_THAT(Report(detections, 5), HasSubstr("  #17  moving\n"));
+  EXPECT_THAT(Report(Found(2, true), 5), Not(HasSubstr("#1")));
+}
+
 }  // namespace
 }  // namespace fovea::cli

@@ -28,6 +28,36 @@ def test_every_frame_is_answered_in_order(client: fovea.Client, scene: Scene) ->
         assert_same(answer.detections, expected)
 
 
+def test_things_keep_their_ids_where_that_is_asked_for(
+    client: fovea.Client, scene: Scene
+) -> None:
+    frames = [scene.frame(id=str(i), captured_at_ns=10**18 + i * 10**8) for i in range(3)]
+    options = fovea.DetectOptions(tracking=True)
+    answers = [answer.detections for answer in client.stream(frames, options, every_frame=True)]
+    first, last = answers[0], answers[-1]
+    assert first.camera_motion is None and last.camera_motion.source == "standing"
+    assert np.allclose(last.camera_motion.motion, np.eye(4))
+    assert len({answer.track_epoch for answer in answers}) == 1 and first.track_epoch
+    ids = [each.track_id for each in first.objects]
+    assert ids == list(range(1, len(ids) + 1)) and len(ids) >= 3
+    assert [each.track_id for each in last.objects] == ids
+    for each in last.objects:
+        assert (each.times_seen, each.steadied_over, each.first_seen_ns) == (3, 3, 10**18)
+        assert np.allclose(each.steadied_box.pose, each.oriented_box.pose, atol=1e-5)
+    assert last.hidden_tracks == []
+    assert "tracking" in last.stage_times_ms
+
+    again = [answer.detections for answer in client.stream(frames, options, every_frame=True)]
+    assert again[0].track_epoch != first.track_epoch
+    plain = [answer.detections for answer in client.stream(frames[:1], every_frame=True)]
+    assert plain[0].track_epoch is None and plain[0].objects[0].track_id is None
+
+
+def test_a_single_call_has_no_frames_to_track(client: fovea.Client, scene: Scene) -> None:
+    with pytest.raises(fovea.InvalidArgument, match="DetectStream"):
+        client.detect_frame(scene.frame(), fovea.DetectOptions(tracking=True))
+
+
 def test_the_newest_frame_is_answered_and_those_between_are_counted(
     client: fovea.Client, scene: Scene
 ) -> None:

@@ -1,8 +1,8 @@
-#include "tests/evaluation/assignment.h"
+#include "core/tracking/assignment.h"
 
 #include <limits>
 
-namespace fovea::evaluation {
+namespace fovea {
 namespace {
 
 // The state of the method on a cost matrix with rows <= columns. Index 0 of each vector is a
@@ -76,4 +76,4 @@ std::vector<int> MaximumAssignment(const Eigen::MatrixXd& gains) {
   return column_of_row;
 }
 
-}  // namespace fovea::evaluation
+}  // namespace fovea

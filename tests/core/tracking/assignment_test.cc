@@ -1,4 +1,4 @@
-#include "tests/evaluation/assignment.h"
+#include "core/tracking/assignment.h"
 
 #include <gmock/gmock.h>
 
@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-namespace fovea::evaluation {
+namespace fovea {
 namespace {
 
 using testing::ElementsAre;
@@ -48,4 +48,4 @@ TEST(MaximumAssignment, EqualsTheBestOfAllPermutations) {
 }
 
 }  // namespace
-}  // namespace fovea::evaluation
+}  // namespace fovea

@@ -1,0 +1,127 @@
+#include "core/tracking/association.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "core/tracking/assignment.h"
+#include "core/types/interruption.h"
+#include "core/types/projection.h"
+
+namespace fovea {
+namespace {
+
+// Of the confidence, which is a probability: the others are mistakes as often as not.
+constexpr float kConfident = 0.5F;
+// CIELAB: the mean colour of one thing rarely changes by more, with light and what is seen of it.
+constexpr float kFarColor = 40;
+constexpr float kFarSize = 4;
+// How fast a hand moves things.
+constexpr double kFastest_m_s = 1, kLongestReach_s = 0.5;
+
+// At least one pixel, however near or small it is.
+double AreaPx(const Sighting& sighting, const CameraIntrinsics& k) {
+  const double z = std::max(0.01F, sighting.centroid.z());
+  return std::max(1.0, sighting.visible_m2 * k.fx_px * k.fy_px / (z * z));
+}
+
+// How many of the track's points the camera now sees in the mask of each label.
+using Coverage = std::unordered_map<int, int>;
+
+Coverage CoverageOf(const Sighting& track, const AssociationFrame& frame) {
+  Coverage coverage;
+  const cv::Rect2d image(-0.5, -0.5, frame.labels.cols, frame.labels.rows);
+  for (const Eigen::Vector3f& point : track.points) {
+    if (!(point.z() > 0)) continue;
+    const cv::Point2d pixel = Project(point, frame.intrinsics);
+    if (!image.contains(pixel)) continue;
+    const int label = frame.labels.at<std::uint16_t>(cvRound(pixel.y), cvRound(pixel.x));
+    if (label != 0) ++coverage[label];
+  }
+  return coverage;
+}
+
+double OverlapOf(const Coverage& coverage, const Sighting& track, const Sighting& detection,
+                 const AssociationFrame& frame) {
+  const auto found = coverage.find(detection.label);
+  if (found == coverage.end()) return 0;
+  const double share =
+      static_cast<double>(found->second) / static_cast<double>(track.points.size());
+  const double track_px = AreaPx(track, frame.intrinsics);
+  const double detection_px = AreaPx(detection, frame.intrinsics);
+  const double smaller_px = std::min(track_px, detection_px);
+  const double common_px = std::min(share * track_px, smaller_px);
+  return common_px / 2 * (1 / (track_px + detection_px - common_px) + 1 / smaller_px);
+}
+
+double CostOf(const Track& track, const Coverage& coverage, const Sighting& detection,
+              const AssociationFrame& frame) {
+  const Sighting& expected = track.expected();
+  const double distance_m = std::min((expected.centroid - detection.centroid).norm(),
+                                     (expected.box.center - detection.box.center).norm());
+  const double half_size_m = 0.25 * (expected.box.size_m.norm() + detection.box.size_m.norm());
+  const double reach_m = half_size_m + 3 * frame.camera_error_m +
+                         kFastest_m_s * std::min(track.seconds_hidden(), kLongestReach_s);
+  if (!(distance_m < reach_m)) return kMaxCost;
+  const double overlap = OverlapOf(coverage, expected, detection, frame);
+  const double color = (expected.lab - detection.lab).norm() / kFarColor;
+  const double ratio = (detection.box.size_m.norm() + 0.01) / (expected.box.size_m.norm() + 0.01);
+  const double size = std::abs(std::log(ratio)) / std::log(kFarSize);
+  const double cost = 1 - overlap + distance_m / (half_size_m + frame.camera_error_m + 0.01) +
+                      0.5 * std::min(1.0, color) + 0.5 * std::min(1.0, size);
+  return std::min(cost, kMaxCost);
+}
+
+struct Matching {
+  const Eigen::MatrixXd gains;  // detections × tracks, 0 = none
+  std::vector<int> track_of_detection;
+  std::vector<char> is_taken;  // of the tracks
+
+  // Matches what is let in and not matched yet.
+  template <typename LetDetection, typename LetTrack>
+  void Pass(const LetDetection& let_detection, const LetTrack& let_track) {
+    Eigen::MatrixXd open = gains;
+    for (Eigen::Index d = 0; d < open.rows(); ++d) {
+      if (track_of_detection[d] >= 0 || !let_detection(d)) open.row(d).setZero();
+    }
+    for (Eigen::Index t = 0; t < open.cols(); ++t) {
+      if (is_taken[t] != 0 || !let_track(t)) open.col(t).setZero();
+    }
+    const std::vector<int> columns = MaximumAssignment(open);
+    for (std::size_t d = 0; d < columns.size(); ++d) {
+      const int t = columns[d];
+      if (t < 0 || open(static_cast<Eigen::Index>(d), t) <= 0) continue;
+      track_of_detection[d] = t;
+      is_taken[t] = 1;
+    }
+  }
+};
+
+Eigen::MatrixXd GainsOf(const std::vector<Track>& tracks, const std::vector<Sighting>& detections,
+                        const AssociationFrame& frame) {
+  Eigen::MatrixXd gains(detections.size(), tracks.size());
+  for (Eigen::Index t = 0; t < gains.cols(); ++t) {
+    InterruptionPoint();
+    const Coverage coverage = CoverageOf(tracks[t].expected(), frame);
+    for (Eigen::Index d = 0; d < gains.rows(); ++d) {
+      gains(d, t) = kMaxCost - CostOf(tracks[t], coverage, detections[d], frame);
+    }
+  }
+  return gains;
+}
+
+}  // namespace
+
+std::vector<int> Associate(const std::vector<Track>& tracks,
+                           const std::vector<Sighting>& detections, const AssociationFrame& frame) {
+  Matching matching{GainsOf(tracks, detections, frame), std::vector<int>(detections.size(), -1),
+                    std::vector<char>(tracks.size(), 0)};
+  const auto is_confident = [&](Eigen::Index d) { return detections[d].confidence >= kConfident; };
+  matching.Pass(is_confident, [](Eigen::Index) { return true; });
+  matching.Pass([](Eigen::Index) { return true; },
+                [&](Eigen::Index t) { return tracks[t].was_seen(); });
+  return matching.track_of_detection;
+}
+
+}  // namespace fovea

@@ -1,0 +1,134 @@
+#include "core/tracking/camera_motion.h"
+
+#include <utility>
+#include <vector>
+
+#include "core/tracking/rigid_motion.h"
+
+namespace fovea {
+namespace {
+
+// Robots' poses come from encoders or visual odometry: some millimetres from frame to frame.
+constexpr double kPoseError_m = 0.005;
+// Where nothing is known of a motion, it is within what a shaking hand does between two frames.
+constexpr double kUnknownError_m = 0.05;
+// Beyond that from its key frame, a camera sees less and less of the same.
+constexpr double kNear_m = 0.1, kNear_rad = 0.1;
+constexpr int kAmpleInliers = 60;
+// Between two frames, or from a key frame; more is a mistake.
+constexpr double kFarthest_m = 1, kFarthest_rad = 0.8;
+// Of poses: what is farther is a map that was found or lost.
+constexpr double kFarthestPose_m = 10;
+
+double AngleOf(const Eigen::Isometry3d& motion) {
+  return Eigen::AngleAxisd(motion.linear()).angle();
+}
+
+bool IsWithin(const Eigen::Isometry3d& motion, double distance_m, double angle_rad) {
+  return motion.translation().norm() < distance_m && AngleOf(motion) < angle_rad;
+}
+
+// What a robot says may be nonsense; numbers beyond the earth's size leave nothing of millimetres.
+bool IsPlausible(const Eigen::Isometry3d& pose) {
+  return pose.matrix().allFinite() && pose.translation().norm() < 1e7;
+}
+
+std::vector<PointPair> PairsOf(const Features& from, const Features& to,
+                               const std::vector<std::pair<int, int>>& matches, bool with_objects) {
+  std::vector<PointPair> pairs;
+  for (const auto& [i, j] : matches) {
+    const bool may_move = from.on_object[i] != 0 || to.on_object[j] != 0;
+    if (with_objects || !may_move) {
+      pairs.push_back({from.points[i], to.points[j], to.pixels[j]});
+    }
+  }
+  return pairs;
+}
+
+CameraPath::Place FromPoses(const Eigen::Isometry3d& last, const Eigen::Isometry3d& pose) {
+  CameraPath::Place place;
+  const Eigen::Isometry3d motion = last.inverse() * pose;
+  if (motion.translation().norm() > kFarthestPose_m) {
+    place.motion.source = CameraMotionSource::kUnknown;
+    place.error_m = kUnknownError_m;
+  } else {
+    place.motion = {CameraMotionSource::kGiven, motion};
+    place.error_m = kPoseError_m;
+  }
+  return place;
+}
+
+}  // namespace
+
+CameraPath::Place CameraPath::Add(const RgbdFrame& frame, const cv::Mat& labels,
+                                  const std::optional<Eigen::Isometry3d>& pose) {
+  const bool has_pose = pose && IsPlausible(*pose);
+  Place place;
+  if (has_pose && (is_first_ || last_pose_)) {
+    key_.reset();
+    last_.reset();
+    if (last_pose_) place = FromPoses(*last_pose_, *pose);
+    place.world_from_camera = last_world_from_camera_ * place.motion.last_from_this;
+  } else {
+    place = FromFrames(frame, labels);
+    place.motion.last_from_this = last_world_from_camera_.inverse() * place.world_from_camera;
+  }
+  if (is_first_) place.motion.source = CameraMotionSource::kFirstFrame;
+  is_first_ = false;
+  last_pose_ = has_pose ? pose : std::nullopt;
+  last_world_from_camera_ = place.world_from_camera;
+  return place;
+}
+
+CameraPath::Place CameraPath::FromFrames(const RgbdFrame& frame, const cv::Mat& labels) {
+  Place place{{CameraMotionSource::kUnknown}, last_world_from_camera_, kUnknownError_m};
+  View view{SmallViewOf(frame, labels), {}, frame.intrinsics, last_world_from_camera_};
+  if (key_ && IsSameView(key_->small, view.small)) {
+    const bool was_there = !last_;
+    place.motion.source =
+        was_there ? CameraMotionSource::kStanding : CameraMotionSource::kEstimated;
+    place.world_from_camera = key_->world_from_camera;
+    place.error_m = 0;
+    last_.reset();
+    return place;
+  }
+  view.features = FindFeatures(frame, labels);
+  int inliers = 0;
+  const int width_px = labels.cols;
+  const bool from_key = key_ && AddByFeatures(*key_, width_px, view, place, &inliers);
+  const bool found = from_key || (last_ && AddByFeatures(*last_, width_px, view, place, &inliers));
+  view.world_from_camera = place.world_from_camera;
+  const bool stands = last_ && IsSameView(last_->small, view.small);
+  const bool keep_key =
+      from_key && !stands && inliers >= kAmpleInliers &&
+      IsWithin(key_->world_from_camera.inverse() * view.world_from_camera, kNear_m, kNear_rad);
+  if (keep_key) {
+    last_ = std::move(view);
+  } else {
+    key_ = std::move(view);
+    last_.reset();
+  }
+  if (stands && !found) {
+    place.motion.source = CameraMotionSource::kStanding;
+    place.error_m = 0;
+  }
+  return place;
+}
+
+bool CameraPath::AddByFeatures(const View& from, int width_px, View& view, Place& place,
+                               int* num_inliers) const {
+  const auto matches = MatchFeatures(from.features, view.features);
+  for (const bool with_objects : {false, true}) {
+    const auto pairs = PairsOf(from.features, view.features, matches, with_objects);
+    const auto motion = FindRigidMotion(pairs, view.intrinsics, width_px);
+    if (!motion || !IsWithin(motion->to_from_from, kFarthest_m, kFarthest_rad)) continue;
+    place.motion.source = CameraMotionSource::kEstimated;
+    place.world_from_camera = from.world_from_camera * motion->to_from_from.inverse();
+    place.error_m = motion->error_m;
+    *num_inliers = motion->num_inliers;
+    return true;
+  }
+  return false;
+}
+
+}  // namespace fovea

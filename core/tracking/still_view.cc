@@ -1,0 +1,94 @@
+#include "core/tracking/still_view.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+namespace fovea {
+namespace {
+
+constexpr int kWidth_px = 160;
+constexpr double kMaxShift_px = 0.33 / 640 * kWidth_px;
+constexpr float kChange = 25;                          // grey levels: beyond noise and small shifts
+constexpr double kMaxChanged = 0.1;                    // of the pixels: a hand or a passer-by
+constexpr double kFewestOfPixels = 0.2;                // that lie outside of objects
+constexpr double kMaxDeviation_px = kMaxShift_px / 3;  // of what is measured
+
+using Row = Eigen::Matrix<double, 6, 1>;
+
+// Grey values of `a` change by row · (shift x, shift y, scale, turn, exposure, offset) to `b`.
+struct Equations {
+  Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Zero();
+  Row right = Row::Zero();
+  double squares = 0;
+  int used = 0, changed = 0;
+
+  void Add(const Row& row, double difference) {
+    matrix += row * row.transpose();
+    right += row * difference;
+    squares += difference * difference;
+    ++used;
+  }
+};
+
+Equations Compare(const SmallView& a, const SmallView& b) {
+  Equations equations;
+  const double radius = a.gray.cols / 2.0;
+  for (int y = 1; y + 1 < a.gray.rows; ++y) {
+    for (int x = 1; x + 1 < a.gray.cols; ++x) {
+      if (a.movable.at<std::uint8_t>(y, x) != 0 || b.movable.at<std::uint8_t>(y, x) != 0) continue;
+      const float value = a.gray.at<float>(y, x), difference = b.gray.at<float>(y, x) - value;
+      if (std::abs(difference) > kChange) {
+        ++equations.changed;
+        continue;
+      }
+      const double gx = (a.gray.at<float>(y, x + 1) - a.gray.at<float>(y, x - 1)) / 2;
+      const double gy = (a.gray.at<float>(y + 1, x) - a.gray.at<float>(y - 1, x)) / 2;
+      const double u = x / radius - 1, v = (y - a.gray.rows / 2.0) / radius;
+      equations.Add((Row() << gx, gy, gx * u + gy * v, gy * u - gx * v, value / 128, 1).finished(),
+                    difference);
+    }
+  }
+  return equations;
+}
+
+}  // namespace
+
+SmallView SmallViewOf(const RgbdFrame& frame, const cv::Mat& labels) {
+  const cv::Size size(kWidth_px,
+                      std::max(3, cvRound(double(kWidth_px) * labels.rows / labels.cols)));
+  SmallView view;
+  cv::Mat small, movable;
+  cv::resize(frame.color_rgb, small, size, 0, 0, cv::INTER_AREA);
+  cv::cvtColor(small, small, cv::COLOR_RGB2GRAY);
+  small.convertTo(small, CV_32FC1);
+  cv::GaussianBlur(small, view.gray, {3, 3}, 0);
+  cv::resize(labels > 0, movable, size, 0, 0, cv::INTER_AREA);
+  cv::dilate(movable > 0, view.movable, cv::Mat::ones(5, 5, CV_8UC1));
+  return view;
+}
+
+bool IsSameView(const SmallView& a, const SmallView& b) {
+  if (a.gray.size() != b.gray.size()) return false;
+  const Equations equations = Compare(a, b);
+  const double pixels = static_cast<double>(a.gray.total());
+  if (equations.used < kFewestOfPixels * pixels) return false;
+  if (equations.changed > kMaxChanged * (equations.used + equations.changed)) return false;
+  const Eigen::LDLT<Eigen::Matrix<double, 6, 6>> solver(equations.matrix);
+  const bool has_contrast = equations.matrix.diagonal().head<4>().minCoeff() > 1;
+  if (!has_contrast || solver.info() != Eigen::Success || !(solver.rcond() > 1e-12)) return false;
+  const Row motion = solver.solve(equations.right);
+  const double variance =
+      std::max(1.0, (equations.squares - motion.dot(equations.right)) / equations.used);
+  const Row deviation =
+      (variance * solver.solve(Eigen::Matrix<double, 6, 6>::Identity()).diagonal())
+          .cwiseMax(0)
+          .cwiseSqrt();
+  // At the image's edge, where scale and turn shift most.
+  const double shift = motion.head<2>().norm() + motion.segment<2>(2).norm();
+  const bool can_tell = deviation.head<4>().maxCoeff() < kMaxDeviation_px;
+  return can_tell && shift < kMaxShift_px;
+}
+
+}  // namespace fovea

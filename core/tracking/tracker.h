@@ -1,0 +1,62 @@
+// Identities of objects over the frames of one camera.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/tracking/camera_motion.h"
+#include "core/tracking/track.h"
+#include "core/types/detections.h"
+#include "core/types/rgbd_frame.h"
+
+namespace fovea {
+
+// What a frame says beside its images.
+struct FrameContext {
+  // Of the camera, in a frame of the robot's choice.
+  std::optional<Eigen::Isometry3d> camera_pose;
+  std::optional<CaptureTime> captured_at;
+};
+
+// Tells which object of a frame is which of those before: the camera's motion is taken out
+// (camera_motion.h), what is left is decided in space and colour (association.h). Design after
+// ByteTrack (Zhang et al. 2022), with boxes in the image, which a moving camera confuses, replaced.
+//
+// A new object has an id at once, and times_seen = 1 until a second frame confirms it; what is not
+// confirmed by the next frame is forgotten. Else it is kept, hidden, for kKeptHidden_s by the
+// frames' times; what was there in the last frame is looked for in the next one however much later
+// that is. Frames without time, or with one that is not after the last one's, count as
+// 1 / kFramesPerSecond.
+//
+// The same frames give the same tracks, bit for bit. Not thread-safe: one frame after the other.
+// Holds at most kMaxTracks tracks of some 3 KB; of more objects the least confident have none, and
+// of more hidden ones those that were seen last stay. With poses or standing some 1 ms, else 15.
+class Tracker {
+ public:
+  static constexpr double kKeptHidden_s = 2;
+  static constexpr double kFramesPerSecond = 10;
+  static constexpr std::size_t kMaxTracks = 128;
+
+  // `epoch`: what Tracking::epoch says.
+  explicit Tracker(std::uint64_t epoch) : epoch_(epoch) {}
+
+  // Fills DetectedObject::track and Detections::tracking. `detections`: of that frame.
+  void Add(const RgbdFrame& frame, const FrameContext& context, Detections& detections);
+
+ private:
+  double SecondsUntil(const std::optional<CaptureTime>& time);
+  void Match(const std::vector<Sighting>& sightings, const CameraPath::Place& place,
+             const RgbdFrame& frame, const FrameContext& context, Detections& detections);
+  void Forget();
+  std::vector<HiddenTrack> Hidden(const RgbdFrame& frame) const;
+
+  std::uint64_t epoch_;
+  CameraPath path_;
+  std::vector<Track> tracks_;  // by id
+  std::uint64_t last_id_ = 0;
+  std::optional<CaptureTime> last_time_;
+};
+
+}  // namespace fovea

@@ -1,0 +1,88 @@
+#include "core/tracking/association.h"
+
+#include <gmock/gmock.h>
+
+#include "core/tracking/hidden.h"
+#include "tests/core/tracking/table_view.h"
+
+namespace fovea {
+namespace {
+
+using ::testing::ElementsAre;
+using testing::View;
+
+constexpr std::array<std::uint8_t, 3> kRed = {200, 30, 30}, kBlue = {30, 30, 200};
+
+std::vector<Track> TracksOf(const View& view) {
+  std::vector<Track> tracks;
+  for (const Sighting& each : SightingsOf(view.detections, view.frame.intrinsics, 100)) {
+    tracks.emplace_back(tracks.size() + 1, each, std::nullopt);
+  }
+  return tracks;
+}
+
+std::vector<int> AssociateNext(const std::vector<Track>& tracks, const View& view) {
+  return Associate(tracks, SightingsOf(view.detections, view.frame.intrinsics, 100),
+                   {view.detections.labels, view.frame.intrinsics, 0.0});
+}
+
+TEST(Associate, ByPlace) {
+  View first, next;
+  first.Add({-0.1F, 0, 0.8F}).Add({0.1F, 0, 0.8F});
+  next.Add({0.11F, 0, 0.8F}).Add({-0.1F, 0.02F, 0.8F});
+  EXPECT_THAT(AssociateNext(TracksOf(first), next), ElementsAre(1, 0));
+}
+
+// Halfway to where the other one was: what is nearer alone would swap them or leave it to chance.
+TEST(Associate, ByColorWhereThePlaceDoesNotTell) {
+  View first, next;
+  first.Add({-0.03F, 0, 0.8F}, kRed).Add({0.08F, 0, 0.8F}, kBlue);
+  next.Add({0.025F, 0, 0.8F}, kBlue);
+  EXPECT_THAT(AssociateNext(TracksOf(first), next), ElementsAre(1));
+  View red;
+  red.Add({0.025F, 0, 0.8F}, kRed);
+  EXPECT_THAT(AssociateNext(TracksOf(first), red), ElementsAre(0));
+}
+
+TEST(Associate, NothingBeyondReach) {
+  View first, next;
+  first.Add({-0.1F, 0, 0.8F});
+  next.Add({0.1F, 0, 0.8F});
+  EXPECT_THAT(AssociateNext(TracksOf(first), next), ElementsAre(-1));
+  EXPECT_THAT(AssociateNext({}, next), ElementsAre(-1));
+  EXPECT_THAT(AssociateNext(TracksOf(first), View()), ElementsAre());
+}
+
+// The unlikely one lies nearer to where the thing was.
+TEST(Associate, ConfidentDetectionsComeFirst) {
+  View first, next;
+  first.Add({0, 0, 0.8F});
+  next.Add({0.03F, 0, 0.8F}, kRed, 0.1F, 0.9F).Add({0, 0.01F, 0.79F}, kRed, 0.1F, 0.3F);
+  EXPECT_THAT(AssociateNext(TracksOf(first), next), ElementsAre(0, -1));
+  View unlikely_only;
+  unlikely_only.Add({0, 0.01F, 0.8F}, kRed, 0.1F, 0.3F);
+  std::vector<Track> tracks = TracksOf(first);
+  EXPECT_THAT(AssociateNext(tracks, unlikely_only), ElementsAre(0));
+  tracks.front().OnMissed();
+  EXPECT_THAT(AssociateNext(tracks, unlikely_only), ElementsAre(-1)) << "hidden";
+}
+
+TEST(ReasonOf, TellsWhyAThingIsNotSeen) {
+  View with;
+  with.Add({0, 0, 0.8F});
+  const Sighting expected = SightingsOf(with.detections, with.frame.intrinsics, 1).front();
+  EXPECT_EQ(ReasonOf(expected, with.frame), HiddenReason::kNotDetected);
+  EXPECT_EQ(ReasonOf(expected, View().frame), HiddenReason::kGone);
+  EXPECT_EQ(ReasonOf(expected, View().Cover({100, 60, 120, 120}, 0.5F).frame),
+            HiddenReason::kCovered);
+  View unmeasured;
+  unmeasured.Cover({100, 60, 120, 120}, std::nanf(""));
+  EXPECT_EQ(ReasonOf(expected, unmeasured.frame), HiddenReason::kNotDetected);
+  const auto beside = Moved(expected, Eigen::Isometry3f(Eigen::Translation3f(1, 0, 0)));
+  EXPECT_EQ(ReasonOf(beside, with.frame), HiddenReason::kOutOfView);
+  const auto behind = Moved(expected, Eigen::Isometry3f(Eigen::Translation3f(0, 0, -2)));
+  EXPECT_EQ(ReasonOf(behind, with.frame), HiddenReason::kOutOfView);
+}
+
+}  // namespace
+}  // namespace fovea

@@ -1,0 +1,173 @@
+#include "core/tracking/tracker.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+
+#include "tests/core/tracking/table_view.h"
+
+namespace fovea {
+namespace {
+
+using testing::At;
+using ::testing::ElementsAre;
+using testing::PosedAt;
+using testing::View;
+
+constexpr std::array<std::uint8_t, 3> kRed = {200, 30, 30}, kBlue = {30, 30, 200};
+
+std::vector<std::uint64_t> Ids(const Detections& detections) {
+  std::vector<std::uint64_t> ids;
+  for (const DetectedObject& object : detections.objects) ids.push_back(object.track->id);
+  return ids;
+}
+
+std::vector<std::uint64_t> HiddenIds(const Detections& detections) {
+  std::vector<std::uint64_t> ids;
+  for (const HiddenTrack& track : detections.tracking->hidden) ids.push_back(track.id);
+  return ids;
+}
+
+TEST(Tracker, KeepsIdsWhateverTheOrder) {
+  Tracker tracker(9);
+  const Detections first =
+      View(0, 1).Add({-0.1F, 0, 0.8F}, kRed).Add({0.1F, 0, 0.8F}, kBlue).TrackBy(tracker, At(5));
+  EXPECT_THAT(Ids(first), ElementsAre(1, 2));
+  EXPECT_EQ(first.tracking->epoch, 9U);
+  EXPECT_EQ(first.objects[0].track->times_seen, 1U);
+  const Detections next =
+      View(0, 2).Add({0.1F, 0, 0.8F}, kBlue).Add({-0.1F, 0, 0.8F}, kRed).TrackBy(tracker, At(5.5));
+  EXPECT_THAT(Ids(next), ElementsAre(2, 1));
+  EXPECT_EQ(next.objects[0].track->times_seen, 2U);
+  EXPECT_EQ(next.objects[0].track->steadied_over, 2U);
+  EXPECT_EQ(next.objects[0].track->first_seen, (CaptureTime{5, 0}));
+  EXPECT_EQ(next.tracking->motion.source, CameraMotionSource::kStanding);
+}
+
+// The camera moves by as much as the things are apart: in the image each is where its neighbour
+// was.
+TEST(Tracker, TakesTheCamerasMotionOut) {
+  for (const bool posed : {true, false}) {
+    SCOPED_TRACE(posed);
+    Tracker tracker(1);
+    for (const double x_m : {0.0, 0.12, 0.24}) {
+      View view(x_m, 1);
+      view.Add({-0.2F, 0, 0.8F}).Add({-0.08F, 0, 0.8F}).Add({0.04F, 0, 0.8F}).Add({0.16F, 0, 0.8F});
+      EXPECT_THAT(Ids(view.TrackBy(tracker, posed ? PosedAt(x_m) : FrameContext{})),
+                  ElementsAre(1, 2, 3, 4))
+          << x_m;
+    }
+  }
+}
+
+TEST(Tracker, KeepsWhatIsHiddenForTwoSeconds) {
+  for (const double hidden_s : {1.5, 2.5}) {
+    Tracker tracker(1);
+    double time = 0;
+    const auto see = [&](bool covered) {
+      View view(0, static_cast<std::uint64_t>(time * 10) + 1);
+      if (covered) view.Cover({100, 60, 120, 120}, 0.5F);
+      if (!covered) view.Add({0, 0, 0.8F});
+      const Detections result = view.TrackBy(tracker, At(time));
+      time += 0.25;
+      return result;
+    };
+    see(false);
+    see(false);
+    const Detections covered = see(true);
+    ASSERT_THAT(HiddenIds(covered), ElementsAre(1));
+    EXPECT_EQ(covered.tracking->hidden[0].reason, HiddenReason::kCovered);
+    EXPECT_EQ(covered.tracking->hidden[0].last_seen, (CaptureTime{0, 250'000'000}));
+    EXPECT_EQ(covered.tracking->hidden[0].times_seen, 2U);
+    EXPECT_NEAR(covered.tracking->hidden[0].box.center.z(), 0.8, 1e-5);
+    while (time < 0.25 + hidden_s) see(true);
+    EXPECT_THAT(Ids(see(false)), ElementsAre(hidden_s < 2 ? 1 : 2)) << hidden_s;
+  }
+}
+
+TEST(Tracker, LooksForWhatWasThereHoweverLongAgoTheLastFrameIs) {
+  Tracker tracker(1);
+  View(0, 1).Add({0, 0, 0.8F}).TrackBy(tracker, At(10));
+  EXPECT_THAT(Ids(View(0, 2).Add({0, 0, 0.8F}).TrackBy(tracker, At(70))), ElementsAre(1));
+}
+
+TEST(Tracker, ForgetsWhatWasSeenOnce) {
+  Tracker tracker(1);
+  View(0, 1).Add({0, 0, 0.8F}).TrackBy(tracker);
+  EXPECT_THAT(HiddenIds(View(0, 2).TrackBy(tracker)), ElementsAre());
+  EXPECT_THAT(Ids(View(0, 3).Add({0, 0, 0.8F}).TrackBy(tracker)), ElementsAre(2));
+}
+
+TEST(Tracker, FollowsWhatAHandMoves) {
+  Tracker tracker(1);
+  Detections last;
+  for (int i = 0; i < 12; ++i) {
+    const float x = -0.2F + 0.04F * static_cast<float>(i);
+    last = View(0, i + 1)
+               .Add({x, 0, 0.7F}, kRed)
+               .Add({0, 0.1F, 0.8F}, kRed)
+               .TrackBy(tracker, At(0.1 * i));
+    EXPECT_THAT(Ids(last), ElementsAre(1, 2)) << i;
+  }
+  EXPECT_TRUE(last.objects[0].track->is_moving);
+  EXPECT_EQ(last.objects[0].track->steadied_over, 1U);
+  EXPECT_FALSE(last.objects[1].track->is_moving);
+  EXPECT_EQ(last.objects[1].track->steadied_over, 10U);
+}
+
+TEST(Tracker, BearsHostileTimes) {
+  constexpr std::int64_t kYear1 = -62135596800, kYear9999 = 253402300799;
+  Tracker tracker(1);
+  std::uint64_t seed = 0;
+  for (const CaptureTime time : {CaptureTime{kYear9999, 999'999'999}, CaptureTime{kYear1, 0},
+                                 CaptureTime{kYear1, 0}, CaptureTime{kYear9999, 0}}) {
+    FrameContext context;
+    context.captured_at = time;
+    EXPECT_THAT(Ids(View(0, ++seed).Add({0, 0, 0.8F}).TrackBy(tracker, context)), ElementsAre(1));
+  }
+  // As the time stands still, frames count: a little less than two seconds of them.
+  FrameContext context;
+  context.captured_at = CaptureTime{kYear1, 0};
+  for (int i = 0; i < 19; ++i) {
+    EXPECT_THAT(HiddenIds(View(0, ++seed).TrackBy(tracker, context)), ElementsAre(1)) << i;
+  }
+  View(0, ++seed).TrackBy(tracker, context);
+  EXPECT_THAT(HiddenIds(View(0, ++seed).TrackBy(tracker, context)), ElementsAre());
+}
+
+TEST(Tracker, IsBounded) {
+  Tracker tracker(1);
+  for (int i = 0; i < 4; ++i) {
+    View view(0, i + 1);
+    for (int k = 0; k < 200; ++k) {
+      view.Add(
+          {0.03F * static_cast<float>(k % 20) - 0.3F, 0.05F * static_cast<float>(k / 20) - 0.25F,
+           0.8F + 0.02F * static_cast<float>(i / 2)},
+          kRed, 0.02F);
+    }
+    const Detections result = view.TrackBy(tracker);
+    for (int k = 0; k < 200; ++k) {
+      EXPECT_EQ(result.objects[k].track.has_value(), k < static_cast<int>(Tracker::kMaxTracks));
+    }
+    EXPECT_LE(result.tracking->hidden.size(), Tracker::kMaxTracks);
+  }
+}
+
+TEST(Tracker, IsTheSameEachTime) {
+  const auto run = [] {
+    Tracker tracker(1);
+    Detections last;
+    for (int i = 0; i < 6; ++i) {
+      last =
+          View(0.03 * i, i + 1).Add({-0.1F, 0, 0.8F}).Add({0.1F, 0.01F * i, 0.7F}).TrackBy(tracker);
+    }
+    return last;
+  };
+  const Detections a = run(), b = run();
+  EXPECT_EQ(a.tracking->motion.last_from_this.matrix(), b.tracking->motion.last_from_this.matrix());
+  EXPECT_EQ(a.objects[1].track->steadied_box.center, b.objects[1].track->steadied_box.center);
+  EXPECT_EQ(a.objects[1].track->steadied_box.rotation, b.objects[1].track->steadied_box.rotation);
+}
+
+}  // namespace
+}  // namespace fovea

@@ -1,0 +1,149 @@
+// Identities in a stream, over real loopback.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+
+#include "tests/server/detectors.h"
+#include "tests/server/frames.h"
+#include "tests/server/loopback.h"
+
+namespace fovea::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+v1::DetectStreamRequest TrackedFrame(std::uint32_t reset = 0) {
+  v1::DetectStreamRequest request;
+  *request.mutable_frame() = TestFrame();
+  request.mutable_options()->mutable_tracking()->set_enabled(true);
+  request.mutable_options()->mutable_tracking()->set_reset(reset);
+  return request;
+}
+
+v1::Detections Exchange(client::DetectStream& stream, const v1::DetectStreamRequest& request) {
+  EXPECT_TRUE(stream.Send(request));
+  const auto response = stream.Receive();
+  EXPECT_TRUE(response && response->has_detections());
+  return response ? response->detections() : v1::Detections();
+}
+
+TEST(Tracking, AnObjectKeepsItsIdInAStream) {
+  const Loopback loopback(FindOne);
+  const auto stream = loopback.client.OpenStream(kPatience);
+  v1::DetectStreamRequest request = TrackedFrame();
+  request.mutable_frame()->mutable_captured_at()->set_seconds(1000);
+  request.mutable_frame()->mutable_captured_at()->set_nanos(123456789);
+  request.mutable_frame()->mutable_camera_pose()->mutable_orientation()->set_w(1);
+  const v1::Detections first = Exchange(*stream, request);
+  ASSERT_EQ(first.objects_size(), 1);
+  EXPECT_EQ(first.objects(0).track_id(), 1U);
+  EXPECT_EQ(first.objects(0).times_seen(), 1U);
+  EXPECT_NE(first.track_epoch(), 0U);
+  EXPECT_FALSE(first.has_camera_motion());
+  EXPECT_EQ(first.stage_times().rbegin()->stage(), "tracking");
+
+  request.clear_options();  // the last ones hold
+  request.mutable_frame()->mutable_captured_at()->set_seconds(1001);
+  request.mutable_frame()->mutable_camera_pose()->mutable_position()->set_x(0.01);
+  const v1::Detections next = Exchange(*stream, request);
+  const v1::Object& object = next.objects(0);
+  EXPECT_EQ(object.track_id(), 1U);
+  EXPECT_EQ(object.times_seen(), 2U);
+  EXPECT_EQ(object.first_seen().seconds(), 1000);
+  EXPECT_EQ(object.first_seen().nanos(), 123456789);
+  EXPECT_EQ(object.steadied_over(), 2U);
+  // It was 10 mm to the left when the camera was.
+  EXPECT_NEAR(object.steadied_box().pose().position().x(),
+              object.oriented_box().pose().position().x() - 0.005, 1e-6);
+  EXPECT_EQ(next.track_epoch(), first.track_epoch());
+  EXPECT_EQ(next.camera_motion().source(), v1::CAMERA_MOTION_SOURCE_REQUEST);
+  EXPECT_NEAR(next.camera_motion().motion().position().x(), 0.01, 1e-9);
+}
+
+TEST(Tracking, IsOffUnlessAskedFor) {
+  const Loopback loopback(FindOne);
+  const auto stream = loopback.client.OpenStream(kPatience);
+  v1::DetectStreamRequest request = TrackedFrame();
+  request.clear_options();
+  for (int i = 0; i < 2; ++i) {
+    const v1::Detections plain = Exchange(*stream, request);
+    EXPECT_EQ(plain.track_epoch(), 0U);
+    EXPECT_EQ(plain.objects(0).track_id(), 0U);
+    EXPECT_FALSE(plain.objects(0).has_steadied_box());
+    EXPECT_NE(plain.stage_times().rbegin()->stage(), "tracking");
+  }
+}
+
+TEST(Tracking, AnotherNumberStartsAnew) {
+  const Loopback loopback(FindOne);
+  const auto stream = loopback.client.OpenStream(kPatience);
+  const v1::Detections before = Exchange(*stream, TrackedFrame(0));
+  Exchange(*stream, TrackedFrame(0));
+  const v1::Detections after = Exchange(*stream, TrackedFrame(1));
+  EXPECT_NE(after.track_epoch(), before.track_epoch());
+  EXPECT_EQ(after.objects(0).times_seen(), 1U);
+  const v1::Detections later = Exchange(*stream, TrackedFrame(1));
+  EXPECT_EQ(later.track_epoch(), after.track_epoch());
+  EXPECT_EQ(later.objects(0).times_seen(), 2U);
+
+  v1::DetectStreamRequest off = TrackedFrame(1);
+  off.mutable_options()->clear_tracking();
+  Exchange(*stream, off);
+  EXPECT_NE(Exchange(*stream, TrackedFrame(1)).track_epoch(), later.track_epoch());
+}
+
+TEST(Tracking, RobotsHaveTheirOwnTracks) {
+  const Loopback loopback(FindOne);
+  const auto one = loopback.client.OpenStream(kPatience);
+  const auto other = loopback.client.OpenStream(kPatience);
+  for (std::uint32_t seen = 1; seen <= 3; ++seen) {
+    const v1::Detections a = Exchange(*one, TrackedFrame());
+    EXPECT_EQ(a.objects(0).times_seen(), seen);
+    const v1::Detections b = Exchange(*other, TrackedFrame());
+    EXPECT_EQ(b.objects(0).times_seen(), seen);
+    EXPECT_NE(a.track_epoch(), b.track_epoch());
+  }
+}
+
+TEST(Tracking, TellsOfWhatIsHidden) {
+  int frames = 0;
+  const Loopback loopback([&frames](const RgbdFrame& frame, const DetectorOptions& options,
+                                    Trace* trace, const std::function<bool()>& should_stop) {
+    Detections detections = FindOne(frame, options, trace, should_stop);
+    if (++frames == 3) {
+      detections.objects.clear();
+      detections.labels.setTo(0);
+    }
+    return detections;
+  });
+  const auto stream = loopback.client.OpenStream(kPatience);
+  Exchange(*stream, TrackedFrame());
+  EXPECT_EQ(Exchange(*stream, TrackedFrame()).hidden_tracks_size(), 0);
+  const v1::Detections hidden = Exchange(*stream, TrackedFrame());
+  ASSERT_EQ(hidden.hidden_tracks_size(), 1);
+  EXPECT_EQ(hidden.hidden_tracks(0).track_id(), 1U);
+  EXPECT_EQ(hidden.hidden_tracks(0).times_seen(), 2U);
+  EXPECT_FALSE(hidden.hidden_tracks(0).has_last_seen()) << "the frames have no times";
+  EXPECT_NE(hidden.hidden_tracks(0).reason(), v1::HIDDEN_REASON_UNSPECIFIED);
+  EXPECT_NEAR(hidden.hidden_tracks(0).last_box().size().x(), 0.3, 1e-6);
+  const v1::Detections again = Exchange(*stream, TrackedFrame());
+  EXPECT_EQ(again.hidden_tracks_size(), 0);
+  EXPECT_EQ(again.objects(0).track_id(), 1U);
+  EXPECT_EQ(again.objects(0).times_seen(), 3U);
+}
+
+TEST(Tracking, NeedsAStream) {
+  const Loopback loopback(FindOne);
+  v1::DetectRequest request = TestRequest();
+  request.mutable_options()->mutable_tracking()->set_enabled(true);
+  const grpc::Status status = StatusOf([&] { loopback.client.Detect(request); });
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
+  EXPECT_THAT(status.error_message(), HasSubstr("options.tracking.enabled"));
+  request.mutable_options()->mutable_tracking()->set_enabled(false);
+  EXPECT_NO_THROW(loopback.client.Detect(request));
+}
+
+}  // namespace
+}  // namespace fovea::testing
