@@ -13,6 +13,8 @@ struct Failures {
 
   void Add(NoGrasp::Reason reason) { ++counts[static_cast<std::size_t>(reason)]; }
 
+  int NumOfMostCommon() const { return *std::max_element(counts.begin(), counts.end()); }
+
   // What the most failed for; `otherwise` where none was tried.
   NoGrasp::Reason MostCommon(NoGrasp::Reason otherwise) const {
     const auto most = std::max_element(counts.begin(), counts.end());

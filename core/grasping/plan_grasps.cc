@@ -95,7 +95,10 @@ class Planner {
 };
 
 NoGrasp::Reason ReasonOf(const Planner::Found& found, const DetectedObject& object) {
-  if (!found.grasps.empty()) return NoGrasp::Reason::kUnlikely;
+  // Where a few are left of many, what the many failed for says more.
+  if (found.failures.NumOfMostCommon() < static_cast<int>(found.grasps.size())) {
+    return NoGrasp::Reason::kUnlikely;
+  }
   if (object.truncated) return NoGrasp::Reason::kCut;
   return found.failures.MostCommon(NoGrasp::Reason::kTooLittleSeen);
 }

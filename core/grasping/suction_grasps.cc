@@ -81,12 +81,35 @@ float CurvatureAt(const DetectedObject& object, const SuctionPatch& patch) {
   return patch.curvature_per_m;
 }
 
+// That of a noisy patch is not sure.
+float MostCurvature(const DetectedObject& object, const SuctionGripper& cup) {
+  const bool is_known =
+      object.shape.kind != Shape::Kind::kOther && object.shape.kind != Shape::Kind::kRevolution;
+  return is_known ? cup.max_curvature_per_m : 2 * cup.max_curvature_per_m;
+}
+
+bool IsEven(const SuctionPatch& patch, const SuctionGripper& cup, float noise_m) {
+  constexpr float kLeastCovered = 0.6F;
+  return patch.unevenness_m < cup.max_unevenness_m + 2 * noise_m && patch.covered >= kLeastCovered;
+}
+
+// Of a few sizes from that of the cup on, the widest that would lie on the object.
+float UsableDiameter(const GraspScene& scene, const DetectedObject& object, const cv::Point& pixel,
+                     const SuctionGripper& cup, float noise_m) {
+  float usable = cup.diameter_m;
+  for (const float times : {1.25F, 1.5F, 2.0F, 3.0F}) {
+    const auto wider = PatchAt(scene, object.label, pixel, times * cup.diameter_m);
+    if (!wider || !IsEven(*wider, cup, noise_m)) break;
+    usable = times * cup.diameter_m;
+  }
+  return usable;
+}
+
 }  // namespace
 
 std::vector<ScoredGrasp> FindSuctionGrasps(const GraspScene& scene, const DetectedObject& object,
                                            const HandGrid& grid, const Gripper& gripper,
                                            std::size_t index, Failures& failures) {
-  constexpr float kLeastCovered = 0.6F;
   constexpr float kNoise_m = 0.001F, kNoisePerM = 0.002F;  // of depth, per square metre
   const auto& cup = std::get<SuctionGripper>(gripper.hand);
   const Eigen::Vector3f approach = -grid.frame.rotation.col(2);
@@ -100,10 +123,9 @@ std::vector<ScoredGrasp> FindSuctionGrasps(const GraspScene& scene, const Detect
       continue;
     }
     const float noise = kNoise_m + kNoisePerM * patch->center.z() * patch->center.z();
-    const bool is_even =
-        patch->unevenness_m < cup.max_unevenness_m + 2 * noise && patch->covered >= kLeastCovered;
     const float cosine = -patch->normal.dot(approach);
-    if (!is_even) {
+    const float curvature = CurvatureAt(object, *patch);
+    if (!IsEven(*patch, cup, noise) || curvature > MostCurvature(object, cup)) {
       failures.Add(NoGrasp::Reason::kNoSeal);
       continue;
     }
@@ -123,7 +145,7 @@ std::vector<ScoredGrasp> FindSuctionGrasps(const GraspScene& scene, const Detect
     scored.terms = of_object;
     GraspTerms& t = scored.terms;
     t[kTermUnevenness] = std::min(4.0F, patch->unevenness_m / noise);
-    t[kTermCurvature] = std::min(4.0F, CurvatureAt(object, *patch) / cup.max_curvature_per_m);
+    t[kTermCurvature] = std::min(4.0F, curvature / cup.max_curvature_per_m);
     t[kTermTilt] = std::sqrt(std::max(0.0F, 1 - cosine * cosine));
     t[kTermOffCenter] = std::min(4.0F, off_center / cup.diameter_m);
     t[kTermCovered] = patch->covered;
@@ -138,6 +160,7 @@ std::vector<ScoredGrasp> FindSuctionGrasps(const GraspScene& scene, const Detect
     grasp.clearance_m = gap;
     grasp.unevenness_m = patch->unevenness_m;
     grasp.off_center_m = off_center;
+    grasp.usable_diameter_m = UsableDiameter(scene, object, pixel, cup, noise);
     grasps.push_back(scored);
   }
   return grasps;

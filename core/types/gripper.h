@@ -15,9 +15,10 @@ struct JawGripper {
   float finger_length_m = 0.04F;     // from the palm to the tips, along z
   float finger_width_m = 0.02F;      // along y
   float finger_thickness_m = 0.01F;  // along x
-  Eigen::Vector3f palm_m{0, 0, 0};   // its box behind the fingers; 0 = as wide along x as the
-                                     // opened fingers with their thickness, 0.04 along y and z
-  float friction = 0.5F;             // coefficient between finger and object
+  Eigen::Vector3f palm_m{0, 0,
+                         0};  // its box behind the fingers; 0 = as wide along x as the
+                              // fingers at their widest with their thickness, 0.04 along y and z
+  float friction = 0.5F;      // coefficient between finger and object
 };
 
 // One cup at the end of a straight tube. The tool centre point is the middle of its lip.

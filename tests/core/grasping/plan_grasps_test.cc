@@ -1,0 +1,139 @@
+// Grasps of simple things on a floor, seen by an ideal camera.
+#include "core/grasping/plan_grasps.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/core/shape/things_on_floor.h"
+
+namespace fovea {
+namespace {
+
+using scenes::ShapeKind;
+
+Gripper Jaw(float opening_m) {
+  JawGripper jaw;
+  jaw.max_opening_m = opening_m;
+  Gripper gripper;
+  gripper.name = "jaw";
+  gripper.hand = jaw;
+  return gripper;
+}
+
+Gripper Cup() {
+  Gripper gripper;
+  gripper.name = "cup";
+  gripper.hand = SuctionGripper{};
+  gripper.max_tilt_rad = 0.8F;
+  return gripper;
+}
+
+std::vector<DetectedObject> Plan(const std::vector<scenes::Body>& things,
+                                 const std::vector<Gripper>& grippers, double pitch_deg = 45) {
+  ThingsOnFloor scene = CompleteThings(things, pitch_deg);
+  Detections& found = scene.detections;
+  PlanGrasps({scene.points, found.labels, scene.frame.intrinsics, -found.gravity.direction},
+             grippers, found.objects);
+  return found.objects;
+}
+
+void ExpectReason(const DetectedObject& object, NoGrasp::Reason reason) {
+  EXPECT_TRUE(object.grasps.empty());
+  ASSERT_EQ(object.no_grasps.size(), 1U);
+  EXPECT_EQ(object.no_grasps[0].reason, reason);
+}
+
+TEST(PlanGrasps, TakesABoxAcrossItsNarrowerSideFromAbove) {
+  const auto objects =
+      Plan({Thing(ShapeKind::kBox, {0.14, 0.06, 0.1}, {0, 0}, 0, 0.4)}, {Jaw(0.085F)});
+  const DetectedObject& box = objects[0];
+  ASSERT_FALSE(box.grasps.empty());
+  EXPECT_TRUE(box.no_grasps.empty());
+  EXPECT_LE(box.grasps.size(), 5U);
+  for (const Grasp& grasp : box.grasps) {
+    EXPECT_EQ(grasp.kind, Grasp::Kind::kAcross);
+    EXPECT_GT(std::abs(grasp.closing.dot(box.box.rotation.col(1))), std::cos(0.3F));
+    EXPECT_GT(grasp.approach.dot(-box.box.rotation.col(2)), 0.999F);
+    EXPECT_NEAR(grasp.opening_m, 0.06F, 0.01F);
+    EXPECT_NEAR(grasp.closing.dot(grasp.approach), 0, 1e-4F);
+    EXPECT_GE(grasp.probability, 0.5F);
+    EXPECT_LE(grasp.probability, 1);
+  }
+  for (std::size_t i = 1; i < box.grasps.size(); ++i) {
+    EXPECT_LE(box.grasps[i].probability, box.grasps[i - 1].probability);
+  }
+}
+
+TEST(PlanGrasps, SaysWhatIsTooWide) {
+  const auto objects = Plan({Thing(ShapeKind::kBox, {0.16, 0.16, 0.1}, {0, 0}, 0)}, {Jaw(0.085F)});
+  ExpectReason(objects[0], NoGrasp::Reason::kTooWide);
+}
+
+TEST(PlanGrasps, BetweenNeighborsOneWayIsLeft) {
+  // Beside it on both sides there is no room for a finger: across the other sides there is.
+  const auto objects = Plan({Thing(ShapeKind::kBox, {0.06, 0.05, 0.1}, {0, 0}, 0),
+                             Thing(ShapeKind::kBox, {0.06, 0.05, 0.1}, {0, 0.065}, 0),
+                             Thing(ShapeKind::kBox, {0.06, 0.05, 0.1}, {0, -0.065}, 0)},
+                            {Jaw(0.085F)});
+  ASSERT_FALSE(objects[0].grasps.empty());
+  for (const Grasp& grasp : objects[0].grasps) EXPECT_GT(std::abs(grasp.closing.x()), 0.85F);
+}
+
+TEST(PlanGrasps, ABallIsTakenBelowItsUpperQuarter) {
+  const auto objects =
+      Plan({Thing(ShapeKind::kSphere, {0.07, 0.07, 0.07}, {0, 0}, 0)}, {Jaw(0.14F)});
+  ASSERT_FALSE(objects[0].grasps.empty());
+  const DetectedObject& ball = objects[0];
+  const float below_middle =
+      (ball.box.center - ball.grasps[0].tool_center_point).dot(ball.box.rotation.col(2));
+  EXPECT_GT(below_middle, -0.016F);  // where its sides are as steep as friction asks
+}
+
+TEST(PlanGrasps, ACupLiesOnTheFlatTopOfABoxAndOnNothingUneven) {
+  const auto objects = Plan({Thing(ShapeKind::kBox, {0.12, 0.1, 0.08}, {-0.1, 0}, 0),
+                             Thing(ShapeKind::kSphere, {0.05, 0.05, 0.05}, {0.1, 0}, 0)},
+                            {Cup()});
+  ASSERT_FALSE(objects[0].grasps.empty());
+  const Grasp& grasp = objects[0].grasps[0];
+  EXPECT_EQ(grasp.kind, Grasp::Kind::kSuction);
+  EXPECT_EQ(grasp.opening_m, 0);
+  EXPECT_GE(grasp.usable_diameter_m, 0.03F);
+  EXPECT_LT(grasp.unevenness_m, 0.002F);
+  EXPECT_TRUE(objects[1].grasps.empty());
+  EXPECT_EQ(objects[1].no_grasps.size(), 1U);
+}
+
+TEST(PlanGrasps, AnswersForEachGripperInTheirOrder) {
+  const std::vector<Gripper> grippers = {Jaw(0.03F), Jaw(0.1F), Cup()};
+  const auto objects = Plan({Thing(ShapeKind::kBox, {0.14, 0.08, 0.1}, {0, 0}, 0)}, grippers);
+  ASSERT_EQ(objects[0].no_grasps.size(), 1U);
+  EXPECT_EQ(objects[0].no_grasps[0].gripper, 0U);
+  std::vector<bool> has_grasp(grippers.size());
+  for (std::size_t i = 0; i < objects[0].grasps.size(); ++i) {
+    has_grasp[objects[0].grasps[i].gripper] = true;
+    if (i > 0) {
+      EXPECT_GE(objects[0].grasps[i].gripper, objects[0].grasps[i - 1].gripper);
+    }
+  }
+  EXPECT_EQ(has_grasp, (std::vector<bool>{false, true, true}));
+}
+
+TEST(PlanGrasps, FarFromStraightDownItComesFromTheSideToo) {
+  Gripper jaw = Jaw(0.085F);
+  jaw.max_tilt_rad = 1.5F;
+  jaw.max_grasps = 20;
+  const auto objects = Plan({Thing(ShapeKind::kCylinder, {0.06, 0.06, 0.2}, {0, 0}, 0)}, {jaw}, 20);
+  const auto& grasps = objects[0].grasps;
+  EXPECT_TRUE(std::any_of(grasps.begin(), grasps.end(),
+                          [](const Grasp& g) { return g.kind == Grasp::Kind::kSide; }));
+}
+
+TEST(PlanGrasps, PlansNothingWhereNoneAsks) {
+  const auto objects = Plan({Thing(ShapeKind::kBox, {0.1, 0.06, 0.1}, {0, 0}, 0)}, {});
+  EXPECT_TRUE(objects[0].grasps.empty());
+  EXPECT_TRUE(objects[0].no_grasps.empty());
+}
+
+}  // namespace
+}  // namespace fovea
