@@ -14,6 +14,7 @@ from fovea.client import Client
 from fovea.detections import (
     Detections,
     Diagnostics,
+    FreePlace,
     Gravity,
     RejectedObject,
     RemovedSeed,
@@ -34,8 +35,8 @@ from fovea.errors import (
     VersionMismatch,
 )
 from fovea.frame import CameraIntrinsics, Frame
-from fovea.objects import BoundingBox2D, Grasp, Object, OrientedBox, PointCloud
-from fovea.options import DetectOptions, RetryOptions, TlsOptions
+from fovea.objects import BoundingBox2D, Grasp, NoGrasp, Object, OrientedBox, PointCloud, Shape
+from fovea.options import DetectOptions, Gripper, RetryOptions, TlsOptions
 from fovea.server_info import Option, ServerInfo, StageStatistics, Statistics
 from fovea.stream import StreamAnswer
 from fovea.tracking import CameraMotion, HiddenTrack
@@ -53,11 +54,14 @@ __all__ = [
     "Diagnostics",
     "FoveaError",
     "Frame",
+    "FreePlace",
     "Grasp",
     "Gravity",
+    "Gripper",
     "HiddenTrack",
     "InvalidArgument",
     "MissingPackage",
+    "NoGrasp",
     "Object",
     "Option",
     "OrientedBox",
@@ -69,6 +73,7 @@ __all__ = [
     "RetryOptions",
     "Seed",
     "ServerInfo",
+    "Shape",
     "StageStatistics",
     "Statistics",
     "StreamAnswer",

@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from fovea.enums import name_of
 from fovea.geometry import FloatArray, vector_from_proto
-from fovea.objects import Object, object_from_proto
+from fovea.objects import Object, OrientedBox, box_from_proto, object_from_proto
 from fovea.tracking import (
     CameraMotion,
     HiddenTrack,
@@ -101,6 +101,14 @@ class Diagnostics:
 
 
 @dataclass(frozen=True, eq=False)
+class FreePlace:
+    """Where something can be put down: the support was seen to be empty there."""
+
+    box: OrientedBox  # as it would stand there
+    clearance_m: float  # around it, to whatever is not seen to be free
+
+
+@dataclass(frozen=True, eq=False)
 class Detections:
     frame_id: str
     captured_at_ns: int | None
@@ -122,6 +130,8 @@ class Detections:
     trace: Trace | None = None  # unless asked for
     rejected: list[RejectedObject] = field(default_factory=list)  # likeliest first; if asked for
     incomplete: bool = False  # the time budget ended before all of the frame was looked at
+    # Where something of DetectOptions.place_size can be put down, most room first.
+    free_places: list[FreePlace] = field(default_factory=list)
     # With DetectOptions.tracking, else None: track_ids of one epoch belong together; another one
     # says that they started anew, as they do when a stream was opened again.
     track_epoch: int | None = None
@@ -169,6 +179,10 @@ def detections_from_proto(proto: detection_pb2.Detections) -> Detections:
         trace=_trace(proto.trace) if proto.HasField("trace") else None,
         rejected=[_rejected(each) for each in proto.rejected],
         incomplete=proto.incomplete,
+        free_places=[
+            FreePlace(box=box_from_proto(each.box), clearance_m=each.clearance_m)
+            for each in proto.free_places
+        ],
         track_epoch=proto.track_epoch or None,
         camera_motion=camera_motion_from_proto(proto.camera_motion)
         if proto.HasField("camera_motion")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from fovea.errors import InvalidArgument
@@ -32,6 +32,34 @@ class RetryOptions:
 
 
 @dataclass(frozen=True)
+class Gripper:
+    """A gripper that grasps are planned for: two fingers, or a suction cup if it has a diameter."""
+
+    name: str = ""  # comes back with its grasps
+    max_opening_m: float = 0.085
+    finger_length_m: float = 0.04
+    finger_width_m: float = 0.02
+    finger_thickness_m: float = 0.01
+    suction_diameter_m: float = 0  # 0: fingers
+    # How far the approach may be from straight down, radians; None: 0.35, with suction 0.8.
+    max_tilt_rad: float | None = None
+    max_grasps: int = 5  # for each object
+
+    def to_proto(self) -> detection_pb2.Gripper:
+        proto = detection_pb2.Gripper(name=self.name, max_grasps=self.max_grasps)
+        if self.suction_diameter_m:
+            proto.suction.diameter_m = self.suction_diameter_m
+        else:
+            proto.jaw.max_opening_m = self.max_opening_m
+            proto.jaw.finger_length_m = self.finger_length_m
+            proto.jaw.finger_width_m = self.finger_width_m
+            proto.jaw.finger_thickness_m = self.finger_thickness_m
+        if self.max_tilt_rad is not None:
+            proto.max_tilt_rad = self.max_tilt_rad
+        return proto
+
+
+@dataclass(frozen=True)
 class DetectOptions:
     """What is computed and what comes back beside the objects' attributes."""
 
@@ -54,6 +82,10 @@ class DetectOptions:
     time_budget: float = 0
     # Only in streams: objects keep a track_id from frame to frame.
     tracking: bool = False
+    # The robot's grippers; None: one with two fingers that opens 0.085 m; (): no grasps, sooner.
+    grippers: Sequence[Gripper] | None = None
+    # Length, width and height in metres of what free places are looked for; None: none are.
+    place_size: tuple[float, float, float] | None = None
 
     def to_proto(self) -> detection_pb2.DetectOptions:
         """Raises InvalidArgument for a parameter that is no number, or a budget out of range."""
@@ -66,6 +98,12 @@ class DetectOptions:
             return_trace=self.return_trace,
             return_rejected=self.return_rejected,
         )
+        if self.grippers is not None:
+            proto.grasps.none = not self.grippers
+            proto.grasps.grippers.extend(each.to_proto() for each in self.grippers)
+        if self.place_size is not None:
+            size = proto.places.size
+            size.x, size.y, size.z = self.place_size
         if self.tracking:
             proto.tracking.enabled = True
         if self.time_budget:
