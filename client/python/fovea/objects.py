@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 import numpy.typing as npt
 
+from fovea.enums import name_of
 from fovea.geometry import FloatArray, pose_from_proto, vector_from_proto
 from fovea.masks import decode_mask
 from fovea.v1 import detection_pb2, geometry_pb2
@@ -186,7 +187,7 @@ def _grasp(proto: detection_pb2.Grasp) -> Grasp:
         approach=vector_from_proto(proto.approach),
         closing=vector_from_proto(proto.closing),
         opening_m=proto.opening_m,
-        kind=_word(detection_pb2.GraspKind.Name(proto.kind), "GRASP_KIND_"),
+        kind=name_of(detection_pb2.GraspKind, proto.kind),
         gripper=proto.gripper,
         gripper_index=proto.gripper_index,
         probability=proto.probability,
@@ -203,7 +204,7 @@ def _no_grasp(proto: detection_pb2.NoGrasp) -> NoGrasp:
     return NoGrasp(
         gripper=proto.gripper,
         gripper_index=proto.gripper_index,
-        reason=_word(detection_pb2.NoGraspReason.Name(proto.reason), "NO_GRASP_REASON_"),
+        reason=name_of(detection_pb2.NoGraspReason, proto.reason),
     )
 
 
@@ -211,7 +212,7 @@ def _no_grasp(proto: detection_pb2.NoGrasp) -> NoGrasp:
 def _shape(proto: detection_pb2.Shape) -> Shape:
     is_round = proto.HasField("center")
     return Shape(
-        kind=_word(detection_pb2.ShapeKind.Name(proto.kind), "SHAPE_KIND_"),
+        kind=name_of(detection_pb2.ShapeKind, proto.kind),
         confidence=proto.confidence,
         residual_m=proto.residual_m,
         center=vector_from_proto(proto.center) if is_round else None,
@@ -221,11 +222,6 @@ def _shape(proto: detection_pb2.Shape) -> Shape:
         radii_m=np.array(proto.radii_m),
         hollow=proto.hollow,
     )
-
-
-def _word(name: str, prefix: str) -> str:
-    """The name of an enum's value as people write it."""
-    return name.removeprefix(prefix).lower()
 
 
 def _cloud(proto: geometry_pb2.PointCloud) -> PointCloud:
