@@ -82,10 +82,10 @@ def test_boxes_bound_the_masks_and_the_clouds(client: fovea.Client, scene: Scene
         assert np.allclose(positions[:, 2], depth_m, atol=1e-6)
         assert np.allclose(positions[:, 0], (columns - 159.5) / 262.5 * depth_m, atol=1e-5)
         assert np.allclose(each.centroid, positions.mean(axis=0), atol=1e-5)
-        box_from_camera = np.linalg.inv(each.oriented_box.pose)
+        box_from_camera = np.linalg.inv(each.visible_box.pose)
         in_box = positions @ box_from_camera[:3, :3].T + box_from_camera[:3, 3]
         # The box may leave out strays, but not more than a few of them.
-        inside = (np.abs(in_box) <= each.oriented_box.size / 2 + 1e-4).all(axis=1)
+        inside = (np.abs(in_box) <= each.visible_box.size / 2 + 1e-4).all(axis=1)
         assert inside.mean() > 0.8
 
 
