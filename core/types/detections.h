@@ -129,8 +129,8 @@ struct Detections {
   std::vector<RejectedObject> rejected;  // likeliest first; none in profile "paper"
   Gravity gravity;
   std::optional<SupportSurface> support;  // the dominating one
-  std::vector<Gripper> grippers;       // that grasps were planned for
-  std::vector<FreePlace> free_places;  // most room first; empty unless asked for
+  std::vector<Gripper> grippers;          // that grasps were planned for
+  std::vector<FreePlace> free_places;     // most room first; empty unless asked for
   bool incomplete = false;  // the time budget ended before all of the scene was looked at
   Diagnostics diagnostics;
   std::vector<StageTime> stage_times;  // in the order of the pipeline

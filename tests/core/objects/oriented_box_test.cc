@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-
 namespace fovea {
 namespace {
 
