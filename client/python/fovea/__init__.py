@@ -34,6 +34,7 @@ from fovea.errors import (
     Unavailable,
     VersionMismatch,
 )
+from fovea.files import read_frame
 from fovea.frame import CameraIntrinsics, Frame
 from fovea.objects import BoundingBox2D, Grasp, NoGrasp, Object, OrientedBox, PointCloud, Shape
 from fovea.options import DetectOptions, Gripper, RetryOptions, TlsOptions
@@ -84,4 +85,5 @@ __all__ = [
     "Unavailable",
     "VersionMismatch",
     "__version__",
+    "read_frame",
 ]

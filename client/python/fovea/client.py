@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import threading
 import time
 from collections.abc import Callable, Generator, Iterable, Iterator
@@ -32,6 +33,8 @@ from fovea.server_info import (
 from fovea.servers import Server, Servers
 from fovea.stream import ResumingStream, StreamAnswer
 from fovea.v1 import detection_service_pb2
+
+_NOBODY_THERE = 0.8  # seconds: a server that is being started with its client is up by then
 
 
 class Client:
@@ -70,6 +73,7 @@ class Client:
         token: without TLS anybody on the way can read it. robot: the robot's name; empty = the
             server goes by the token, the certificate or the host.
         """
+        self._address = address
         self._timeout = timeout
         self._retry = retry
         self._metadata = make_metadata(token, robot)
@@ -94,7 +98,12 @@ class Client:
 
     def wait_until_ready(self, timeout: float | None = None) -> None:
         """Returns once the server says that it serves; raises a FoveaError after `timeout`."""
-        deadline = time.monotonic() + self._timeout_of(timeout)
+        self._wait_until_ready(self._timeout_of(timeout), math.inf)
+
+    def _wait_until_ready(self, timeout: float, patience: float) -> None:
+        """patience: seconds after which it is enough that no server takes the connection."""
+        start = time.monotonic()
+        deadline = start + timeout
         problem = ""
         while (rest := deadline - time.monotonic()) > 0:
             server: Server | None = None
@@ -106,8 +115,13 @@ class Client:
                     problem = "it does not serve"
             except (Unavailable, Cancelled, DeadlineExceeded) as error:
                 problem = error.message
+                if isinstance(error, Unavailable) and time.monotonic() - start > patience:
+                    text = f"no server answers at {self._address}: {problem}"
+                    raise Unavailable("UNAVAILABLE", text) from None
             self._wait(server, min(0.05, max(0, deadline - time.monotonic())))
-        raise DeadlineExceeded("DEADLINE_EXCEEDED", f"the server is not ready: {problem}")
+        raise DeadlineExceeded(
+            "DEADLINE_EXCEEDED", f"the server at {self._address} is not ready: {problem}"
+        )
 
     def is_serving(self) -> bool:
         """Asks once. False where the server answers that it does not serve; raises a FoveaError
@@ -130,10 +144,12 @@ class Client:
     def check(self, timeout: float | None = None) -> ServerInfo:
         """Waits until the server serves, and sees that it has the version of this library.
 
-        Raises VersionMismatch, or another FoveaError where it does not serve in time or does not
-        let this client in.
+        Where nobody takes the connection, it raises Unavailable with the address within
+        a second, or after `timeout` where that is given. Raises VersionMismatch, or another FoveaError
+        where the server does not serve in time or does not let this client in.
         """
-        self.wait_until_ready(timeout)
+        patience = _NOBODY_THERE if timeout is None else math.inf
+        self._wait_until_ready(self._timeout_of(timeout), patience)
         info = self.get_server_info()
         require_same_version(info.version)
         return info

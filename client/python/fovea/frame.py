@@ -54,8 +54,9 @@ class Frame:
     Nothing is checked or copied before the frame is sent.
 
     color: HxWx3 uint8 in the order of color_encoding, or the bytes of a PNG or JPEG file.
-    depth: HxW uint16 in units of depth_unit_m, 0 = not measured; or HxW float32 in metres, NaN or
-        <= 0 = not measured; or the bytes of a 16-bit PNG file. Along the optical axis.
+    depth: HxW uint16 in units of depth_unit_m, 0 = not measured, or other integers that fit into
+        it; or HxW float32 in metres, NaN or <= 0 = not measured; or the bytes of a 16-bit PNG file.
+        Along the optical axis.
     intrinsics: of the colour camera; CameraIntrinsics or a 3x3 matrix.
     id: comes back with the answer, and stands in the ids of objects.
     captured_at_ns: when the camera took it, in nanoseconds since 1970 UTC as time.time_ns() says.

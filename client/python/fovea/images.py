@@ -38,13 +38,16 @@ def make_color_image(color: Any, encoding: str = "rgb8") -> frame_pb2.ColorImage
 def make_depth_image(
     depth: Any, encoding: str = "raw", unit_m: float = 0.001
 ) -> frame_pb2.DepthImage:
-    """HxW uint16 in units of `unit_m` metres with 0 = not measured; or HxW float32 in metres, where
-    NaN or <= 0 = not measured; or the bytes of a 16-bit PNG file, which are sent as they are.
+    """HxW uint16 in units of `unit_m` metres with 0 = not measured, or any integers that fit into
+    it (Pillow 9 reads 16-bit PNG files as int32); or HxW float32 in metres, where NaN or <= 0 = not
+    measured; or the bytes of a 16-bit PNG file, which are sent as they are.
 
     encoding: "raw", "zstd" or "png" (uint16 only). All are lossless.
     """
     if isinstance(depth, (bytes, bytearray, memoryview)):
         return _depth_file(bytes(depth), unit_m)
+    if isinstance(depth, np.ndarray) and np.issubdtype(depth.dtype, np.integer):
+        depth = _as_uint16(depth)
     _require_array(depth, _DEPTH, ("uint16", "float32"), "HxW uint16 or float32")
     if depth.ndim != 2:
         raise InvalidArgument(_DEPTH, f"has the shape {depth.shape}, not HxW")
@@ -69,6 +72,19 @@ def _require_array(image: Any, field: str, dtypes: tuple[str, ...], expected: st
         raise InvalidArgument(field, f"is an array of {image.dtype.name}, not {expected}")
     if image.size == 0:
         raise InvalidArgument(field, f"is empty: its shape is {image.shape}")
+
+
+def _as_uint16(depth: Any) -> Any:
+    if depth.dtype.name == "uint16" or depth.size == 0:
+        return depth
+    low, high = int(depth.min()), int(depth.max())
+    if low < 0 or high > 65535:
+        raise InvalidArgument(
+            _DEPTH,
+            f"is an array of {depth.dtype.name} with values from {low} to {high}, which uint16 "
+            "does not hold",
+        )
+    return depth.astype(np.uint16)
 
 
 def _size_of(image: Any) -> dict[str, int]:

@@ -55,6 +55,16 @@ def test_refuses_another_version(client: fovea.Client, monkeypatch: pytest.Monke
         client.check()
 
 
+def test_check_says_soon_that_no_server_is_there() -> None:
+    with ServerProcess() as gone:
+        address = gone.address
+    with fovea.Client(address, timeout=PATIENCE) as client:
+        with pytest.raises(fovea.Unavailable, match=f"no server answers at {address}"):
+            client.check()
+    with pytest.raises(fovea.InvalidArgument, match='address: "localhost" is not HOST:PORT'):
+        fovea.Client("localhost")
+
+
 def test_says_that_no_server_is_there(scene: Scene) -> None:
     with ServerProcess() as gone:
         address = gone.address

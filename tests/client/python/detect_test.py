@@ -20,6 +20,27 @@ import fovea
 EVERYTHING = fovea.DetectOptions(return_clouds=True, return_saliency_maps=True, return_seeds=True)
 
 
+def test_takes_frames_from_files(client: fovea.Client, scene: Scene, tmp_path: Path) -> None:
+    color, depth = fovea.read_frame(scene.color_file, str(scene.depth_file))
+    assert color.dtype == np.uint8 and np.array_equal(color, scene.color)
+    assert depth.dtype == np.uint16 and np.array_equal(depth, scene.depth)
+    Image.fromarray(color).save(tmp_path / "color.jpg")
+    assert fovea.read_frame(tmp_path / "color.jpg", scene.depth_file)[0].shape == color.shape
+
+    with pytest.raises(fovea.InvalidArgument, match="is not a PNG of 16 bits a pixel"):
+        fovea.read_frame(scene.color_file, scene.color_file)
+    with pytest.raises(fovea.InvalidArgument, match="is not an image of 8 bits"):
+        fovea.read_frame(scene.depth_file, scene.depth_file)
+    with pytest.raises(FileNotFoundError):
+        fovea.read_frame(tmp_path / "none.png", scene.depth_file)
+
+
+def test_takes_depth_of_other_integers(client: fovea.Client, scene: Scene) -> None:
+    wanted = client.detect_frame(scene.frame())
+    for kind in (np.int32, np.int64, np.uint32):
+        assert_same(client.detect_frame(scene.frame(depth=scene.depth.astype(kind))), wanted)
+
+
 def test_finds_the_objects_that_the_command_line_finds(
     client: fovea.Client, server: ServerProcess, scene: Scene, tmp_path: Path
 ) -> None:
