@@ -51,5 +51,5 @@ color=$(ls "$out/frames/${first}"_color.* | head -n 1)
   --color "$color" --depth "$out/frames/${first}_depth.png" --cloud "$out/results/${first}.ply"
 
 echo
-echo "Pictures:    $(ls "$out"/results/*_overlay.png | tr '\n' ' ')"
+echo "Pictures:    $(ls "$out"/results/*_overlay.jpg | tr '\n' ' ')"
 echo "Point cloud: $out/results/${first}.ply"

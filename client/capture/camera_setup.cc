@@ -33,16 +33,6 @@ std::set<Mode> ModesOf(const openni::VideoStream& stream,
   return modes;
 }
 
-std::string CommonModes(const Streams& streams) {
-  const std::set<Mode> depth =
-      ModesOf(streams.depth, {openni::PIXEL_FORMAT_DEPTH_1_MM, openni::PIXEL_FORMAT_DEPTH_100_UM});
-  std::string text;
-  for (const Mode& mode : ModesOf(streams.color, {openni::PIXEL_FORMAT_RGB888})) {
-    if (depth.contains(mode)) text += (text.empty() ? "" : ", ") + Text(mode);
-  }
-  return text.empty() ? "none" : text;
-}
-
 bool SetMode(openni::VideoStream& stream, const Mode& wanted, openni::PixelFormat format) {
   const auto& all = stream.getSensorInfo().getSupportedVideoModes();
   for (int i = 0; i < all.getSize(); ++i) {
@@ -61,6 +51,16 @@ void Create(openni::Device& device, openni::SensorType type, const char* name,
 }
 
 }  // namespace
+
+std::string CommonModes(const Streams& streams) {
+  const std::set<Mode> depth =
+      ModesOf(streams.depth, {openni::PIXEL_FORMAT_DEPTH_1_MM, openni::PIXEL_FORMAT_DEPTH_100_UM});
+  std::string text;
+  for (const Mode& mode : ModesOf(streams.color, {openni::PIXEL_FORMAT_RGB888})) {
+    if (depth.contains(mode)) text += (text.empty() ? "" : ", ") + Text(mode);
+  }
+  return text.empty() ? "none" : text;
+}
 
 cv::Size ParseResolution(const std::string& text) {
   std::smatch parts;

@@ -28,6 +28,9 @@ struct Streams {
 // Creates both streams. Throws CameraError for devices without colour or depth.
 void CreateStreams(openni::Device& device, Streams& streams);
 
+// The modes that colour and depth have in common: "320x240 at 30, 640x480 at 30" or "none".
+std::string CommonModes(const Streams& streams);
+
 // Colour and depth of the size and rate asked. Throws CameraError that lists the modes.
 void SetModes(const CameraOptions& options, Streams& streams);
 

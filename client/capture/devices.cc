@@ -9,17 +9,18 @@
 namespace fovea::capture {
 namespace {
 
-std::vector<std::string> Cameras() {
+std::vector<DeviceName> Cameras() {
   openni::Array<openni::DeviceInfo> devices;
   openni::OpenNI::enumerateDevices(&devices);
-  std::vector<std::string> uris;
+  std::vector<DeviceName> cameras;
   for (int i = 0; i < devices.getSize(); ++i) {
     const std::string uri = devices[i].getUri();
     // OpenNI2 brings a driver without a camera, whose pictures are empty, and lists the recordings
     // that were opened.
-    if (!uri.starts_with("Dummy") && !IsRecording(uri)) uris.push_back(uri);
+    if (uri.starts_with("Dummy") || IsRecording(uri)) continue;
+    cameras.push_back({uri, std::string(devices[i].getVendor()) + ", " + devices[i].getName()});
   }
-  return uris;
+  return cameras;
 }
 
 }  // namespace
@@ -32,6 +33,14 @@ OpenNiRuntime::OpenNiRuntime() {
 
 OpenNiRuntime::~OpenNiRuntime() { openni::OpenNI::shutdown(); }
 
+std::vector<DeviceName> ListDevices() {
+  std::vector<DeviceName> cameras = Cameras();
+  if (cameras.empty()) {
+    throw CameraError("no camera found: OpenNI2 sees none; is it plugged in, and listed by lsusb?");
+  }
+  return cameras;
+}
+
 std::string FindDevice(const std::string& wanted) {
   if (IsRecording(wanted)) {
     CheckRecording(wanted);
@@ -39,13 +48,10 @@ std::string FindDevice(const std::string& wanted) {
   }
   // No camera has the name of a file; this throws, as its name is not that of a recording either.
   if (std::filesystem::is_regular_file(wanted)) CheckRecording(wanted);
-  const std::vector<std::string> cameras = Cameras();
-  if (cameras.empty()) {
-    throw CameraError("no camera found: OpenNI2 sees none; is it plugged in, and listed by lsusb?");
-  }
-  if (wanted.empty()) return cameras.front();
+  const std::vector<DeviceName> cameras = ListDevices();
+  if (wanted.empty()) return cameras.front().uri;
   std::string known;
-  for (const std::string& uri : cameras) {
+  for (const auto& [uri, name] : cameras) {
     if (uri == wanted || (wanted.back() == '@' && uri.starts_with(wanted))) return uri;
     known += (known.empty() ? "" : ", ") + uri;
   }

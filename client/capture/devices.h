@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <string>
+#include <vector>
 
 namespace fovea::capture {
 
@@ -17,6 +18,13 @@ class OpenNiRuntime {
   OpenNiRuntime(const OpenNiRuntime&) = delete;
   OpenNiRuntime& operator=(const OpenNiRuntime&) = delete;
 };
+
+struct DeviceName {
+  std::string uri, name;  // name: "PrimeSense, PS1080"
+};
+
+// The cameras that are plugged in. Throws CameraError where there is none.
+std::vector<DeviceName> ListDevices();
 
 // The URI to open: `wanted` where it is a recording or plugged in, or the first camera for "". A
 // name that ends in "@" stands for that kind of camera at any place. Throws CameraError that names

@@ -36,6 +36,7 @@ v1::DetectStreamResponse Answer(const SessionOptions& options, const Session& se
     if (error.code() == grpc::StatusCode::UNAVAILABLE) throw;
     response.mutable_error()->set_code(error.code());
     response.mutable_error()->set_message(error.message());
+    response.mutable_error()->set_field(error.field());
   }
   return response;
 }

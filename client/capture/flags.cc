@@ -105,7 +105,7 @@ void AddStreamFlags(CLI::App& command, StreamFlags& flags) {
   command
       .add_option("--save", flags.save_folder,
                   "Write NAME_color.png, NAME_depth.png, NAME.png (labels), NAME.json and "
-                  "NAME_overlay.png of each answer")
+                  "NAME_overlay.jpg of each answer")
       ->type_name("FOLDER")
       ->group(kOutput);
 }
@@ -137,6 +137,7 @@ void AddReplayFlags(CLI::App& command, StreamFlags& flags) {
 }
 
 void AddRecordFlags(CLI::App& command, RecordFlags& flags) {
+  AddCalibrationFlags(command, flags.intrinsics);
   command.add_option("recording", flags.path, "The recording to make")
       ->type_name("FILE.oni")
       ->required();

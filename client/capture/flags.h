@@ -39,6 +39,7 @@ struct StreamFlags {
 struct RecordFlags {
   std::string path;
   CameraFlags camera;
+  IntrinsicsFlags intrinsics;
   LimitFlags limits;
 };
 

@@ -2,10 +2,12 @@
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <numbers>
 #include <stdexcept>
 
-#include "client/capture/calibration_file.h"
+#include "client/cli/calibration_file.h"
+#include "client/cli/files.h"
 #include "client/cli/parsing.h"
 #include "client/images.h"
 
@@ -17,8 +19,8 @@ std::string Text(int width, int height) {
 }
 
 ChosenIntrinsics FromFile(const std::string& path, const cv::Size& size) {
-  const Calibration c = ReadCalibration(path);
-  if (cv::Size(c.width, c.height) != size) {
+  const cli::Calibration c = cli::ReadCalibration(path);
+  if (c.width > 0 && cv::Size(c.width, c.height) != size) {
     throw std::runtime_error("calibration file " + path + ": it is for " + Text(c.width, c.height) +
                              ", the camera sends " + Text(size.width, size.height));
   }
@@ -45,11 +47,24 @@ ChosenIntrinsics ChooseIntrinsics(const IntrinsicsFlags& flags, const FieldOfVie
     return {client::MakeIntrinsics(k[0], k[1], k[2], k[3]), "as given by --intrinsics", ""};
   }
   if (!IsAngle(view.horizontal_rad) || !IsAngle(view.vertical_rad)) {
-    throw std::runtime_error(
+    throw NoIntrinsics(
         "the camera does not state its field of view: give --calibration or --intrinsics");
   }
   return {FromFieldOfView(view, size), "from the field of view that the camera states",
           "a calibration is more exact than the field of view: --calibration FILE"};
+}
+
+void SaveIntrinsics(const std::string& path, const v1::CameraIntrinsics& k, const cv::Size& size) {
+  cli::WriteFile(path, cli::ToCalibrationJson({.fx = k.fx(),
+                                               .fy = k.fy(),
+                                               .cx = k.cx(),
+                                               .cy = k.cy(),
+                                               .width = size.width,
+                                               .height = size.height}));
+}
+
+std::string IntrinsicsPathOf(const std::string& recording) {
+  return std::filesystem::path(recording).replace_extension(".intrinsics.json").string();
 }
 
 std::string Describe(const ChosenIntrinsics& intrinsics) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <opencv2/core/types.hpp>
+#include <stdexcept>
 #include <string>
 
 #include "fovea/v1/frame.pb.h"
@@ -27,10 +28,23 @@ struct ChosenIntrinsics {
 // A pinhole in the middle of the image. Angles must be in (0, π).
 v1::CameraIntrinsics FromFieldOfView(const FieldOfView& view, const cv::Size& size);
 
-// Throws std::exception with one line of text where a file is for another image size, or nothing
-// is known.
+// Nothing is known of them.
+class NoIntrinsics : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Throws std::exception with one line of text where a file is for another image size, and
+// NoIntrinsics.
 ChosenIntrinsics ChooseIntrinsics(const IntrinsicsFlags& flags, const FieldOfView& view,
                                   const cv::Size& size);
+
+// As a file that --calibration and `fovea detect --intrinsics` read. Throws std::runtime_error.
+void SaveIntrinsics(const std::string& path, const v1::CameraIntrinsics& values,
+                    const cv::Size& size);
+
+// Where the intrinsics of a recording lie: "kitchen.intrinsics.json" of "kitchen.oni".
+std::string IntrinsicsPathOf(const std::string& recording);
 
 // "fx 525.0, fy 525.0, cx 319.5, cy 239.5, from the calibration file cam.yaml".
 std::string Describe(const ChosenIntrinsics& intrinsics);

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 
 #include "client/capture/camera_error.h"
+#include "client/capture/devices_command.h"
 #include "client/capture/flags.h"
 #include "client/capture/record_command.h"
 #include "client/capture/stop_signal.h"
@@ -21,9 +22,12 @@ int main(int argc, char** argv) {
   fovea::capture::AddRecordFlags(*record_command, record);
   CLI::App* replay_command = app.add_subcommand("replay", "Detect in the frames of a recording");
   fovea::capture::AddReplayFlags(*replay_command, replay);
+  CLI::App* devices_command =
+      app.add_subcommand("devices", "List the cameras that are plugged in, and their modes");
 
   return fovea::cli::RunProgram(app, argc, argv, [&] {
     fovea::capture::CatchStopSignals();
+    if (*devices_command) return fovea::capture::RunDevices();
     if (*record_command) return fovea::capture::RunRecord(record);
     if (*replay_command) fovea::capture::CheckRecording(replay.camera.device);
     return fovea::capture::RunStream(*replay_command ? replay : live);

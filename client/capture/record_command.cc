@@ -82,6 +82,19 @@ void AwaitWritten(RecordingFile& file) {
   }
 }
 
+// Beside the recording, so that a replay uses them, too.
+void SaveIntrinsicsOf(const Camera& camera, const RecordFlags& flags) {
+  const std::string path = IntrinsicsPathOf(flags.path);
+  try {
+    const ChosenIntrinsics chosen =
+        ChooseIntrinsics(flags.intrinsics, camera.StatedFieldOfView(), camera.size());
+    SaveIntrinsics(path, chosen.values, camera.size());
+    std::cerr << "intrinsics: " << Describe(chosen) << ", in " << path << '\n';
+  } catch (const NoIntrinsics& error) {
+    std::cerr << "note: " << error.what() << "; no " << path << " is written\n";
+  }
+}
+
 }  // namespace
 
 int RunRecord(const RecordFlags& flags) {
@@ -91,6 +104,7 @@ int RunRecord(const RecordFlags& flags) {
   }
   const OpenNiRuntime runtime;
   Camera camera(CameraOptionsOf(flags.camera), std::cerr);
+  SaveIntrinsicsOf(camera, flags);
   RecordingFile file(flags.path);
   std::exception_ptr error;
   {

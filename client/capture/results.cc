@@ -1,16 +1,20 @@
 #include "client/capture/results.h"
 
+#include <grpcpp/support/status_code_enum.h>
+
 #include <cstdio>
 #include <filesystem>
 #include <opencv2/imgproc.hpp>
 #include <ostream>
+#include <stdexcept>
 #include <utility>
 
 #include "client/capture/encoding.h"
+#include "client/capture/intrinsics.h"
 #include "client/cli/files.h"
+#include "client/cli/json.h"
 #include "client/cli/labels.h"
-#include "client/cli/outputs.h"
-#include "client/cli/overlay.h"
+#include "client/cli/overlay/overlay.h"
 #include "client/cli/report.h"
 
 namespace fovea::capture {
@@ -34,18 +38,24 @@ std::string Line(const Result& result, double latency_ms) {
   return line;
 }
 
+// What is wrong with the options, gravity or intrinsics is wrong with every frame of the run.
+void EndIfHopeless(const v1::FrameError& error) {
+  if (error.code() != grpc::StatusCode::INVALID_ARGUMENT) return;
+  const std::string& field = error.field().empty() ? error.message() : error.field();
+  if (field.starts_with("frame.color") || field.starts_with("frame.depth")) return;
+  throw std::runtime_error(error.message());
+}
+
 }  // namespace
 
 Results::Results(std::string save_folder, const v1::CameraIntrinsics& intrinsics, Viewer* viewer,
                  std::ostream& out)
     : save_folder_(std::move(save_folder)), intrinsics_(intrinsics), viewer_(viewer), out_(out) {
   if (!save_folder_.empty()) std::filesystem::create_directories(save_folder_);
+  saved_intrinsics_ = save_folder_.empty();
 }
 
-void Results::RequestFor(v1::DetectOptions* options) const {
-  options->set_return_masks(Draws());
-  options->set_return_seeds(Draws());
-}
+void Results::RequestFor(v1::DetectOptions* options) const { options->set_return_masks(Draws()); }
 
 void Results::Take(const Result& result, Tally& tally) {
   const v1::DetectStreamResponse& response = result.response;
@@ -55,6 +65,7 @@ void Results::Take(const Result& result, Tally& tally) {
   tally.Count(response.has_error(),
               static_cast<std::uint64_t>(response.detections().objects_size()), latency.count());
   out_ << Line(result, latency.count()) << std::endl;
+  if (response.has_error()) EndIfHopeless(response.error());
   if (response.has_error()) return;
   PrintNote(response.detections());
   if (!Draws()) return;
@@ -78,13 +89,19 @@ void Results::PrintNote(const v1::Detections& detections) {
 }
 
 void Results::Save(const Picture& picture, const v1::Detections& detections, const cv::Mat& color,
-                   const cv::Mat& overlay) const {
+                   const cv::Mat& overlay) {
+  if (!std::exchange(saved_intrinsics_, true)) {
+    SaveIntrinsics(save_folder_ + "/intrinsics.json", intrinsics_, color.size());
+  }
   const std::string prefix = save_folder_ + "/" + FrameName(picture.number);
   cli::WriteImage(prefix + "_color.png", color);
   cli::WriteImage(prefix + "_depth.png", picture.depth);
-  cli::WriteImage(prefix + "_overlay.png", overlay);
+  cli::WriteImage(prefix + "_overlay.jpg", overlay);
   cli::WriteImage(prefix + ".png", cli::LabelImage(detections));
-  cli::WriteFile(prefix + ".json", cli::ToJson(detections));
+  v1::Frame frame;
+  *frame.mutable_intrinsics() = intrinsics_;
+  frame.mutable_depth()->set_unit_m(picture.depth_unit_m);
+  cli::WriteFile(prefix + ".json", cli::ToJson(detections, frame));
 }
 
 }  // namespace fovea::capture

@@ -24,23 +24,24 @@ class Results {
   Results(std::string save_folder, const v1::CameraIntrinsics& intrinsics, Viewer* viewer,
           std::ostream& out);
 
-  // Masks and seeds are needed for drawing only.
+  // Masks are needed for drawing only.
   void RequestFor(v1::DetectOptions* options) const;
 
-  // Counts, prints and saves. Throws std::runtime_error for files that cannot be written. By one
-  // thread at a time.
+  // Counts, prints and saves. Throws std::runtime_error for files that cannot be written, and where
+  // the server refuses what all frames of the run have in common. By one thread at a time.
   void Take(const Result& result, Tally& tally);
 
  private:
   void PrintNote(const v1::Detections& detections);
   bool Draws() const { return viewer_ != nullptr || !save_folder_.empty(); }
   void Save(const Picture& picture, const v1::Detections& detections, const cv::Mat& color,
-            const cv::Mat& overlay) const;
+            const cv::Mat& overlay);
 
   const std::string save_folder_;
   const v1::CameraIntrinsics intrinsics_;
   Viewer* const viewer_;
   std::ostream& out_;
+  bool saved_intrinsics_ = false;
   std::string last_note_;  // what was said last about few objects, without its numbers
 };
 

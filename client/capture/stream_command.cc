@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <optional>
 
@@ -28,9 +29,18 @@ client::Client ConnectTo(const StreamFlags& flags) {
   return cli::Connect(flags.connection, options);
 }
 
+// A recording's own lie beside it.
+IntrinsicsFlags FlagsOrBeside(const StreamFlags& flags) {
+  const bool given =
+      !flags.intrinsics.calibration_path.empty() || !flags.intrinsics.numbers.empty();
+  if (given || !IsRecording(flags.camera.device)) return flags.intrinsics;
+  const std::string path = IntrinsicsPathOf(flags.camera.device);
+  return {std::filesystem::exists(path) ? path : "", ""};
+}
+
 ChosenIntrinsics Choose(const StreamFlags& flags, const Camera& camera) {
   ChosenIntrinsics chosen =
-      ChooseIntrinsics(flags.intrinsics, camera.StatedFieldOfView(), camera.size());
+      ChooseIntrinsics(FlagsOrBeside(flags), camera.StatedFieldOfView(), camera.size());
   std::cerr << "intrinsics: " << Describe(chosen) << '\n';
   if (!chosen.warning.empty()) std::cerr << "note: " << chosen.warning << '\n';
   return chosen;

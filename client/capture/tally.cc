@@ -40,7 +40,11 @@ std::optional<Picture> Tally::Answered(std::uint64_t sequence) {
 
 void Tally::Count(bool failed, std::uint64_t objects, double latency_ms) {
   const std::lock_guard lock(mutex_);
-  failed ? ++counts_.failed : ++counts_.answered;
+  if (failed) {
+    ++counts_.failed;
+    return;
+  }
+  ++counts_.answered;
   counts_.objects += objects;
   latencies_ms_.push_back(latency_ms);
 }

@@ -28,13 +28,14 @@ class Tally {
   void Sent(Picture picture);
   // The picture with this number among those sent. Empty where there is none.
   std::optional<Picture> Answered(std::uint64_t sequence);
+  // The time of a failure says nothing of how long answers take, and is not kept.
   void Count(bool failed, std::uint64_t objects, double latency_ms);
   void Gone(std::uint64_t dropped, std::uint64_t lost);
   // No more answers will come.
   void Finish();
 
   Counts Snapshot() const;
-  std::vector<double> Latencies_ms() const;
+  std::vector<double> Latencies_ms() const;  // of what was answered
 
  private:
   mutable std::mutex mutex_;

@@ -1,5 +1,6 @@
 #include "client/capture/viewer.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <opencv2/highgui.hpp>
 #include <opencv2/imgproc.hpp>
@@ -46,22 +47,47 @@ Viewer::Viewer() {
 Viewer::~Viewer() { cv::destroyAllWindows(); }
 
 bool Viewer::Refresh(const std::optional<Picture>& picture) {
-  if (picture) {
-    cv::cvtColor(picture->color, color_, cv::COLOR_RGB2BGR);
-    depth_ = DrawDepth(picture->depth, picture->depth_unit_m);
-  }
-  if (auto overlay = overlays_.TryTake()) cv::resize(*overlay, overlay_, color_.size());
-  if (!color_.empty()) {
-    cv::Mat panels;
-    cv::hconcat(
-        std::vector<cv::Mat>{color_, overlay_.size() == color_.size() ? overlay_ : color_, depth_},
-        panels);
-    cv::imshow(kTitle, panels);
+  auto overlay = overlays_.TryTake();
+  if (picture || overlay) {
+    const Panels panels = PanelsOf(picture ? picture->color.size() : overlay->size());
+    if (window_.size() != panels.window) {
+      window_ = cv::Mat::zeros(panels.window, CV_8UC3);
+      cv::resizeWindow(kTitle, panels.window);
+      answered_ = false;
+    }
+    if (picture) DrawLive(*picture, panels);
+    if (overlay) {
+      cv::resize(*overlay, window_(panels.answer), panels.answer.size(), 0, 0, cv::INTER_LINEAR);
+      answered_ = true;
+    }
+    cv::imshow(kTitle, window_);
   }
   const int key = cv::waitKey(1);
   constexpr int kEscape = 27;
   return key != 'q' && key != kEscape &&
-         (color_.empty() || cv::getWindowProperty(kTitle, cv::WND_PROP_VISIBLE) != 0);
+         (window_.empty() || cv::getWindowProperty(kTitle, cv::WND_PROP_VISIBLE) != 0);
+}
+
+// Made small before anything else is done with it.
+void Viewer::DrawLive(const Picture& picture, const Panels& panels) {
+  cv::Mat small;
+  if (!answered_) {  // there is nothing to show of it yet
+    cv::resize(picture.color, small, panels.answer.size(), 0, 0, cv::INTER_LINEAR);
+    cv::cvtColor(small, window_(panels.answer), cv::COLOR_RGB2BGR);
+  }
+  cv::resize(picture.color, small, panels.color.size(), 0, 0, cv::INTER_LINEAR);
+  cv::cvtColor(small, window_(panels.color), cv::COLOR_RGB2BGR);
+  cv::resize(picture.depth, small, panels.depth.size(), 0, 0, cv::INTER_NEAREST);
+  DrawDepth(small, picture.depth_unit_m).copyTo(window_(panels.depth));
+}
+
+Panels PanelsOf(const cv::Size& frame) {
+  constexpr int kWidth = 1280, kSide = kWidth / 3;
+  const int side_height = std::max(1, kSide * frame.height / frame.width);
+  return {.window = {kWidth, 2 * side_height},
+          .answer = {0, 0, kWidth - kSide, 2 * side_height},
+          .color = {kWidth - kSide, 0, kSide, side_height},
+          .depth = {kWidth - kSide, side_height, kSide, side_height}};
 }
 
 cv::Mat DrawDepth(const cv::Mat& depth, double unit_m) {

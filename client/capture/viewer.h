@@ -8,7 +8,15 @@
 
 namespace fovea::capture {
 
-// The live window: colour, the last answer drawn on its own frame, depth.
+// Where what is in the window, 1280 pixels wide: the answer large, beside it colour and depth.
+struct Panels {
+  cv::Size window;
+  cv::Rect answer, color, depth;
+};
+
+Panels PanelsOf(const cv::Size& frame);
+
+// The live window: the last answer drawn on its own frame; colour and depth as they come.
 class Viewer {
  public:
   // Throws std::runtime_error where there is no display. Call it before threads start.
@@ -26,8 +34,11 @@ class Viewer {
   bool Refresh(const std::optional<Picture>& picture);
 
  private:
+  void DrawLive(const Picture& picture, const Panels& panels);
+
   Latest<cv::Mat> overlays_;
-  cv::Mat overlay_, color_, depth_;
+  cv::Mat window_;         // CV_8UC3, B first
+  bool answered_ = false;  // the window shows an answer
 };
 
 // Near = warm, far (4 m) = cold, not measured = black; CV_8UC3, B first.

@@ -1,13 +1,17 @@
 #include "client/cli/batch.h"
 
 #include <algorithm>
+#include <deque>
 #include <filesystem>
+#include <future>
 #include <iostream>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "client/cli/files.h"
+#include "client/cli/frame_list.h"
+#include "client/cli/json.h"
 #include "client/cli/output_check.h"
 #include "client/cli/outputs.h"
 #include "client/cli/progress.h"
@@ -18,51 +22,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The frame's name where the file is a colour image, else empty.
-std::string FrameName(const std::string& filename) {
-  for (const std::string ending : {"_color.png", "_color.jpg", "_color.jpeg"}) {
-    if (filename.size() > ending.size() && filename.ends_with(ending)) {
-      return filename.substr(0, filename.size() - ending.size());
-    }
+Outputs OutputsOf(const std::string& name, const Batch& batch) {
+  Outputs outputs;
+  outputs.extras = batch.extras;
+  outputs.json_masks = batch.json_masks;
+  if (batch.output.empty()) {
+    outputs.json = std::string(kStandardOutput);
+    return outputs;
   }
-  return {};
+  const std::string prefix = (fs::path(batch.output) / name).string();
+  outputs.json = prefix + ".json";
+  if (batch.labels) outputs.labels = prefix + ".png";
+  if (batch.overlays) outputs.overlay = prefix + "_overlay.jpg";
+  if (!batch.clouds.empty()) outputs.cloud = prefix + "." + batch.clouds;
+  return outputs;
 }
 
-// Sorted by name; a depth path is there whether the file is or not.
-std::vector<FrameFiles> ListFrames(const fs::path& input) {
-  std::error_code error;
-  fs::directory_iterator entries(input, error);
-  if (error) throw std::runtime_error("cannot read " + input.string() + ": " + error.message());
-  std::vector<FrameFiles> frames;
-  for (const fs::directory_entry& entry : entries) {
-    const std::string name = FrameName(entry.path().filename().string());
-    if (name.empty()) continue;
-    frames.push_back({name, entry.path().string(), (input / (name + "_depth.png")).string()});
-  }
-  std::sort(frames.begin(), frames.end(), [](const FrameFiles& a, const FrameFiles& b) {
-    return std::tie(a.id, a.color_path) < std::tie(b.id, b.color_path);
-  });
-  return frames;
-}
-
-OutputPaths OutputsOf(const std::string& name, const fs::path& output) {
-  return {.labels = (output / (name + ".png")).string(),
-          .json = (output / (name + ".json")).string(),
-          .overlay = (output / (name + "_overlay.png")).string(),
-          .cloud = {},
-          .saliency_prefix = {},
-          .steps = {}};
-}
-
-v1::Detections DetectFrame(const client::Client& client, const FrameFiles& files,
-                           const OutputPaths& outputs, const FrameSettings& settings,
-                           std::chrono::milliseconds timeout) {
-  if (!fs::exists(files.depth_path)) throw std::runtime_error("no " + files.depth_path);
-  const v1::DetectRequest request = MakeRequest(files, settings);
-  v1::DetectResponse response = client.Detect(request, timeout);
-  WriteOutputs(outputs, files, settings, request, response.detections());
-  return std::move(*response.mutable_detections());
-}
+// What came of a frame.
+struct Outcome {
+  std::string failure;  // empty = none
+  int num_objects = 0;
+  std::vector<std::string> notes;
+  std::string json_line;
+};
 
 std::vector<std::string> NotesOf(const v1::Detections& found) {
   if (!found.objects().empty() && found.has_support_surface()) return {};
@@ -70,42 +52,127 @@ std::vector<std::string> NotesOf(const v1::Detections& found) {
   return {messages.begin(), messages.end()};
 }
 
+// What all frames have in common.
+struct Run {
+  const client::Client& client;
+  const Batch& batch;
+  const FrameSettings settings;
+  const std::chrono::milliseconds timeout;
+  const std::function<std::string(const client::RpcError&)>& explain;
+};
+
+// Whoever finds NAME.json finds all of it, and all other files.
+void WriteFiles(Outputs outputs, const FrameFiles& files, const FrameSettings& settings,
+                const v1::DetectRequest& request, const v1::Detections& found) {
+  if (outputs.json == kStandardOutput) return;
+  const std::string json = std::exchange(outputs.json, outputs.json + ".part");
+  WriteOutputs(outputs, files, settings, request, found);
+  fs::rename(outputs.json, json);
+}
+
+Outcome DetectFrame(const Run& run, const FrameFiles& files) {
+  try {
+    if (!fs::exists(files.depth_path)) throw std::runtime_error("no " + files.depth_path);
+    const Outputs outputs = OutputsOf(files.id, run.batch);
+    const v1::DetectRequest request = MakeRequest(files, run.settings);
+    const v1::DetectResponse response = run.client.Detect(request, run.timeout);
+    const v1::Detections& found = response.detections();
+    CheckSize(run.settings, found);
+    WriteFiles(outputs, files, run.settings, request, found);
+    return {{},
+            found.objects_size(),
+            NotesOf(found),
+            run.batch.json_lines ? JsonLine(outputs, request, found) : ""};
+  } catch (const client::RpcError& error) {
+    return {run.explain(error), 0, {}, {}};
+  } catch (const std::exception& error) {
+    return {error.what(), 0, {}, {}};
+  }
+}
+
+// Of --resume, and for people who come back to the results.
+void SaveRequest(const Batch& batch, const FrameSettings& settings) {
+  const std::string path = (fs::path(batch.output) / "fovea_request.json").string();
+  const std::string asked = ToJson(CommonRequest(settings));
+  if (batch.resume && fs::exists(path) && ReadFile(path) != asked) {
+    throw std::invalid_argument("--resume: the results in " + batch.output +
+                                " are answers to another request, see " + path);
+  }
+  WriteFile(path, asked);
+}
+
+// Takes what is done out of `frames`; returns how many those were.
+std::size_t LeaveOutDone(const Batch& batch, std::vector<FrameFiles>* frames) {
+  if (!batch.resume || batch.output.empty()) return 0;
+  return std::erase_if(*frames, [&](const FrameFiles& files) {
+    return fs::exists(OutputsOf(files.id, batch).json);
+  });
+}
+
+class Printer {
+ public:
+  Printer(std::size_t num_frames, bool json_lines)
+      : progress_(num_frames, json_lines ? Progress::Stream::kError : Progress::Stream::kOut),
+        text_(json_lines ? std::cerr : std::cout) {}
+
+  void Print(const FrameFiles& files, const Outcome& outcome) {
+    if (!outcome.failure.empty()) {
+      ++num_failed_;
+      progress_.Complain("fovea: " + files.id + ": " + outcome.failure);
+      progress_.Advance(files.id + ": failed");
+      return;
+    }
+    ++num_done_;
+    num_objects_ += outcome.num_objects;
+    std::cout << outcome.json_line << std::flush;
+    progress_.Advance(files.id + ": " + NumObjects(outcome.num_objects), outcome.notes);
+  }
+
+  // Returns whether nothing failed.
+  bool Finish(std::size_t num_before) {
+    progress_.Finish();
+    text_ << num_done_ << " of " << num_done_ + num_failed_ << " frames done, "
+          << NumObjects(num_objects_) << ", " << num_failed_ << " failed";
+    if (num_before > 0) text_ << "; " << num_before << " were done before";
+    text_ << std::endl;
+    return num_failed_ == 0;
+  }
+
+ private:
+  Progress progress_;
+  std::ostream& text_;
+  std::size_t num_done_ = 0, num_failed_ = 0;
+  int num_objects_ = 0;
+};
+
 }  // namespace
 
-bool DetectFolder(const client::Client& client, const std::string& input, const std::string& output,
-                  FrameSettings settings, std::chrono::milliseconds timeout,
+bool DetectFolder(const client::Client& client, const Batch& batch, FrameSettings settings,
+                  std::chrono::milliseconds timeout,
                   const std::function<std::string(const client::RpcError&)>& explain) {
-  const std::vector<FrameFiles> frames = ListFrames(input);
-  if (frames.empty()) {
-    throw std::runtime_error("no NAME_color.png, .jpg or .jpeg with NAME_depth.png in " + input);
+  FrameList list = ListFrames(batch.input);
+  for (const std::string& note : list.notes) std::cerr << "note: " << note << '\n';
+  settings.depth_unit_m = batch.depth_unit_m.value_or(list.depth_unit_m);
+  RequestFor(OutputsOf("any", batch), &settings.options);
+  if (!batch.output.empty()) {
+    PrepareFolder(batch.input, batch.output);
+    SaveRequest(batch, settings);
   }
-  PrepareFolder(input, output);
-  RequestFor(OutputsOf("any", output), &settings.options);
-
-  Progress progress(frames.size());
-  std::size_t num_failed = 0;
-  int num_objects = 0;
-  const auto fail = [&](const std::string& id, const std::string& why) {
-    ++num_failed;
-    progress.Complain("fovea: " + id + ": " + why);
-    progress.Advance(id + ": failed");
-  };
-  for (const FrameFiles& files : frames) {
-    try {
-      const v1::Detections found =
-          DetectFrame(client, files, OutputsOf(files.id, output), settings, timeout);
-      num_objects += found.objects_size();
-      progress.Advance(files.id + ": " + NumObjects(found.objects_size()), NotesOf(found));
-    } catch (const client::RpcError& error) {
-      fail(files.id, explain(error));
-    } catch (const std::exception& error) {
-      fail(files.id, error.what());
+  const std::size_t num_before = LeaveOutDone(batch, &list.frames);
+  const Run run{client, batch, std::move(settings), timeout, explain};
+  Printer printer(list.frames.size(), batch.json_lines);
+  std::deque<std::future<Outcome>> in_flight;
+  std::size_t next = 0;
+  for (const FrameFiles& files : list.frames) {
+    for (; next < list.frames.size() && in_flight.size() < static_cast<std::size_t>(batch.jobs);
+         ++next) {
+      in_flight.push_back(std::async(std::launch::async, DetectFrame, std::cref(run),
+                                     std::cref(list.frames[next])));
     }
+    printer.Print(files, in_flight.front().get());
+    in_flight.pop_front();
   }
-  progress.Finish();
-  std::cout << frames.size() - num_failed << " of " << frames.size() << " frames done, "
-            << NumObjects(num_objects) << ", " << num_failed << " failed\n";
-  return num_failed == 0;
+  return printer.Finish(num_before);
 }
 
 }  // namespace fovea::cli

@@ -2,20 +2,37 @@
 
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <string>
 
+#include "client/cli/overlay/overlay.h"
 #include "client/cli/request.h"
 #include "client/client.h"
 
 namespace fovea::cli {
 
-// Every NAME_color.(png|jpg|jpeg) with its NAME_depth.png in `input`, in the order of the names →
-// NAME.png (labels), NAME.json and NAME_overlay.png in `output`, which is made where it is
-// missing. A frame that fails is named and the run goes on; one without objects or support surface
-// is printed with what the server says about that. `explain` words a call that failed. Returns
-// whether none failed; throws std::exception where there is nothing to do.
-bool DetectFolder(const client::Client& client, const std::string& input, const std::string& output,
-                  FrameSettings settings, std::chrono::milliseconds timeout,
+// What to do with a folder of frames.
+struct Batch {
+  std::string input;   // as ListFrames reads it
+  std::string output;  // made where it is missing; empty = no files
+  bool labels = true, overlays = true;
+  OverlayExtras extras;
+  std::string clouds;       // ending of NAME.ply or NAME.pcd; empty = none
+  bool json_lines = false;  // an answer a line to stdout; progress then goes to stderr
+  bool json_masks = true;
+  bool resume = false;                 // leave out frames whose NAME.json is there
+  int jobs = 1;                        // frames in flight at once
+  std::optional<double> depth_unit_m;  // none = as such folders have it
+};
+
+// Answers every frame → NAME.png (labels), NAME_overlay.jpg and NAME.json, the last of which is
+// there only if all are, and fovea_request.json, what was asked. Results are printed in the order
+// of the frames. A frame that fails is named and the run goes on; one without objects or support
+// surface is printed with what the server says about that. `explain` words a call that failed.
+// Returns whether none failed; throws std::exception where there is nothing to do, or where
+// --resume would mix answers to different requests.
+bool DetectFolder(const client::Client& client, const Batch& batch, FrameSettings settings,
+                  std::chrono::milliseconds timeout,
                   const std::function<std::string(const client::RpcError&)>& explain);
 
 }  // namespace fovea::cli

@@ -1,4 +1,4 @@
-#include "client/capture/calibration_file.h"
+#include "client/cli/calibration_file.h"
 
 #include <yaml-cpp/yaml.h>
 
@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "client/cli/files.h"
+#include "client/cli/parsing.h"
 
-namespace fovea::capture {
+namespace fovea::cli {
 namespace {
 
 Calibration ParseJson(const std::string& text) {
@@ -29,22 +30,45 @@ YAML::Node Field(const YAML::Node& node, const char* name) {
   return field;
 }
 
+bool IsDistorted(const YAML::Node& coefficients) {
+  if (!coefficients || coefficients.IsNull()) return false;
+  const auto values = coefficients.as<std::vector<double>>();
+  return std::any_of(values.begin(), values.end(), [](double value) { return value != 0; });
+}
+
+Calibration FromMatrix(const YAML::Node& node, const char* name) {
+  const auto matrix = node.as<std::vector<double>>();
+  if (matrix.size() != 9) throw std::runtime_error(std::string(name) + " must have 9 numbers");
+  return {.fx = matrix[0], .fy = matrix[4], .cx = matrix[2], .cy = matrix[5]};
+}
+
+// A message; ROS 1 writes K and D.
+Calibration ParseCameraInfo(const YAML::Node& yaml) {
+  const bool is_ros2 = static_cast<bool>(yaml["k"]);
+  Calibration calibration = FromMatrix(Field(yaml, is_ros2 ? "k" : "K"), is_ros2 ? "k" : "K");
+  calibration.width = Field(yaml, "width").as<int>();
+  calibration.height = Field(yaml, "height").as<int>();
+  calibration.distorted = IsDistorted(yaml[is_ros2 ? "d" : "D"]);
+  return calibration;
+}
+
 Calibration ParseRos(const std::string& text) {
   const YAML::Node yaml = YAML::Load(text);
-  const auto matrix = Field(Field(yaml, "camera_matrix"), "data").as<std::vector<double>>();
-  if (matrix.size() != 9) throw std::runtime_error("camera_matrix must have 9 numbers");
-  Calibration calibration{.fx = matrix[0],
-                          .fy = matrix[4],
-                          .cx = matrix[2],
-                          .cy = matrix[5],
-                          .width = Field(yaml, "image_width").as<int>(),
-                          .height = Field(yaml, "image_height").as<int>()};
+  if (yaml.IsMap() && (yaml["k"] || yaml["K"])) return ParseCameraInfo(yaml);
+  Calibration calibration =
+      FromMatrix(Field(Field(yaml, "camera_matrix"), "data"), "camera_matrix");
+  calibration.width = Field(yaml, "image_width").as<int>();
+  calibration.height = Field(yaml, "image_height").as<int>();
   if (const YAML::Node distortion = yaml["distortion_coefficients"]) {
-    const auto values = Field(distortion, "data").as<std::vector<double>>();
-    calibration.distorted =
-        std::any_of(values.begin(), values.end(), [](double value) { return value != 0; });
+    calibration.distorted = IsDistorted(Field(distortion, "data"));
   }
   return calibration;
+}
+
+Calibration ParseLine(const std::string& text) {
+  const std::string line = text.substr(0, text.find_last_not_of(" \t\r\n") + 1);
+  const auto k = ParseNumbers(line, 4, "it", "FX,FY,CX,CY");
+  return {.fx = k[0], .fy = k[1], .cx = k[2], .cy = k[3]};
 }
 
 void Check(const Calibration& c) {
@@ -53,16 +77,26 @@ void Check(const Calibration& c) {
   if (!finite || c.fx <= 0 || c.fy <= 0) {
     throw std::runtime_error("focal lengths must be above 0 and all numbers finite");
   }
+}
+
+void CheckSize(const Calibration& c) {
   if (c.width <= 0 || c.height <= 0) throw std::runtime_error("width and height must be above 0");
+}
+
+Calibration Parse(const std::string& text) {
+  const char first = text[std::min(text.find_first_not_of(" \t\r\n"), text.size() - 1)];
+  if ((first >= '0' && first <= '9') || first == '.') return ParseLine(text);
+  const Calibration calibration = first == '{' ? ParseJson(text) : ParseRos(text);
+  CheckSize(calibration);
+  return calibration;
 }
 
 }  // namespace
 
 Calibration ReadCalibration(const std::string& path) {
-  const std::string text = cli::ReadFile(path);
+  const std::string text = ReadFile(path);
   try {
-    const bool is_json = text[std::min(text.find_first_not_of(" \t\r\n"), text.size() - 1)] == '{';
-    const Calibration calibration = is_json ? ParseJson(text) : ParseRos(text);
+    const Calibration calibration = Parse(text);
     Check(calibration);
     return calibration;
   } catch (const std::exception& error) {
@@ -70,4 +104,10 @@ Calibration ReadCalibration(const std::string& path) {
   }
 }
 
-}  // namespace fovea::capture
+std::string ToCalibrationJson(const Calibration& c) {
+  nlohmann::ordered_json json{{"fx", c.fx}, {"fy", c.fy}, {"cx", c.cx}, {"cy", c.cy}};
+  if (c.width > 0) json.update({{"width", c.width}, {"height", c.height}});
+  return json.dump(1) + "\n";
+}
+
+}  // namespace fovea::cli

@@ -7,6 +7,8 @@
 #include <opencv2/core.hpp>
 #include <stdexcept>
 
+#include "client/cli/geometry.h"
+
 namespace fovea::cli {
 namespace {
 
@@ -15,13 +17,6 @@ constexpr double kHiddenBehind = 1.05;
 
 cv::Vec3d PointOf(int x, int y, double z, const v1::CameraIntrinsics& k) {
   return {(x - k.cx()) / k.fx() * z, (y - k.cy()) / k.fy() * z, z};
-}
-
-cv::Matx33d RotationOf(const v1::Quaternion& q) {
-  const double x = q.x(), y = q.y(), z = q.z(), w = q.w();
-  return {1 - 2 * (y * y + z * z), 2 * (x * y - z * w),     2 * (x * z + y * w),
-          2 * (x * y + z * w),     1 - 2 * (x * x + z * z), 2 * (y * z - x * w),
-          2 * (x * z - y * w),     2 * (y * z + x * w),     1 - 2 * (x * x + y * y)};
 }
 
 std::vector<DepthPoint> RegisteredPoints(const cv::Mat& depth, const FrameSettings& settings) {
@@ -41,7 +36,7 @@ std::vector<DepthPoint> ProjectedPoints(const cv::Mat& depth, const FrameSetting
   const v1::CameraIntrinsics& k = settings.intrinsics;
   const v1::Pose& pose = settings.depth_camera->color_from_depth;
   const cv::Matx33d rotation = RotationOf(pose.orientation());
-  const cv::Vec3d translation(pose.position().x(), pose.position().y(), pose.position().z());
+  const cv::Vec3d translation = ToVec(pose.position());
   const cv::Rect2d image(-0.5, -0.5, color_size.width, color_size.height);
   std::vector<DepthPoint> points;
   for (int y = 0; y < depth.rows; ++y) {

@@ -1,27 +1,11 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <string>
-#include <vector>
 
-#include "client/cli/connection.h"
-#include "client/cli/outputs.h"
+#include "client/cli/detect_flags.h"
+#include "client/rpc_error.h"
 
 namespace fovea::cli {
-
-// The flags of `fovea detect` as they were written.
-struct DetectFlags {
-  ConnectionFlags connection;
-  double timeout_s = 30;
-  double time_budget_s = 0;  // 0: none
-  std::string color, depth, intrinsics, depth_intrinsics, color_from_depth, gravity, profile, id,
-      input, output;
-  double depth_unit_m = 0.001;
-  std::vector<std::string> settings;
-  OutputPaths outputs;
-};
-
-void AddDetectFlags(CLI::App& command, DetectFlags& flags);
 
 // What a person should read about a call of this command that failed.
 std::string ExplainDetect(const client::RpcError& error, const DetectFlags& flags);

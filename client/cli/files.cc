@@ -16,6 +16,8 @@ namespace {
   throw std::runtime_error(what + " " + path + reason);
 }
 
+constexpr int kJpegQuality = 92;
+
 cv::Mat Decode(const std::string& file, int flags) {
   try {
     return cv::imdecode(
@@ -68,7 +70,7 @@ void WriteImage(const std::string& path, const cv::Mat& image) {
   }
   std::vector<unsigned char> bytes;
   try {
-    cv::imencode(path.substr(dot), image, bytes);
+    cv::imencode(path.substr(dot), image, bytes, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality});
   } catch (const cv::Exception&) {
     throw std::runtime_error("cannot write " + path + ": unknown image format " + path.substr(dot));
   }

@@ -1,6 +1,4 @@
 // fovea: command-line client of a fovea server.
-#include <google/protobuf/util/json_util.h>
-
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <iostream>
@@ -9,6 +7,7 @@
 
 #include "client/cli/detect_command.h"
 #include "client/cli/explain.h"
+#include "client/cli/json.h"
 #include "client/cli/options_command.h"
 #include "client/cli/program.h"
 #include "client/client.h"
@@ -27,12 +26,8 @@ int CheckHealth(const ConnectionFlags& flags) {
 
 int PrintInfo(const ConnectionFlags& flags) {
   const fovea::client::Client client = fovea::cli::Connect(flags);
-  google::protobuf::util::JsonPrintOptions options;
-  options.add_whitespace = true;
-  std::string info, statistics;
-  MessageToJsonString(client.GetServerInfo(), &info, options);
-  MessageToJsonString(client.GetStatistics(), &statistics, options);
-  std::cout << "{\n\"server\": " << info << ",\n\"statistics\": " << statistics << "}\n";
+  std::cout << "{\n\"server\": " << fovea::cli::ToJson(client.GetServerInfo())
+            << ",\n\"statistics\": " << fovea::cli::ToJson(client.GetStatistics()) << "}\n";
   return EXIT_SUCCESS;
 }
 

@@ -49,6 +49,14 @@ void RequireImageFormat(const std::string& flag, const std::string& path) {
   if (!cv::haveImageWriter(path)) Fail(flag, path, "unknown image format " + extension);
 }
 
+// Numbers must come back as they were.
+void RequireLossless(const std::string& flag, const std::string& path) {
+  RequireImageFormat(flag, path);
+  const std::string ending = fs::path(path).extension().string();
+  if (ending == ".png" || ending == ".tif" || ending == ".tiff" || ending == ".pgm") return;
+  Fail(flag, path, "labels need a format without loss; end it in .png");
+}
+
 // Makes it where it is missing.
 void MakeFolder(const std::string& flag, const std::string& path) {
   std::error_code error;
@@ -59,22 +67,33 @@ void MakeFolder(const std::string& flag, const std::string& path) {
 
 }  // namespace
 
-void CheckOutputs(const OutputPaths& paths, const FrameFiles& files) {
-  const auto check = [&](const char* flag, const std::string& path, bool is_image) {
-    if (path.empty()) return;
-    if (is_image) RequireImageFormat(flag, path);
+void CheckOutputs(const Outputs& outputs, const FrameFiles& files) {
+  const auto check = [&](const char* flag, const std::string& path) {
+    if (path.empty() || path == kStandardOutput) return;
     RequireWritable(flag, path);
     RequireOther(flag, path, files);
   };
-  check("--labels", paths.labels, true);
-  check("--json", paths.json, false);
-  check("--overlay", paths.overlay, true);
-  check("--cloud", paths.cloud, false);
-  if (!paths.steps.empty()) MakeFolder("--explain", paths.steps);
-  if (paths.saliency_prefix.empty()) return;
-  for (const char* map : {"_color.png", "_depth.png"}) {
-    check("--saliency", paths.saliency_prefix + map, true);
+  if (!outputs.labels.empty()) RequireLossless("--labels", outputs.labels);
+  if (!outputs.overlay.empty()) RequireImageFormat("--overlay", outputs.overlay);
+  if (!outputs.cloud.empty()) {
+    const std::string ending = fs::path(outputs.cloud).extension().string();
+    CheckCloudFormat(ending.empty() ? "" : ending.substr(1));
   }
+  check("--labels", outputs.labels);
+  check("--json", outputs.json);
+  check("--overlay", outputs.overlay);
+  check("--cloud", outputs.cloud);
+  if (!outputs.steps.empty()) MakeFolder("--explain", outputs.steps);
+  if (outputs.saliency_prefix.empty()) return;
+  for (const char* map : {"_color.png", "_depth.png"}) {
+    check("--saliency", outputs.saliency_prefix + map);
+  }
+}
+
+void CheckCloudFormat(const std::string& ending) {
+  if (ending == "ply" || ending == "pcd") return;
+  throw std::invalid_argument("--cloud: \"" + ending +
+                              "\" is not a kind of cloud that is written: ply or pcd");
 }
 
 void PrepareFolder(const std::string& input, const std::string& output) {

@@ -9,11 +9,15 @@
 namespace fovea::cli {
 
 // Throws std::invalid_argument that names flag and path where a folder is missing or cannot be
-// written to, where an image has no known extension, or where an output is a file of the frame.
-void CheckOutputs(const OutputPaths& paths, const FrameFiles& files);
+// written to, where a file cannot be of the kind that its ending says, or where an output is a file
+// of the frame.
+void CheckOutputs(const Outputs& outputs, const FrameFiles& files);
 
 // Makes `output` where it is missing. Throws std::invalid_argument where it cannot be written to,
 // or is `input`: NAME.png and NAME.json there may be the truth about the frames.
 void PrepareFolder(const std::string& input, const std::string& output);
+
+// Throws std::invalid_argument unless it is "ply" or "pcd", which --cloud writes.
+void CheckCloudFormat(const std::string& ending);
 
 }  // namespace fovea::cli

@@ -1,13 +1,11 @@
 #include "client/cli/outputs.h"
 
-#include <google/protobuf/util/json_util.h>
-
 #include <stdexcept>
 
 #include "client/cli/cloud.h"
 #include "client/cli/files.h"
+#include "client/cli/json.h"
 #include "client/cli/labels.h"
-#include "client/cli/overlay.h"
 #include "client/cli/steps.h"
 
 namespace fovea::cli {
@@ -24,51 +22,66 @@ void WriteSaliency(const std::string& prefix, const v1::Detections& detections) 
   }
 }
 
+void WriteCloud(const std::string& path, const cv::Mat& color, const cv::Mat& depth,
+                const FrameSettings& settings, const v1::Detections& detections) {
+  std::vector<CloudPoint> cloud =
+      TintedCloud(color, PointsInColor(depth, settings, color.size()), detections);
+  const std::vector<CloudPoint> dots = DotsOf(detections);
+  cloud.insert(cloud.end(), dots.begin(), dots.end());
+  WriteFile(path, path.ends_with(".pcd") ? MakePcd(cloud) : MakePly(cloud));
+}
+
+void WritePictures(const Outputs& outputs, const FrameFiles& files, const FrameSettings& settings,
+                   const v1::DetectRequest& request, const v1::Detections& detections) {
+  if (outputs.overlay.empty() && outputs.cloud.empty() && outputs.steps.empty()) return;
+  const cv::Mat color = DecodeColor(request.frame().color().data(), files.color_path);
+  if (!outputs.overlay.empty()) {
+    WriteImage(outputs.overlay,
+               DrawOverlay(color, settings.intrinsics, detections, outputs.extras));
+  }
+  if (outputs.cloud.empty() && outputs.steps.empty()) return;
+  const cv::Mat depth = DecodeDepth(request.frame().depth().data(), files.depth_path);
+  if (!outputs.steps.empty()) WriteSteps(outputs.steps, color, depth, settings, detections);
+  if (!outputs.cloud.empty()) WriteCloud(outputs.cloud, color, depth, settings, detections);
+}
+
+// What has files of its own is left out.
+v1::Detections ForJson(const Outputs& outputs, const v1::Detections& detections) {
+  v1::Detections answer = detections;
+  answer.clear_saliency_maps();
+  answer.clear_trace();
+  if (!outputs.json_masks) {
+    for (v1::Object& object : *answer.mutable_objects()) object.clear_mask();
+  }
+  return answer;
+}
+
 }  // namespace
 
-std::string ToJson(const v1::Detections& detections) {
-  google::protobuf::util::JsonPrintOptions options;
-  options.add_whitespace = true;
-  options.preserve_proto_field_names = true;
-  std::string json;
-  const auto status = google::protobuf::util::MessageToJsonString(detections, &json, options);
-  if (!status.ok()) throw std::runtime_error("the answer cannot be written as JSON");
-  return json;
-}
-
-void RequestFor(const OutputPaths& paths, v1::DetectOptions* options) {
-  const bool draws = !paths.overlay.empty(), explains = !paths.steps.empty();
-  options->set_return_masks(draws || explains || !paths.labels.empty() || !paths.cloud.empty() ||
-                            !paths.json.empty());
-  options->set_return_seeds(draws || !paths.json.empty());
-  options->set_return_saliency_maps(explains || !paths.saliency_prefix.empty());
+void RequestFor(const Outputs& outputs, v1::DetectOptions* options) {
+  const bool draws = !outputs.overlay.empty(), explains = !outputs.steps.empty();
+  const bool tells = !outputs.json.empty();
+  options->set_return_masks(draws || explains || !outputs.labels.empty() ||
+                            !outputs.cloud.empty() || (tells && outputs.json_masks));
+  options->set_return_seeds(tells || (draws && outputs.extras.seeds));
+  options->set_return_saliency_maps(explains || !outputs.saliency_prefix.empty() ||
+                                    (draws && outputs.extras.saliency));
   options->set_return_trace(explains);
-  options->set_return_rejected(explains || !paths.json.empty());
+  options->set_return_rejected(explains || tells || (draws && outputs.extras.rejected));
 }
 
-void WriteOutputs(const OutputPaths& paths, const FrameFiles& files, const FrameSettings& settings,
+void WriteOutputs(const Outputs& outputs, const FrameFiles& files, const FrameSettings& settings,
                   const v1::DetectRequest& request, const v1::Detections& detections) {
-  if (!paths.saliency_prefix.empty()) WriteSaliency(paths.saliency_prefix, detections);
-  if (!paths.labels.empty()) WriteImage(paths.labels, LabelImage(detections));
-  if (!paths.json.empty()) {
-    v1::Detections answer = detections;
-    answer.clear_saliency_maps();  // they have files of their own
-    answer.clear_trace();
-    WriteFile(paths.json, ToJson(answer));
-  }
-  if (paths.overlay.empty() && paths.cloud.empty() && paths.steps.empty()) return;
+  if (!outputs.saliency_prefix.empty()) WriteSaliency(outputs.saliency_prefix, detections);
+  if (!outputs.labels.empty()) WriteImage(outputs.labels, LabelImage(detections));
+  WritePictures(outputs, files, settings, request, detections);
+  if (outputs.json.empty() || outputs.json == kStandardOutput) return;
+  WriteFile(outputs.json, ToJson(ForJson(outputs, detections), request.frame()));
+}
 
-  const cv::Mat color = DecodeColor(request.frame().color().data(), files.color_path);
-  if (!paths.overlay.empty()) {
-    WriteImage(paths.overlay, DrawOverlay(color, settings.intrinsics, detections));
-  }
-  if (paths.cloud.empty() && paths.steps.empty()) return;
-  const cv::Mat depth = DecodeDepth(request.frame().depth().data(), files.depth_path);
-  if (!paths.steps.empty()) WriteSteps(paths.steps, color, depth, settings, detections);
-  if (!paths.cloud.empty()) {
-    WriteFile(paths.cloud,
-              MakePly(color, PointsInColor(depth, settings, color.size()), LabelImage(detections)));
-  }
+std::string JsonLine(const Outputs& outputs, const v1::DetectRequest& request,
+                     const v1::Detections& detections) {
+  return ToJson(ForJson(outputs, detections), request.frame(), JsonLayout::kOneLine) + "\n";
 }
 
 }  // namespace fovea::cli

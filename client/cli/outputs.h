@@ -1,24 +1,33 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "client/cli/overlay/overlay.h"
 #include "client/cli/request.h"
 
 namespace fovea::cli {
 
-// Where to write what; empty = not wanted.
-struct OutputPaths {
+// What to write of an answer, and where; empty = not wanted.
+struct Outputs {
   std::string labels, json, overlay, cloud, saliency_prefix, steps;  // steps: a folder
+  OverlayExtras extras;
+  bool json_masks = true;
 };
 
-// The whole answer as the command line writes it.
-std::string ToJson(const v1::Detections& detections);
+// Of `json`: standard output, a line an answer.
+inline constexpr const char* kStandardOutput = "-";
 
 // Asks for what these outputs need.
-void RequestFor(const OutputPaths& paths, v1::DetectOptions* options);
+void RequestFor(const Outputs& outputs, v1::DetectOptions* options);
 
-// Writes them. Throws std::exception with one line of text.
-void WriteOutputs(const OutputPaths& paths, const FrameFiles& files, const FrameSettings& settings,
+// Writes all but a JSON line; NAME.json comes last. Throws std::exception
+// with one line of text.
+void WriteOutputs(const Outputs& outputs, const FrameFiles& files, const FrameSettings& settings,
                   const v1::DetectRequest& request, const v1::Detections& detections);
+
+// The answer as one line, with its end.
+std::string JsonLine(const Outputs& outputs, const v1::DetectRequest& request,
+                     const v1::Detections& detections);
 
 }  // namespace fovea::cli

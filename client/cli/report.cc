@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "client/cli/words.h"
+
 namespace fovea::cli {
 namespace {
 
@@ -23,18 +25,40 @@ std::string Remarks(const v1::Object& object) {
   if (object.moving()) remarks += "  moving";
   if (object.truncated()) remarks += "  cut by the border";
   if (object.depth_missing()) remarks += "  without depth";
+  if (!object.blocked_by().empty()) {
+    remarks += "  first";
+    for (const std::uint32_t label : object.blocked_by()) remarks += fmt::sprintf(" %u", label);
+  }
   return remarks;
+}
+
+// "82% across, 4.5 cm", of suction without the width; or why there is none.
+std::string GraspText(const v1::Object& object) {
+  if (!object.grasps().empty()) {
+    const v1::Grasp& grasp = object.grasps(0);
+    const std::string text =
+        fmt::sprintf("%.0f%% %s", grasp.probability() * 100, WordOf(grasp.kind()));
+    if (grasp.kind() == v1::GRASP_KIND_SUCTION) return text;
+    return text + fmt::sprintf(", %.1f cm", grasp.opening_m() * 100);
+  }
+  if (object.no_grasps().empty()) return "-";
+  return std::string("none: ") + WordOf(object.no_grasps(0).reason());
 }
 
 std::string ObjectLine(const v1::Object& object) {
   const auto& size = object.oriented_box().size();
   const auto& at = object.oriented_box().pose().position();
-  const std::string opening =
-      object.grasps().empty() ? "-" : fmt::sprintf("%.1f", object.grasps(0).opening_m() * 100);
-  return fmt::sprintf("%3u  %4.0f%%  %5.1f x %5.1f x %5.1f  %6.3f %6.3f %6.3f  %6.3f  %7u  %7s%s\n",
-                      object.label(), object.confidence() * 100, size.x() * 100, size.y() * 100,
-                      size.z() * 100, at.x(), at.y(), at.z(), Norm(at), object.num_pixels(),
-                      opening.c_str(), Remarks(object).c_str());
+  return fmt::sprintf(
+      "%3u  %4.0f%%  %-8s  %5.1f x %5.1f x %5.1f  %6.3f %6.3f %6.3f  %6.3f  %7u  %s%s\n",
+      object.label(), object.confidence() * 100, WordOf(object.shape().kind()), size.x() * 100,
+      size.y() * 100, size.z() * 100, at.x(), at.y(), at.z(), Norm(at), object.num_pixels(),
+      GraspText(object).c_str(), Remarks(object).c_str());
+}
+
+std::string PlaceLine(const v1::FreePlace& place) {
+  const auto& at = place.box().pose().position();
+  return fmt::sprintf("free place at (%.3f, %.3f, %.3f), %.0f cm around it\n", at.x(), at.y(),
+                      at.z(), place.clearance_m() * 100);
 }
 
 std::string GravityLine(const v1::Gravity& gravity) {
@@ -64,9 +88,12 @@ std::string Report(const v1::Detections& detections, double round_trip_ms) {
       fmt::sprintf("%s in %.0f ms (stages of the server: %.0f ms)\n",
                    NumObjects(detections.objects_size()), round_trip_ms, ServerMs(detections));
   if (!detections.objects().empty()) {
-    text += "  #  conf.  size L x W x H, cm     centre x, y, z, m     dist.m   pixels  open.cm\n";
+    text +=
+        "  #  conf.  shape     size L x W x H, cm     centre x, y, z, m     dist.m   pixels  best "
+        "grasp\n";
   }
   for (const v1::Object& object : detections.objects()) text += ObjectLine(object);
+  for (const v1::FreePlace& place : detections.free_places()) text += PlaceLine(place);
   text += GravityLine(detections.gravity()) + SupportLine(detections);
   if (detections.objects_size() < kFew || !detections.has_support_surface() ||
       detections.incomplete()) {

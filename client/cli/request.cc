@@ -1,8 +1,11 @@
 #include "client/cli/request.h"
 
+#include <fmt/format.h>
+
 #include <stdexcept>
 
 #include "client/cli/files.h"
+#include "client/cli/intrinsics_flag.h"
 #include "client/cli/parsing.h"
 #include "client/images.h"
 
@@ -20,11 +23,6 @@ auto FromFile(const std::string& path, Make make) {
 
 }  // namespace
 
-v1::CameraIntrinsics ParseIntrinsics(const std::string& text, const std::string& flag) {
-  const auto k = ParseNumbers(text, 4, flag, "FX,FY,CX,CY");
-  return client::MakeIntrinsics(k[0], k[1], k[2], k[3]);
-}
-
 std::optional<DepthCamera> ParseDepthCamera(const std::string& intrinsics,
                                             const std::string& pose) {
   if (intrinsics.empty() && pose.empty()) return std::nullopt;
@@ -32,7 +30,7 @@ std::optional<DepthCamera> ParseDepthCamera(const std::string& intrinsics,
     throw std::invalid_argument("--color-from-depth needs --depth-intrinsics");
   if (pose.empty()) throw std::invalid_argument("--depth-intrinsics needs --color-from-depth");
   const auto p = ParseNumbers(pose, 7, "--color-from-depth", "X,Y,Z,QX,QY,QZ,QW");
-  return DepthCamera{ParseIntrinsics(intrinsics, "--depth-intrinsics"),
+  return DepthCamera{ReadIntrinsics(intrinsics, "--depth-intrinsics").values,
                      client::MakePose(p[0], p[1], p[2], p[3], p[4], p[5], p[6])};
 }
 
@@ -57,15 +55,40 @@ v1::DetectOptions ParseOptions(const std::string& profile,
   return options;
 }
 
-v1::DetectRequest MakeRequest(const FrameFiles& files, const FrameSettings& settings) {
+void ParseGrippers(const std::vector<std::string>& texts, v1::DetectOptions* options) {
+  for (const std::string& text : texts) {
+    if (text == "none") {
+      options->mutable_grasps()->set_none(true);
+      continue;
+    }
+    v1::Gripper& gripper = *options->mutable_grasps()->add_grippers();
+    gripper.set_name(text);
+    const std::string form = "jaw=OPENING or suction=DIAMETER in metres, or none";
+    if (text.starts_with("jaw=")) {
+      gripper.mutable_jaw()->set_max_opening_m(
+          ParseNumbers(text.substr(4), 1, "--gripper", form).front());
+    } else if (text.starts_with("suction=")) {
+      gripper.mutable_suction()->set_diameter_m(
+          ParseNumbers(text.substr(8), 1, "--gripper", form).front());
+    } else {
+      throw std::invalid_argument("--gripper: \"" + text + "\" is not " + form);
+    }
+  }
+}
+
+void ParsePlace(const std::string& text, v1::DetectOptions* options) {
+  if (text.empty()) return;
+  const auto size = ParseNumbers(text, 3, "--place", "LENGTH,WIDTH,HEIGHT in metres");
+  v1::Vector3& wanted = *options->mutable_places()->mutable_size();
+  wanted.set_x(size[0]);
+  wanted.set_y(size[1]);
+  wanted.set_z(size[2]);
+}
+
+v1::DetectRequest CommonRequest(const FrameSettings& settings) {
   v1::DetectRequest request;
   v1::Frame& frame = *request.mutable_frame();
-  frame.set_id(files.id);
-  *frame.mutable_color() = FromFile(
-      files.color_path, [](std::string bytes) { return client::MakeColorImage(std::move(bytes)); });
-  *frame.mutable_depth() = FromFile(files.depth_path, [&](std::string bytes) {
-    return client::MakeDepthImage(std::move(bytes), settings.depth_unit_m);
-  });
+  frame.mutable_depth()->set_unit_m(settings.depth_unit_m);
   *frame.mutable_intrinsics() = settings.intrinsics;
   if (settings.depth_camera) {
     *frame.mutable_depth_intrinsics() = settings.depth_camera->intrinsics;
@@ -73,6 +96,27 @@ v1::DetectRequest MakeRequest(const FrameFiles& files, const FrameSettings& sett
   }
   if (settings.gravity) *frame.mutable_gravity() = *settings.gravity;
   *request.mutable_options() = settings.options;
+  return request;
+}
+
+void CheckSize(const FrameSettings& settings, const v1::Detections& detections) {
+  const cv::Size size(static_cast<int>(detections.width()), static_cast<int>(detections.height()));
+  if (settings.size.empty() || settings.size == size) return;
+  throw std::runtime_error(fmt::format(
+      "--intrinsics: {} is for images of {}x{}, this one has {}x{}", settings.intrinsics_path,
+      settings.size.width, settings.size.height, size.width, size.height));
+}
+
+v1::DetectRequest MakeRequest(const FrameFiles& files, const FrameSettings& settings) {
+  v1::DetectRequest request = CommonRequest(settings);
+  v1::Frame& frame = *request.mutable_frame();
+  frame.set_id(files.id);
+  if (files.captured_at) *frame.mutable_captured_at() = *files.captured_at;
+  *frame.mutable_color() = FromFile(
+      files.color_path, [](std::string bytes) { return client::MakeColorImage(std::move(bytes)); });
+  *frame.mutable_depth() = FromFile(files.depth_path, [&](std::string bytes) {
+    return client::MakeDepthImage(std::move(bytes), settings.depth_unit_m);
+  });
   return request;
 }
 

@@ -1,6 +1,7 @@
 // A frame on disk and what is asked about it → a request.
 #pragma once
 
+#include <opencv2/core/types.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,8 @@ struct DepthCamera {
 // What all frames of a run have in common.
 struct FrameSettings {
   v1::CameraIntrinsics intrinsics;
+  cv::Size size;                // of the images that they are for; empty = not said
+  std::string intrinsics_path;  // of the file that said so
   std::optional<DepthCamera> depth_camera;
   double depth_unit_m = 0.001;
   std::optional<v1::Vector3> gravity;
@@ -28,14 +31,24 @@ struct FrameFiles {
   std::string id;
   std::string color_path;
   std::string depth_path;
+  std::optional<google::protobuf::Timestamp> captured_at;
 };
 
-// The values of --intrinsics; --depth-intrinsics and --color-from-depth, which go together (both
-// empty = none); --gravity; --profile and --set. Throw std::invalid_argument that names the flag.
-v1::CameraIntrinsics ParseIntrinsics(const std::string& text, const std::string& flag);
+// The values of --depth-intrinsics and --color-from-depth, which go together (both empty = none);
+// --gravity; --profile and --set; --gripper (empty = the server's own); --place (empty = none).
+// Throw std::exception that names the flag.
 std::optional<DepthCamera> ParseDepthCamera(const std::string& intrinsics, const std::string& pose);
 std::optional<v1::Vector3> ParseGravity(const std::string& text);  // empty = none
 v1::DetectOptions ParseOptions(const std::string& profile, const std::vector<std::string>& changes);
+void ParseGrippers(const std::vector<std::string>& texts, v1::DetectOptions* options);
+void ParsePlace(const std::string& text, v1::DetectOptions* options);
+
+// What all requests have in common: everything but the images, their id and time.
+v1::DetectRequest CommonRequest(const FrameSettings& settings);
+
+// Throws std::runtime_error where the intrinsics are for images of another size than the one that
+// was answered.
+void CheckSize(const FrameSettings& settings, const v1::Detections& detections);
 
 // The bytes of the files travel as they are. Throws std::exception with one line of text.
 v1::DetectRequest MakeRequest(const FrameFiles& files, const FrameSettings& settings);

@@ -7,8 +7,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "client/cli/drawing.h"
-#include "client/cli/palette.h"
+#include "client/cli/overlay/drawing.h"
+#include "client/cli/overlay/extras.h"
+#include "client/cli/overlay/palette.h"
 
 namespace fovea::cli {
 namespace {
@@ -70,7 +71,7 @@ cv::Mat HypothesisTile(const cv::Mat& grey, const cv::Mat& probability, const cv
   cv::addWeighted(tile, 1, heat, 1, 0, tile);
   DrawCross(tile, seed, 9, kRed);
   cv::resize(tile, tile, {}, 0.5, 0.5, cv::INTER_AREA);
-  DrawBadge(tile, {4, 4}, std::to_string(number), kRed);
+  DrawBadge(tile, {4, 4}, {std::to_string(number)}, kRed);
   return tile;
 }
 
@@ -114,8 +115,8 @@ cv::Mat SeedPicture(const cv::Mat& color, const v1::Trace& trace) {
   int y = 4;
   const auto legend = [&](const cv::Scalar& background, int number, const char* what) {
     const std::string text = std::to_string(number) + " " + what;
-    DrawBadge(picture, {4, y}, text, background);
-    y += BadgeSize(text).height + 2;
+    DrawBadge(picture, {4, y}, {text}, background);
+    y += BadgeSize({text}).height + 2;
   };
   legend(kRed, trace.seeds_size(), "seeds");
   legend(kYellow, on_support, "removed: on the support");
@@ -163,17 +164,7 @@ cv::Mat LabelsPicture(const cv::Mat& color, const v1::LabelImage& labels) {
 
 cv::Mat RejectedPicture(const cv::Mat& color, const v1::Detections& detections) {
   cv::Mat picture = Grey(color) * 0.6;
-  for (int i = detections.rejected_size() - 1; i >= 0; --i) {  // the likeliest on top
-    const v1::RejectedObject& rejected = detections.rejected(i);
-    const v1::BoundingBox2D& bounds = rejected.bounding_box();
-    const cv::Rect box = cv::Rect(bounds.x(), bounds.y(), bounds.width(), bounds.height()) &
-                         cv::Rect({}, color.size());
-    const cv::Scalar tint = kYellow * (0.35 + 0.65 * std::clamp(rejected.probability(), 0.0, 1.0));
-    cv::rectangle(picture, box, tint, 1);
-    if (rejected.probability() < 0.01) continue;
-    DrawBadge(picture, box.tl(), std::to_string(cvRound(100 * rejected.probability())) + " %",
-              tint);
-  }
+  DrawRejected(picture, detections, {color.size(), 1, {}});
   return picture;
 }
 

@@ -8,8 +8,7 @@
 
 #include "client/cli/cloud.h"
 #include "client/cli/files.h"
-#include "client/cli/labels.h"
-#include "client/cli/overlay.h"
+#include "client/cli/overlay/overlay.h"
 #include "client/cli/report.h"
 #include "client/cli/step_pictures.h"
 
@@ -100,9 +99,7 @@ void AddDecided(Page& page, const cv::Mat& color, const cv::Mat& filled,
            "Segments before those of one object are joined.");
   page.Add("10_merged.png", LabelsPicture(color, trace.merged()),
            "And after (section 3.3; Fig. 4 c), before it is decided what is an object.");
-  v1::Detections objects = detections;
-  objects.clear_seeds();
-  page.Add("11_objects.png", DrawOverlay(color, settings.intrinsics, objects),
+  page.Add("11_objects.png", DrawOverlay(color, settings.intrinsics, detections),
            "The objects with their boxes and best grasps (Figs. 1 d, 7). Their tinted cloud is in "
            "<a href=\"12_cloud.ply\">12_cloud.ply</a> (Fig. 1 c).");
   if (detections.rejected().empty()) return;
@@ -151,7 +148,7 @@ void WriteSteps(const std::string& folder, const cv::Mat& color, const cv::Mat& 
   Page page(folder);
   AddSeen(page, color, points, filled, detections);
   AddDecided(page, color, filled, settings, detections);
-  WriteFile(folder + "/12_cloud.ply", MakePly(color, points, LabelImage(detections)));
+  WriteFile(folder + "/12_cloud.ply", MakePly(TintedCloud(color, points, detections)));
   page.Write(detections.frame_id(), Summary(detections));
 }
 

@@ -3,13 +3,15 @@
 
 #include <cmath>
 
-#include "client/capture/calibration_file.h"
 #include "client/capture/intrinsics.h"
+#include "client/cli/calibration_file.h"
 #include "tests/support/temporary_folder.h"
 
 namespace fovea::capture {
 namespace {
 
+using cli::Calibration;
+using cli::ReadCalibration;
 using ::testing::HasSubstr;
 
 constexpr const char* kRos = R"(image_width: 640
@@ -63,6 +65,37 @@ TEST_F(CalibrationTest, ReadsJson) {
   EXPECT_EQ(c.width, 640);
   EXPECT_EQ(c.height, 480);
   EXPECT_FALSE(c.distorted);
+}
+
+// As `ros2 topic echo --once` prints a message.
+TEST_F(CalibrationTest, ReadsACameraInfoMessage) {
+  const Calibration c = ReadCalibration(folder_.Write(
+      "c.yaml",
+      "header:\n  frame_id: camera\nheight: 480\nwidth: 640\ndistortion_model: plumb_bob\n"
+      "d:\n- 0.0\n- 0.0\nk:\n- 615.0\n- 0.0\n- 320.5\n- 0.0\n- 616.0\n- 240.5\n- 0.0\n- 0.0\n"
+      "- 1.0\n---\n"));
+  EXPECT_EQ(c.fx, 615);
+  EXPECT_EQ(c.cy, 240.5);
+  EXPECT_EQ(c.width, 640);
+  EXPECT_FALSE(c.distorted);
+  ExpectRefused("k: [1, 2]\nwidth: 640\nheight: 480\n", "k must have 9 numbers");
+  ExpectRefused("k: [1, 0, 1, 0, 1, 1, 0, 0, 1]\n", "it has no width");
+}
+
+TEST_F(CalibrationTest, ReadsNumbersAlone) {
+  const Calibration c = ReadCalibration(folder_.Write("c.txt", "525,526,319.5,239.5\n"));
+  EXPECT_EQ(c.fy, 526);
+  EXPECT_EQ(c.width, 0) << "not said";
+  ExpectRefused("525,526\n", "is not FX,FY,CX,CY");
+}
+
+TEST_F(CalibrationTest, ReadsWhatItWrites) {
+  const Calibration written{.fx = 525.25, .fy = 526, .cx = 1.5, .cy = 2, .width = 4, .height = 3};
+  const Calibration read =
+      ReadCalibration(folder_.Write("c.json", cli::ToCalibrationJson(written)));
+  EXPECT_EQ(read.fx, written.fx);
+  EXPECT_EQ(read.cx, written.cx);
+  EXPECT_EQ(read.height, written.height);
 }
 
 TEST_F(CalibrationTest, SaysWhatIsMissing) {

@@ -33,6 +33,12 @@ TEST_F(MishapsTest, NoCamera) {
                      "no camera found");
 }
 
+TEST_F(MishapsTest, AnOptionThatIsNone) {
+  const Finished live = Capture(Live({"--set", "no.such=1", "--seconds", "60"}));
+  EXPECT_EQ(live.exit_code, 1);
+  EXPECT_THAT(live.err, HasSubstr("fovea-capture: options.parameters[no.such]: "));
+}
+
 TEST_F(MishapsTest, NoPermission) {
   const Finished finished = With("denied");
   ExpectOneLineError(finished, "no permission to open the camera fovea/test@0/1");

@@ -43,5 +43,26 @@ TEST_F(ResultsTest, SaysWhyThereAreNoneOnceUntilThatChanges) {
   EXPECT_THAT(Take(0, "nothing stands out"), HasSubstr("note: nothing stands out"));
 }
 
+// Else a misspelt option would fail thirty times a second.
+TEST_F(ResultsTest, EndsWhereAllFramesWouldBeRefused) {
+  Result result;
+  v1::FrameError& error = *result.response.mutable_error();
+  error.set_code(grpc::StatusCode::INVALID_ARGUMENT);
+  error.set_field("frame.depth.data");
+  error.set_message("frame.depth.data: is broken");
+  results_.Take(result, tally_);
+  error.set_field("options.parameters[no.such]");
+  error.set_message("options.parameters[no.such]: there is no such option");
+  EXPECT_THROW(results_.Take(result, tally_), std::runtime_error);
+  EXPECT_EQ(tally_.Snapshot().failed, 2U);
+}
+
+TEST(Panels, FillAWindowOf1280Pixels) {
+  const Panels panels = PanelsOf({640, 480});
+  EXPECT_EQ(panels.window, cv::Size(1280, 638));
+  EXPECT_EQ(panels.answer.area() + panels.color.area() + panels.depth.area(), panels.window.area());
+  EXPECT_EQ(panels.color.br().y, panels.depth.y);
+}
+
 }  // namespace
 }  // namespace fovea::capture

@@ -34,7 +34,8 @@ TEST(Tally, CallsLostWhatHasNoOtherFate) {
   EXPECT_EQ(counts.answered, 3U);
   EXPECT_EQ(counts.failed, 1U);
   EXPECT_EQ(counts.lost, 3U);
-  EXPECT_EQ(counts.objects, 8U);
+  EXPECT_EQ(counts.objects, 6U);
+  EXPECT_EQ(tally.Latencies_ms().size(), 3U) << "of answers";
 }
 
 TEST(Tally, SummarisesForPeople) {

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <sstream>
 
 #include "tests/e2e/server_process.h"
 #include "tests/server/frames.h"
@@ -65,7 +67,7 @@ class CliTest : public ::testing::Test {
 TEST_F(CliTest, PrintsLimitsAndStatistics) {
   const Finished info = Execute({FOVEA_CLI, "info", "--server", server_.address()});
   EXPECT_EQ(info.exit_code, 0) << info.err;
-  EXPECT_THAT(info.out, HasSubstr("\"maxPixels\": \"3145728\""));
+  EXPECT_THAT(info.out, HasSubstr("\"max_pixels\": \"3145728\""));
   EXPECT_THAT(info.out, HasSubstr("\"uptime\": "));
 }
 
@@ -85,6 +87,7 @@ TEST_F(CliTest, WritesEveryOutputOfAFrame) {
   std::ifstream ply(At("c.ply"), std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(ply), {}};
   EXPECT_THAT(bytes, StartsWith("ply\nformat binary_little_endian 1.0\n"));
+  EXPECT_THAT(bytes, HasSubstr("element vertex " + std::to_string(num_points) + "\n"));
   EXPECT_EQ(bytes.size() - bytes.find("end_header\n") - 11, num_points * 15);
 }
 
@@ -177,10 +180,82 @@ TEST_F(CliTest, RunsOverAFolderAndGoesOnAfterAFrameThatFailed) {
   EXPECT_LT(finished.out.find("1/4  a"), finished.out.find("4/4  d"));
   EXPECT_THAT(finished.err, HasSubstr("fovea: b: no " + At("b_depth.png")));
   EXPECT_THAT(finished.err, HasSubstr("fovea: c: INVALID_ARGUMENT: frame.depth.data: "));
-  for (const char* file : {"a.png", "a.json", "a_overlay.png", "d.png"}) {
+  for (const char* file : {"a.png", "a.json", "a_overlay.jpg", "d.png"}) {
     EXPECT_TRUE(fs::exists(folder_ / "out" / file)) << file;
   }
   EXPECT_FALSE(fs::exists(folder_ / "out" / "b.png"));
+}
+
+TEST_F(CliTest, GoesOnWithAFolderWhereItStopped) {
+  for (const char* name : {"b", "c"}) WriteFrame(name);
+  const std::vector<std::string> flags{"--input", folder_.string(), "--output", At("out"), "--jobs",
+                                       "3",       "--no-overlay",   "--cloud",  "pcd"};
+  EXPECT_THAT(Detect(flags).out, HasSubstr("3 of 3 frames done"));
+  EXPECT_FALSE(fs::exists(At("out/a_overlay.jpg")));
+  EXPECT_GT(fs::file_size(At("out/a.pcd")), 16U * kWidth);
+  fs::remove(At("out/b.json"));
+  Write(At("out/c.json"), "kept");
+  std::vector<std::string> again = flags;
+  again.emplace_back("--resume");
+  EXPECT_THAT(Detect(again).out, HasSubstr("1 of 1 frames done, 0 objects, 0 failed; 2 were done"));
+  EXPECT_TRUE(fs::exists(At("out/b.json")));
+  EXPECT_EQ(fs::file_size(At("out/c.json")), 4U);
+  again.insert(again.end(), {"--gripper", "none"});
+  ExpectOneLineError(Detect(again), "--resume: the results in " + At("out"));
+}
+
+TEST_F(CliTest, PrintsAnswersAsLinesOfJson) {
+  for (const char* name : {"b", "c", "d", "e"}) WriteFrame(name);
+  const Finished many =
+      Detect({"--input", folder_.string(), "--json", "-", "--jobs", "4", "--no-masks"});
+  EXPECT_EQ(many.exit_code, 0) << many.err;
+  EXPECT_THAT(many.err, HasSubstr("5 of 5 frames done"));
+  std::istringstream lines(many.out);
+  std::string line;
+  for (const std::string name : {"a", "b", "c", "d", "e"}) {
+    ASSERT_TRUE(std::getline(lines, line));
+    const auto answer = nlohmann::json::parse(line);
+    EXPECT_EQ(answer["frame_id"], name);
+    EXPECT_EQ(answer["frame"]["intrinsics"]["fx"], 30);
+  }
+  EXPECT_FALSE(std::getline(lines, line));
+
+  const Finished one = DetectFrame({"--json", "-"});
+  EXPECT_EQ(nlohmann::json::parse(one.out)["frame_id"], "a");
+  EXPECT_THAT(one.err, StartsWith("a: 0 objects"));
+}
+
+TEST_F(CliTest, TakesIntrinsicsFromFiles) {
+  Write(At("k.json"), R"({"fx": 30, "fy": 30, "cx": 15.5, "cy": 11.5, "width": 32, "height": 24})");
+  const auto detect = [&](const std::string& intrinsics) {
+    return Execute({FOVEA_CLI, "detect", "--server", server_.address(), "--intrinsics", intrinsics,
+                    "--color", At("a_color.png"), "--depth", At("a_depth.png")});
+  };
+  EXPECT_EQ(detect(At("k.json")).exit_code, 0);
+  Write(At("k.json"), R"({"fx": 30, "fy": 30, "cx": 15.5, "cy": 11.5, "width": 64, "height": 48})");
+  ExpectOneLineError(detect(At("k.json")),
+                     At("k.json") + " is for images of 64x48, this one has 32x24");
+
+  // Of a folder without --intrinsics the one that lies there.
+  const std::vector<std::string> folder{FOVEA_CLI, "detect",         "--server", server_.address(),
+                                        "--input", folder_.string(), "--output", At("out")};
+  ExpectOneLineError(Execute(folder), "--intrinsics is required");
+  Write(At("intrinsics.txt"), "30,30,15.5,11.5\n");
+  const Finished finished = Execute(folder);
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_THAT(finished.err, HasSubstr("note: intrinsics from " + At("intrinsics.txt")));
+}
+
+TEST_F(CliTest, ReadsTumFolders) {
+  fs::create_directory(At("tum"));
+  Write(At("tum/rgb.txt"), "# time path\n1305031102.175304 ../a_color.png\n");
+  Write(At("tum/depth.txt"), "1305031102.160407 ../a_depth.png\n1305031109.1 none.png\n");
+  const Finished finished = Detect({"--input", At("tum"), "--json", "-"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  const auto answer = nlohmann::json::parse(finished.out);
+  EXPECT_EQ(answer["captured_at"], "2011-05-10T12:38:22.175304Z");
+  EXPECT_EQ(answer["frame"]["depth"]["unit_m"], 0.0002);
+  EXPECT_THAT(finished.err, HasSubstr("note: 1 depth images without colour within 20 ms"));
 }
 
 TEST_F(CliTest, WritesNothingIntoTheFolderOfTheFrames) {
@@ -197,6 +272,8 @@ TEST_F(CliTest, ChecksOutputsBeforeItAsksTheServer) {
   ExpectOneLineError(DetectFrame({"--json", At("j.json"), "--labels", bad}),
                      "--labels: cannot write " + bad + ": there is no folder " + At("no"));
   ExpectOneLineError(DetectFrame({"--overlay", At("a_color.png")}), "is an image of the frame");
+  ExpectOneLineError(DetectFrame({"--labels", At("l.jpg")}), "labels need a format without loss");
+  ExpectOneLineError(DetectFrame({"--cloud", At("c.stl")}), "--cloud: \"stl\" is not a kind");
   ExpectOneLineError(Detect({"--input", folder_.string(), "--output", At("a_depth.png")}),
                      "--output: cannot write " + At("a_depth.png"));
 }
@@ -212,6 +289,10 @@ TEST_F(CliTest, SaysWhyAFrameHasNoObjects) {
 
 TEST_F(CliTest, SaysInOneLineWhatIsWrong) {
   ExpectOneLineError(DetectFrame({"--bogus"}), "--bogus");
+  ExpectOneLineError(DetectFrame({"--overlai", At("o.png")}), "did you mean --overlay?");
+  ExpectOneLineError(Execute({FOVEA_CLI, "detct"}), "did you mean detect?");
+  ExpectOneLineError(DetectFrame({"--gripper", "claw=1"}), "--gripper: \"claw=1\" is not jaw=");
+  ExpectOneLineError(DetectFrame({"--place", "1,2"}), "--place: \"1,2\" is not LENGTH");
   ExpectOneLineError(DetectFrame({"--gravity", "1,2"}), "--gravity: \"1,2\" is not X,Y,Z");
   ExpectOneLineError(DetectFrame({"--gravity", "0,2,0"}), "INVALID_ARGUMENT: frame.gravity: ");
   ExpectOneLineError(DetectFrame({"--set", "x"}), "--set: \"x\" is not NAME=NUMBER");

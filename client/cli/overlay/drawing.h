@@ -16,14 +16,22 @@ void DrawCross(cv::Mat& image, const cv::Point2d& center, int radius, const cv::
 void DrawContours(cv::Mat& image, const std::vector<std::vector<cv::Point>>& contours,
                   const cv::Scalar& color);
 
-// Fills the pixels of `mask` (CV_8UC1, image size) with `color` at the given opacity.
-void Tint(cv::Mat& image, const cv::Mat& mask, const cv::Scalar& color, double opacity);
+// Without a rim, one pixel wide; opacity 0 … 1.
+void DrawThinLine(cv::Mat& image, const cv::Point2d& from, const cv::Point2d& to,
+                  const cv::Scalar& color, double opacity);
 
-// The size of a badge with this text.
-cv::Size BadgeSize(const std::string& text);
+void DrawDashes(cv::Mat& image, const cv::Point2d& from, const cv::Point2d& to,
+                const cv::Scalar& color);
 
-// Text on a filled background, its top left corner at `corner`.
-void DrawBadge(cv::Mat& image, const cv::Point& corner, const std::string& text,
+// Of a convex polygon. Opacity 0 … 1.
+void FillPolygon(cv::Mat& image, const std::vector<cv::Point>& polygon, const cv::Scalar& color,
+                 double opacity);
+
+// The size of a badge with these lines of text, of which the first is written larger.
+cv::Size BadgeSize(const std::vector<std::string>& lines);
+
+// Text on a filled background, its top left corner at `corner`. Empty lines take no room.
+void DrawBadge(cv::Mat& image, const cv::Point& corner, const std::vector<std::string>& lines,
                const cv::Scalar& background);
 
 }  // namespace fovea::cli

@@ -1,156 +1,98 @@
-#include "client/cli/overlay.h"
+#include "client/cli/overlay/overlay.h"
 
-#include <algorithm>
-#include <cmath>
 #include <opencv2/imgproc.hpp>
-#include <optional>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
-#include "client/cli/box_corners.h"
-#include "client/cli/drawing.h"
 #include "client/cli/labels.h"
-#include "client/cli/palette.h"
+#include "client/cli/overlay/badges.h"
+#include "client/cli/overlay/drawing.h"
+#include "client/cli/overlay/extras.h"
+#include "client/cli/overlay/grasps.h"
+#include "client/cli/overlay/palette.h"
+#include "client/cli/overlay/solid_lines.h"
+#include "client/cli/overlay/view.h"
 
 namespace fovea::cli {
 namespace {
 
-const cv::Scalar kWhite(255, 255, 255), kRed(30, 30, 255);
+const cv::Scalar kWhite(255, 255, 255);
 
-// Where things of the frame lie in the picture.
-struct View {
-  cv::Size frame;
-  int scale = 1;
-  v1::CameraIntrinsics intrinsics;
-
-  // The middle of a frame pixel.
-  cv::Point2d At(double x, double y) const {
-    return {(x + 0.5) * scale - 0.5, (y + 0.5) * scale - 0.5};
-  }
-  // Empty behind the camera.
-  std::optional<cv::Point2d> Project(const cv::Vec3d& point) const {
-    if (!(point[2] > 0.01)) return std::nullopt;
-    return At(intrinsics.fx() * point[0] / point[2] + intrinsics.cx(),
-              intrinsics.fy() * point[1] / point[2] + intrinsics.cy());
-  }
-};
-
-cv::Vec3d ToVec(const v1::Vector3& vector) { return {vector.x(), vector.y(), vector.z()}; }
-
-cv::Mat Background(const cv::Mat& color, int scale) {
-  cv::Mat picture, grey;
-  cv::resize(color, picture, {}, scale, scale, cv::INTER_CUBIC);
-  // A little darker and greyer, so that the objects stand out.
-  cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
+// A little darker and greyer, so that the objects stand out.
+cv::Mat Dimmed(const cv::Mat& color) {
+  cv::Mat grey, dimmed;
+  cv::cvtColor(color, grey, cv::COLOR_BGR2GRAY);
   cv::cvtColor(grey, grey, cv::COLOR_GRAY2BGR);
-  cv::addWeighted(picture, 0.55, grey, 0.25, 0, picture);
-  return picture;
+  cv::addWeighted(color, 0.55, grey, 0.25, 0, dimmed);
+  return dimmed;
 }
 
-// The mask in the picture, with smooth instead of stepped edges.
-cv::Mat PictureMask(const v1::Object& object, const View& view) {
-  cv::Mat mask = cv::Mat::zeros(view.frame, CV_8UC1);
-  MaskImage(object).copyTo(mask(BoundsOf(object.mask().bounds(), view.frame)));
-  if (view.scale == 1) return mask;
-  cv::resize(mask, mask, {}, view.scale, view.scale, cv::INTER_LINEAR);
-  return mask > 127;
+// On the frame's own pixels.
+void TintMask(cv::Mat& frame, const cv::Mat& color, const v1::Object& object) {
+  const cv::Rect bounds = BoundsOf(object.mask().bounds(), color.size());
+  if (bounds.empty()) return;
+  cv::Mat tinted;
+  cv::addWeighted(color(bounds), 0.62, cv::Mat(bounds.size(), CV_8UC3, ColorOf(object.label())),
+                  0.38, 0, tinted);
+  tinted.copyTo(frame(bounds), MaskImage(object));
 }
 
-void DrawMask(cv::Mat& picture, const cv::Mat& bright, const v1::Object& object, const View& view) {
-  const cv::Mat mask = PictureMask(object, view);
-  const cv::Scalar color = ColorOf(object.label());
-  bright.copyTo(picture, mask);
-  Tint(picture, mask, color, 0.4);
-  std::vector<std::vector<cv::Point>> contours;
-  cv::findContours(mask, contours, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
-  DrawContours(picture, contours, color);
-}
-
-void DrawUprightBox(cv::Mat& picture, const v1::Object& object, const View& view) {
-  const auto& bounds = object.bounding_box();
-  const cv::Size size(static_cast<int>(bounds.width()), static_cast<int>(bounds.height()));
-  const cv::Rect box(cv::Point(view.At(bounds.x(), bounds.y())), size * view.scale);
-  cv::rectangle(picture, box, ColorOf(object.label()), 1);
-}
-
-void DrawOrientedBox(cv::Mat& picture, const v1::Object& object, const View& view) {
-  const cv::Scalar color = 0.5 * ColorOf(object.label()) + 0.5 * kWhite;
-  const auto corners = CornersOf(object.oriented_box());
-  for (const auto& [from, to] : kBoxEdges) {
-    const auto start = view.Project(corners[from]), end = view.Project(corners[to]);
-    if (start && end) cv::line(picture, *start, *end, color, 1, cv::LINE_AA);
+// The outline of the mask, smooth where the picture is larger than the frame. Specks have none.
+void OutlineMask(cv::Mat& picture, const v1::Object& object, const View& view) {
+  constexpr double kSpeck_px2 = 40, kTolerance_px = 0.8;
+  const cv::Rect bounds = BoundsOf(object.mask().bounds(), view.frame);
+  if (bounds.empty()) return;
+  cv::Mat mask;
+  cv::copyMakeBorder(MaskImage(object), mask, 1, 1, 1, 1, cv::BORDER_CONSTANT);
+  if (view.scale != 1) {
+    cv::resize(mask, mask, {}, view.scale, view.scale, cv::INTER_LINEAR);
+    mask = mask > 127;
   }
-}
-
-// Boxes shine through: in a pile they would else hide what is in them.
-void DrawBoxes(cv::Mat& picture, const v1::Detections& detections, const View& view) {
-  cv::Mat boxes = picture.clone();
-  for (const v1::Object& object : detections.objects()) {
-    DrawUprightBox(boxes, object, view);
-    DrawOrientedBox(boxes, object, view);
+  std::vector<std::vector<cv::Point>> contours, drawn;
+  cv::findContours(mask, contours, cv::RETR_CCOMP, cv::CHAIN_APPROX_SIMPLE,
+                   (bounds.tl() - cv::Point(1, 1)) * view.scale);
+  for (std::vector<cv::Point>& contour : contours) {
+    if (cv::contourArea(contour) < kSpeck_px2) continue;
+    cv::approxPolyDP(contour, contour, kTolerance_px, true);
+    drawn.push_back(std::move(contour));
   }
-  cv::addWeighted(picture, 0.35, boxes, 0.65, 0, picture);
+  DrawContours(picture, drawn, ColorOf(object.label()));
 }
 
-// The best grasp: a line between the finger tips, a bar at each.
-void DrawGrasp(cv::Mat& picture, const v1::Object& object, const View& view) {
-  if (object.grasps().empty()) return;
-  const v1::Grasp& grasp = object.grasps(0);
-  const cv::Vec3d middle = ToVec(grasp.tool_center_point());
-  const cv::Vec3d half = ToVec(grasp.closing()) * (grasp.opening_m() / 2);
-  const auto left = view.Project(middle - half), right = view.Project(middle + half);
-  if (!left || !right) return;
-  DrawLine(picture, *left, *right, kWhite, 2);
-  const cv::Point2d along = *right - *left;
-  const double length = std::hypot(along.x, along.y);
-  if (length < 1) return;
-  const cv::Point2d across(-along.y / length * 6, along.x / length * 6);
-  for (const cv::Point2d& tip : {*left, *right}) {
-    DrawLine(picture, tip - across, tip + across, kWhite, 3);
+void DrawSolid(cv::Mat& picture, const v1::Object& object, const View& view) {
+  const cv::Scalar color = 0.45 * ColorOf(object.label()) + 0.55 * kWhite;
+  for (const SpaceLine& line : LinesOf(object)) {
+    const auto ends = view.Project(line);
+    if (ends) DrawThinLine(picture, ends->first, ends->second, color, line.hidden ? 0.35 : 1);
   }
-}
-
-// Moves a badge down until it covers none of those placed before, and keeps it in the picture.
-cv::Rect PlaceBadge(cv::Rect badge, const std::vector<cv::Rect>& placed, const cv::Size& picture) {
-  badge.x = std::clamp(badge.x, 0, std::max(0, picture.width - badge.width - 1));
-  badge.y = std::clamp(badge.y, 0, std::max(0, picture.height - badge.height - 1));
-  for (const cv::Rect& other : placed) {
-    if ((badge & other).area() > 0) badge.y = other.y + other.height + 1;
-  }
-  return badge;
-}
-
-void DrawBadges(cv::Mat& picture, const v1::Detections& detections, const View& view) {
-  std::vector<cv::Rect> placed;
-  for (const v1::Object& object : detections.objects()) {
-    const std::string text = std::to_string(object.label()) + "  " +
-                             std::to_string(std::lround(object.confidence() * 100)) + "%";
-    const cv::Size size = BadgeSize(text);
-    const cv::Point corner = view.At(object.bounding_box().x(), object.bounding_box().y());
-    const cv::Rect wanted(corner - cv::Point(0, size.height), size);
-    placed.push_back(PlaceBadge(wanted, placed, picture.size()));
-    DrawBadge(picture, placed.back().tl(), text, ColorOf(object.label()));
+  if (const auto axis = AxisOf(object)) {
+    const auto ends = view.Project(*axis);
+    if (ends) DrawDashes(picture, ends->first, ends->second, color);
   }
 }
 
 }  // namespace
 
 cv::Mat DrawOverlay(const cv::Mat& color, const v1::CameraIntrinsics& intrinsics,
-                    const v1::Detections& detections) {
+                    const v1::Detections& detections, const OverlayExtras& extras) {
   constexpr int kSmall = 1000;
   const View view{color.size(), color.cols < kSmall ? 2 : 1, intrinsics};
-  cv::Mat picture = Background(color, view.scale), bright;
-  cv::resize(color, bright, picture.size(), 0, 0, cv::INTER_CUBIC);
+  cv::Mat frame = extras.saliency ? WarmedBySaliency(color, detections) : Dimmed(color), picture;
+  for (const v1::Object& object : detections.objects()) TintMask(frame, color, object);
+  cv::resize(frame, picture, {}, view.scale, view.scale, cv::INTER_LINEAR);
 
   // What says more is drawn later and covers what says less.
-  for (const v1::Object& object : detections.objects()) DrawMask(picture, bright, object, view);
-  DrawBoxes(picture, detections, view);
-  for (const v1::Seed& seed : detections.seeds()) {
-    DrawCross(picture, view.At(seed.x(), seed.y()), 6, kRed);
+  for (const v1::FreePlace& place : detections.free_places()) DrawPlace(picture, place, view);
+  for (const v1::Object& object : detections.objects()) OutlineMask(picture, object, view);
+  for (const v1::Object& object : detections.objects()) DrawSolid(picture, object, view);
+  if (extras.rejected) DrawRejected(picture, detections, view);
+  if (extras.seeds) DrawSeeds(picture, detections, view);
+  Badges badges(picture.size());
+  for (const v1::Object& object : detections.objects()) {
+    DrawGrasps(picture, object, detections.grippers(), view, extras.grasps, badges);
   }
-  for (const v1::Object& object : detections.objects()) DrawGrasp(picture, object, view);
-  DrawBadges(picture, detections, view);
+  for (const v1::Object& object : detections.objects()) AddBadge(object, view, badges);
+  badges.Draw(picture);
   return picture;
 }
 

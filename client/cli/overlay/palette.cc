@@ -1,4 +1,4 @@
-#include "client/cli/palette.h"
+#include "client/cli/overlay/palette.h"
 
 #include <array>
 

@@ -29,6 +29,23 @@ TEST(Report, SaysWhyWhereLittleWasFoundOrNoSupport) {
   EXPECT_THAT(Report(Found(3, false), 5), HasSubstr("note: why"));
 }
 
+TEST(Report, TellsShapeSizeAndBestGraspOrWhyNone) {
+  v1::Detections detections = Found(2, true);
+  v1::Object& cup = *detections.mutable_objects(0);
+  cup.mutable_shape()->set_kind(v1::SHAPE_KIND_REVOLUTION);
+  cup.mutable_oriented_box()->mutable_size()->set_x(0.08);
+  cup.add_grasps()->set_probability(0.82);
+  cup.mutable_grasps(0)->set_kind(v1::GRASP_KIND_RIM);
+  cup.mutable_grasps(0)->set_opening_m(0.004);
+  v1::Object& box = *detections.mutable_objects(1);
+  box.add_no_grasps()->set_reason(v1::NO_GRASP_REASON_TOO_WIDE);
+  box.add_blocked_by(1);
+  const std::string report = Report(detections, 5);
+  EXPECT_THAT(report, HasSubstr("  round       8.0 x   0.0 x   0.0"));
+  EXPECT_THAT(report, HasSubstr("  82% rim, 0.4 cm\n"));
+  EXPECT_THAT(report, HasSubstr("  none: too wide  first 1\n"));
+}
+
 TEST(Report, NamesTracks) {
   v1::Detections detections = Found(2, true);
   detections.mutable_objects(0)->set_track_id(17);

@@ -1,0 +1,156 @@
+#include "client/cli/frame_list.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <tuple>
+
+#include "client/cli/files.h"
+#include "client/cli/timed_images.h"
+
+namespace fovea::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> FilesIn(const fs::path& folder) {
+  std::error_code error;
+  fs::directory_iterator entries(folder, error);
+  if (error) throw std::runtime_error("cannot read " + folder.string() + ": " + error.message());
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : entries) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+bool IsImage(const fs::path& path) {
+  const std::string ending = path.extension().string();
+  return ending == ".png" || ending == ".jpg" || ending == ".jpeg";
+}
+
+// What is before the ending, where the text ends so, else empty.
+std::string Before(const std::string& text, const std::string& ending) {
+  if (text.size() <= ending.size() || !text.ends_with(ending)) return {};
+  return text.substr(0, text.size() - ending.size());
+}
+
+std::string ColorName(const std::string& filename) {
+  for (const char* ending : {"_color.png", "_color.jpg", "_color.jpeg"}) {
+    if (std::string name = Before(filename, ending); !name.empty()) return name;
+  }
+  return {};
+}
+
+FrameList ListByName(const fs::path& folder) {
+  FrameList list;
+  std::set<std::string> names;
+  const std::vector<fs::path> files = FilesIn(folder);
+  for (const fs::path& path : files) {
+    const std::string name = ColorName(path.filename().string());
+    if (name.empty()) continue;
+    names.insert(name);
+    list.frames.push_back({name, path.string(), (folder / (name + "_depth.png")).string(), {}});
+  }
+  for (const fs::path& path : files) {
+    const std::string name = Before(path.filename().string(), "_depth.png");
+    if (name.empty() || names.contains(name)) continue;
+    list.notes.push_back(path.string() + " has no " + name + "_color.png (or .jpg)");
+  }
+  std::sort(list.frames.begin(), list.frames.end(), [](const FrameFiles& a, const FrameFiles& b) {
+    return std::tie(a.id, a.color_path) < std::tie(b.id, b.color_path);
+  });
+  return list;
+}
+
+// Lines "time path"; # begins a comment.
+std::vector<TimedImage> ReadTumList(const fs::path& list) {
+  std::istringstream lines(ReadFile(list.string()));
+  std::vector<TimedImage> images;
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    std::istringstream words(line);
+    std::string time, path;
+    if (!(words >> time) || time.front() == '#') continue;
+    const auto time_ns = ParseTime(time);
+    if (!time_ns || !(words >> path)) {
+      throw std::runtime_error(list.string() + ", line " + std::to_string(number) +
+                               ": it is not \"time path\", for example \"1305031102.175304 "
+                               "rgb/1305031102.175304.png\"");
+    }
+    images.push_back({*time_ns, time, (list.parent_path() / path).string()});
+  }
+  return images;
+}
+
+FrameList ListTum(const fs::path& folder) {
+  FrameList list = PairByTime(ReadTumList(folder / "rgb.txt"), ReadTumList(folder / "depth.txt"));
+  list.depth_unit_m = 1.0 / 5000;
+  return list;
+}
+
+std::vector<TimedImage> ListTimed(const fs::path& folder) {
+  std::vector<TimedImage> images;
+  for (const fs::path& path : FilesIn(folder)) {
+    const auto time_ns = ParseTime(path.stem().string());
+    if (!IsImage(path) || !time_ns) continue;
+    images.push_back({*time_ns, path.stem().string(), path.string()});
+  }
+  return images;
+}
+
+// Images of one name are one frame; where there are none, times tell.
+FrameList ListFolders(const fs::path& color, const fs::path& depth) {
+  std::map<std::string, std::string> depth_paths;
+  for (const fs::path& path : FilesIn(depth)) {
+    if (IsImage(path)) depth_paths[path.stem().string()] = path.string();
+  }
+  FrameList list;
+  std::size_t num_alone = 0;
+  for (const fs::path& path : FilesIn(color)) {
+    if (!IsImage(path)) continue;
+    const auto partner = depth_paths.find(path.stem().string());
+    if (partner == depth_paths.end()) {
+      ++num_alone;
+      continue;
+    }
+    list.frames.push_back({path.stem().string(), path.string(), partner->second, {}});
+  }
+  if (list.frames.empty()) return PairByTime(ListTimed(color), ListTimed(depth));
+  if (num_alone > 0) {
+    list.notes.push_back(std::to_string(num_alone) + " images in " + color.string() +
+                         " have none of the same name in " + depth.string());
+  }
+  return list;
+}
+
+}  // namespace
+
+FrameList ListFrames(const std::string& folder) {
+  const fs::path input(folder);
+  FrameList list = ListByName(input);
+  if (!list.frames.empty()) return list;
+  std::error_code error;
+  if (fs::exists(input / "rgb.txt", error) && fs::exists(input / "depth.txt", error)) {
+    list = ListTum(input);
+  } else {
+    for (const char* color : {"rgb", "color"}) {
+      if (!fs::is_directory(input / color, error) || !fs::is_directory(input / "depth", error)) {
+        continue;
+      }
+      list = ListFolders(input / color, input / "depth");
+      break;
+    }
+  }
+  if (!list.frames.empty()) return list;
+  std::string notes;
+  for (const std::string& note : list.notes) notes += "; " + note;
+  throw std::runtime_error("no NAME_color.png, .jpg or .jpeg with NAME_depth.png in " + folder +
+                           ", no rgb.txt and depth.txt of TUM, and no folders rgb (or color) and "
+                           "depth with images" +
+                           notes);
+}
+
+}  // namespace fovea::cli

@@ -1,0 +1,133 @@
+#include "client/cli/frame_list.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "client/cli/timed_images.h"
+#include "tests/support/temporary_folder.h"
+
+namespace fovea::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+class FrameListTest : public ::testing::Test {
+ protected:
+  void Write(const std::string& name, const std::string& text = "x") {
+    fs::create_directories(fs::path(folder_.At(name)).parent_path());
+    folder_.Write(name, text);
+  }
+  std::string Input() const { return folder_.At(""); }
+
+  testing::TemporaryFolder folder_;
+};
+
+TEST_F(FrameListTest, PairsByNameAndNamesDepthWithoutColour) {
+  for (const char* name : {"b_color.jpg", "a_color.png", "a_depth.png", "c_depth.png", "n.txt"}) {
+    Write(name);
+  }
+  const FrameList list = ListFrames(Input());
+  ASSERT_EQ(list.frames.size(), 2U);
+  EXPECT_EQ(list.frames[0].id, "a");
+  EXPECT_EQ(list.frames[1].depth_path, folder_.At("b_depth.png")) << "missing, and told later";
+  EXPECT_EQ(list.depth_unit_m, 0.001);
+  EXPECT_THAT(list.notes, ElementsAre(folder_.At("c_depth.png") + " has no c_color.png (or .jpg)"));
+}
+
+// As in the TUM RGB-D benchmark: the cameras run apart from each other.
+TEST_F(FrameListTest, ReadsTumFoldersByTime) {
+  Write("rgb.txt",
+        "# color images\n# file: 'rgbd_dataset_freiburg1_xyz.bag'\n# timestamp filename\n"
+        "1305031102.211214 rgb/1305031102.211214.png\n"
+        "1305031102.175304 rgb/1305031102.175304.png\n"
+        "1305031102.900000 rgb/1305031102.900000.png\n");
+  Write("depth.txt",
+        "# depth maps\n1305031102.160407 depth/1305031102.160407.png\n"
+        "1305031102.194330 depth/1305031102.194330.png\n"
+        "1305031102.226738 depth/1305031102.226738.png\n");
+  const FrameList list = ListFrames(Input());
+  ASSERT_EQ(list.frames.size(), 2U);
+  EXPECT_EQ(list.frames[0].id, "1305031102.175304");
+  EXPECT_EQ(list.frames[0].color_path, folder_.At("rgb/1305031102.175304.png"));
+  EXPECT_EQ(list.frames[0].depth_path, folder_.At("depth/1305031102.160407.png"));
+  EXPECT_EQ(list.frames[0].captured_at->seconds(), 1305031102);
+  EXPECT_EQ(list.frames[0].captured_at->nanos(), 175304000);
+  EXPECT_EQ(list.frames[1].depth_path, folder_.At("depth/1305031102.226738.png"));
+  EXPECT_DOUBLE_EQ(list.depth_unit_m, 1.0 / 5000);
+  EXPECT_THAT(list.notes, ElementsAre("1 colour images without depth within 20 ms",
+                                      "1 depth images without colour within 20 ms"));
+}
+
+TEST_F(FrameListTest, NamesTheLineThatIsBroken) {
+  Write("rgb.txt", "# c\n1.5\n");
+  Write("depth.txt", "");
+  try {
+    ListFrames(Input());
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("rgb.txt, line 2: it is not \"time path\""));
+  }
+}
+
+TEST_F(FrameListTest, PairsFoldersByNameElseByTime) {
+  for (const char* name : {"color/000001.jpg", "color/000002.jpg", "depth/000001.png"}) Write(name);
+  const FrameList by_name = ListFrames(Input());
+  ASSERT_EQ(by_name.frames.size(), 1U);
+  EXPECT_EQ(by_name.frames[0].id, "000001");
+  EXPECT_FALSE(by_name.frames[0].captured_at) << "a number is no time";
+  EXPECT_THAT(by_name.notes, ElementsAre(HasSubstr("1 images in ")));
+
+  for (const char* name : {"t/rgb/1700000000000000000.png", "t/depth/1700000000010000000.png",
+                           "t/depth/1700000000500000000.png"}) {
+    Write(name);
+  }
+  const FrameList by_time = ListFrames(folder_.At("t"));
+  ASSERT_EQ(by_time.frames.size(), 1U);
+  EXPECT_EQ(by_time.frames[0].captured_at->seconds(), 1700000000);
+  EXPECT_EQ(by_time.frames[0].depth_path, folder_.At("t/depth/1700000000010000000.png"));
+}
+
+TEST_F(FrameListTest, SaysWhatItLookedFor) {
+  Write("c_depth.png");
+  try {
+    ListFrames(Input());
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("no NAME_color.png"));
+    EXPECT_THAT(error.what(), HasSubstr("rgb.txt and depth.txt"));
+    EXPECT_THAT(error.what(), HasSubstr("c_depth.png has no c_color.png"));
+  }
+}
+
+TEST(ParseTime, KnowsUnitsByTheirDigits) {
+  EXPECT_EQ(ParseTime("12.5"), 12'500'000'000);
+  EXPECT_EQ(ParseTime("1305031102.175304"), 1'305'031'102'175'304'000);
+  EXPECT_EQ(ParseTime("1305031102"), 1'305'031'102'000'000'000);
+  EXPECT_EQ(ParseTime("1305031102175"), 1'305'031'102'175'000'000);
+  EXPECT_EQ(ParseTime("1305031102175304"), 1'305'031'102'175'304'000);
+  EXPECT_EQ(ParseTime("1305031102175304001"), 1'305'031'102'175'304'001);
+  for (const char* text :
+       {"", ".5", "5.", "-1", "1.2.3", "x", "1e9", "99999999999999999999", "99999999999.5"}) {
+    EXPECT_FALSE(ParseTime(text)) << text;
+  }
+}
+
+TEST(PairByTime, GivesEachImageToTheClosest) {
+  const auto at = [](std::int64_t ms) {
+    return TimedImage{ms * 1'000'000, std::to_string(ms), std::to_string(ms)};
+  };
+  // 103 is nearer to 104 than 95 is, although 95 comes first.
+  const FrameList list = PairByTime({at(95), at(103)}, {at(104)});
+  ASSERT_EQ(list.frames.size(), 1U);
+  EXPECT_EQ(list.frames[0].id, "103");
+  EXPECT_THAT(PairByTime({at(0)}, {at(21)}).frames, IsEmpty());
+  EXPECT_EQ(PairByTime({at(0)}, {at(20)}).frames.size(), 1U);
+}
+
+}  // namespace
+}  // namespace fovea::cli

@@ -1,0 +1,32 @@
+#include "client/cli/json.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace fovea::cli {
+namespace {
+
+TEST(Json, HoldsWhatWasSentBesideTheAnswer) {
+  v1::Frame frame;
+  frame.mutable_intrinsics()->set_fx(525);
+  frame.mutable_color()->set_data("pixels");
+  frame.mutable_depth()->set_data("pixels");
+  frame.mutable_depth()->set_unit_m(0.0002);
+  v1::Detections detections;
+  detections.set_frame_id("a");
+  detections.add_objects()->set_num_pixels(7);
+  for (const JsonLayout layout : {JsonLayout::kIndented, JsonLayout::kOneLine}) {
+    const auto json = nlohmann::json::parse(ToJson(detections, frame, layout));
+    EXPECT_EQ(json["frame"]["intrinsics"]["fx"], 525);
+    EXPECT_EQ(json["frame"]["depth"]["unit_m"], 0.0002);
+    EXPECT_EQ(json["frame"].dump().find("data"), std::string::npos);
+    EXPECT_EQ(json["frame_id"], "a");
+    EXPECT_EQ(json["objects"][0]["num_pixels"], 7);
+    EXPECT_EQ(nlohmann::json::parse(ToJson({}, frame, layout)).size(), 1U) << "an empty answer";
+  }
+  EXPECT_EQ(ToJson(detections, frame, JsonLayout::kOneLine).find('\n'), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fovea::cli
