@@ -11,7 +11,7 @@ COPY . /src
 # What /src is a checkout of: its history is not copied.
 ARG FOVEA_COMMIT=
 RUN cmake -S /src -B /build -G Ninja -DCMAKE_BUILD_TYPE=Release -DFOVEA_BUILD_TESTS=OFF \
-       -DFOVEA_BUILD_CAPTURE=OFF -DFOVEA_COMMIT=${FOVEA_COMMIT} \
+       -DFOVEA_BUILD_CAPTURE=OFF -DFOVEA_BUILD_PCL=OFF -DFOVEA_COMMIT=${FOVEA_COMMIT} \
     && cmake --build /build --target fovea-server man_fovea-server changelogs \
     && cd /build && cpack -D CPACK_COMPONENTS_ALL=server -B /packages
 

@@ -16,6 +16,12 @@ target_compile_features(fovea_client PUBLIC cxx_std_20)
 install(TARGETS fovea_client fovea_proto grpc_health_proto EXPORT fovea ARCHIVE COMPONENT dev)
 install(EXPORT fovea NAMESPACE fovea:: FILE fovea-targets.cmake DESTINATION ${FOVEA_CONFIG_DIR}
         COMPONENT dev)
+if(FOVEA_BUILD_PCL) # of its own: only who asks for it needs PCL
+  set_target_properties(fovea_pcl PROPERTIES EXPORT_NAME pcl POSITION_INDEPENDENT_CODE ON)
+  install(TARGETS fovea_pcl EXPORT fovea-pcl ARCHIVE COMPONENT dev)
+  install(EXPORT fovea-pcl NAMESPACE fovea:: FILE fovea-pcl-targets.cmake
+          DESTINATION ${FOVEA_CONFIG_DIR} COMPONENT dev)
+endif()
 configure_package_config_file(cmake/fovea-config.cmake.in fovea-config.cmake
                               INSTALL_DESTINATION ${FOVEA_CONFIG_DIR})
 write_basic_package_version_file(fovea-config-version.cmake COMPATIBILITY SameMinorVersion)
