@@ -14,7 +14,7 @@ git ls-files '*.cc' ':!client/examples' | xargs -P 2 -n 4 clang-tidy --quiet -p 
 
 git ls-files '*.py' | xargs black --quiet --check --line-length 100
 # With the generated modules, which the sources do not have.
-for what in "-p fovea" client/examples/python/detect_once.py client/examples/python/detect_stream.py; do
+for what in "-p fovea" client/examples/python/clean_up.py client/examples/python/detect_once.py client/examples/python/detect_stream.py; do
   # shellcheck disable=SC2086  # a flag and its value
   MYPYPATH=$build/client/python/package mypy --config-file client/python/pyproject.toml \
     --cache-dir "$build/.mypy_cache" $what

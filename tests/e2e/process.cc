@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 namespace fovea::testing {
 namespace {
@@ -33,9 +34,12 @@ int TemporaryFile() {
 }  // namespace
 
 Process::Process(const std::vector<std::string>& arguments, int err) {
-  int pipe_ends[2];
-  if (pipe2(pipe_ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
+  int pipe_ends[2], input_ends[2];
+  if (pipe2(pipe_ends, O_CLOEXEC) != 0 || pipe2(input_ends, O_CLOEXEC) != 0) {
+    throw std::runtime_error("no pipe");
+  }
   out_ = pipe_ends[0];
+  in_ = input_ends[1];
   err_ = TemporaryFile();
 
   std::vector<char*> argv;
@@ -44,11 +48,13 @@ Process::Process(const std::vector<std::string>& arguments, int err) {
   argv.push_back(nullptr);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, input_ends[0], STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&actions, pipe_ends[1], STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, err >= 0 ? err : err_, STDERR_FILENO);
-  const int error = posix_spawn(&pid_, argv[0], &actions, nullptr, argv.data(), environ);
+  const int error = posix_spawnp(&pid_, argv[0], &actions, nullptr, argv.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   close(pipe_ends[1]);
+  close(input_ends[0]);
   if (error != 0) throw std::runtime_error("cannot start " + arguments[0]);
 }
 
@@ -57,8 +63,19 @@ Process::~Process() {
     kill(pid_, SIGKILL);
     waitpid(pid_, nullptr, 0);
   }
+  if (in_ >= 0) close(in_);
   close(out_);
   close(err_);
+}
+
+bool Process::WriteLine(const std::string& line) const {
+  const std::string text = line + '\n';
+  for (std::size_t done = 0; done < text.size();) {
+    const ssize_t size = write(in_, text.data() + done, text.size() - done);
+    if (size < 0) return false;
+    done += static_cast<std::size_t>(size);
+  }
+  return true;
 }
 
 std::string Process::ReadLine() {
@@ -80,6 +97,7 @@ void Process::Signal(int number) const { kill(pid_, number); }
 
 Finished Process::Wait() {
   Finished finished;
+  close(std::exchange(in_, -1));
   finished.out = ReadAll(out_);
   int status = 0;
   waitpid(pid_, &status, 0);

@@ -16,8 +16,8 @@ struct Finished {
 // A child process. Its stdout and stderr go to files, which are read when it has ended.
 class Process {
  public:
-  // `arguments[0]` is the executable's path. `err` is where stderr goes instead of the file, which
-  // is empty then.
+  // `arguments[0]` is the executable's path, or its name where PATH leads to it. `err` is where
+  // stderr goes instead of the file, which is empty then.
   explicit Process(const std::vector<std::string>& arguments, int err = -1);
   // Kills the child where it still runs.
   ~Process();
@@ -25,6 +25,8 @@ class Process {
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
+  // Returns false where the child has ended or reads no more; SIGPIPE must be ignored for that.
+  bool WriteLine(const std::string& line) const;
   // The next line of stdout, without its end; empty when the child closed it.
   std::string ReadLine();
   // Returns once stderr holds `text`.
@@ -34,6 +36,7 @@ class Process {
 
  private:
   pid_t pid_ = -1;
+  int in_ = -1;              // writing end of the child's stdin
   int out_ = -1, err_ = -1;  // reading ends of the child's pipes; err_ is a file
 };
 

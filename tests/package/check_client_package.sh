@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Installs the client library into an empty folder, builds the examples against it by CMake and one
 # by pkg-config, and runs them against a real server.
-# usage: check_client_package.sh BUILD_FOLDER SOURCE_FOLDER SERVER SCENES_TOOL
+# usage: check_client_package.sh BUILD_FOLDER SOURCE_FOLDER SERVER SCENES_TOOL CLEAN_UP_TOOL
 set -euo pipefail
-build=$1 source=$2 server=$3 scenes=$4
+build=$1 source=$2 server=$3 scenes=$4 clean_up=$5
 
 work=$(mktemp -d)
 server_pid=""
@@ -36,3 +36,5 @@ done
 "$work/examples/detect_stream" "$address" "${frame}_color.png" "${frame}_depth.png" |
   tee "$work/stream"
 grep -q "^frame .* objects*, " "$work/stream"
+"$clean_up" --things 2 --sensor ideal -- "$work/examples/clean_up" "$address" | tee "$work/clean_up"
+grep -q " taken$" "$work/clean_up"

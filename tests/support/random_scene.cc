@@ -66,6 +66,8 @@ Body DrawObject(const Recipe& recipe, Random& random) {
       return RandomTool(random);
     case kLuggage:
       return RandomLuggage(random);
+    case kMixed:
+      return random.Chance(0.5) ? RandomHouseholdObject(random) : RandomSupply(random);
     case kSimple:
       break;
   }
@@ -114,22 +116,8 @@ bool AllVisible(const Scene& scene) {
   return true;
 }
 
-}  // namespace
-
-const std::vector<std::string>& SceneKinds() {
-  static const std::vector<std::string> kinds = [] {
-    std::vector<std::string> names;
-    names.reserve(Recipes().size());
-    for (const Recipe& recipe : Recipes()) names.emplace_back(recipe.kind);
-    return names;
-  }();
-  return kinds;
-}
-
-Scene RandomScene(std::string_view kind, std::uint64_t seed, const cv::Size& size_px) {
-  const Recipe& recipe = RecipeOf(kind);
-  const auto kind_number = static_cast<std::uint64_t>(&recipe - Recipes().data());
-  Random random(seed * 64 + kind_number);  // other objects in every kind
+Scene Generate(const Recipe& recipe, std::uint64_t seed, const cv::Size& size_px) {
+  Random random(seed);
   Scene scene;
   scene.camera = CameraOfSize(size_px);
   Furnish(scene, recipe, random);
@@ -145,6 +133,28 @@ Scene RandomScene(std::string_view kind, std::uint64_t seed, const cv::Size& siz
     const bool any = filled.bodies.size() > scene.bodies.size();
     if (any && AllVisible(filled)) return filled;
   }
+}
+
+}  // namespace
+
+const std::vector<std::string>& SceneKinds() {
+  static const std::vector<std::string> kinds = [] {
+    std::vector<std::string> names;
+    names.reserve(Recipes().size());
+    for (const Recipe& recipe : Recipes()) names.emplace_back(recipe.kind);
+    return names;
+  }();
+  return kinds;
+}
+
+Scene RandomScene(std::string_view kind, std::uint64_t seed, const cv::Size& size_px) {
+  const Recipe& recipe = RecipeOf(kind);
+  const auto kind_number = static_cast<std::uint64_t>(&recipe - Recipes().data());
+  return Generate(recipe, seed * 64 + kind_number, size_px);  // other objects in every kind
+}
+
+Scene RandomScene(const Recipe& recipe, std::uint64_t seed, const cv::Size& size_px) {
+  return Generate(recipe, seed * 64 + 63, size_px);
 }
 
 }  // namespace fovea::scenes

@@ -10,8 +10,8 @@ namespace fovea::scenes {
 
 enum class Surfaces { kTable, kTwoTables, kFloor, kTote, kShelfBin, kTablet };
 
-// Of random_objects.h and household_objects.h.
-enum class Objects { kSimple, kHousehold, kSupplies, kTools, kLuggage };
+// Of random_objects.h and household_objects.h; kMixed: what hands can take of them.
+enum class Objects { kSimple, kHousehold, kSupplies, kTools, kLuggage, kMixed };
 
 struct Range {
   double low, high;

@@ -68,7 +68,7 @@ def test_the_example_finds_objects(installed: Path, server: ServerProcess, frame
     assert all(line.endswith(" grasps") for line in output.splitlines())
 
 
-@pytest.mark.parametrize("example", ["detect_once.py", "detect_stream.py"])
+@pytest.mark.parametrize("example", ["clean_up.py", "detect_once.py", "detect_stream.py"])
 def test_the_examples_explain_themselves(installed: Path, example: str) -> None:
     assert run_with(installed, str(EXAMPLES / example), "--help").startswith(f"usage: {example}")
 
@@ -81,6 +81,18 @@ def test_the_example_of_a_stream_runs_over_a_folder(
     )
     lines = output.splitlines()
     assert lines[-1].startswith("frame 2: ")
+
+
+def test_the_example_cleans_up(installed: Path, server: ServerProcess) -> None:
+    command = [os.environ["FOVEA_CLEAN_UP"], "--things", "2", "--sensor", "ideal", "--"]
+    command += [sys.executable, str(EXAMPLES / "clean_up.py"), server.address]
+    environment = os.environ | {"PYTHONPATH": str(installed)}
+    finished = subprocess.run(
+        command, env=environment, capture_output=True, text=True, timeout=300, check=False
+    )
+    assert finished.returncode == 0, finished.stderr
+    assert "1 scenes, 2 things" in finished.stdout
+    assert any(line.endswith(" taken") for line in finished.stdout.splitlines()), finished.stdout
 
 
 def test_it_stands_beside_another_copy_of_the_health_protocol(installed: Path) -> None:

@@ -1,0 +1,53 @@
+"""Cleans up a floor: takes what is likeliest to hold, of what nothing stands on, and looks again.
+
+`fovea-clean-up` simulates the robot: it writes what the camera sees to the standard input, a
+request a line, and does the grasps that come back (docs/clean_up.md).
+"""
+
+import argparse
+import base64
+import json
+import sys
+from typing import Any
+
+import numpy as np
+
+import fovea
+
+HANDS = [fovea.Gripper("jaw", max_opening_m=0.14), fovea.Gripper("cup", suction_diameter_m=0.03)]
+
+parser = argparse.ArgumentParser(description=__doc__)
+parser.add_argument("address", help="of the server, HOST:PORT")
+arguments = parser.parse_args()
+options = fovea.DetectOptions(grippers=HANDS, return_masks=False)
+tried: list[fovea.Grasp] = []
+
+
+def chance(grasp: fovea.Grasp) -> float:
+    """Half as much for each time that it was tried: what is still there did not hold."""
+    apart = [np.linalg.norm(grasp.tool_center_point - each.tool_center_point) for each in tried]
+    return grasp.probability / 2 ** sum(bool(distance < 0.03) for distance in apart)
+
+
+def tell(**decision: Any) -> None:
+    plain = lambda value: value.tolist() if isinstance(value, np.ndarray) else vars(value)
+    print(json.dumps(decision, default=plain), flush=True)
+
+
+try:
+    with fovea.Client(arguments.address) as client:
+        for line in sys.stdin:
+            frame = json.loads(line)["frame"]
+            color, depth = (base64.b64decode(frame[each]["data"]) for each in ("color", "depth"))
+            intrinsics = fovea.CameraIntrinsics(**frame["intrinsics"])
+            found = client.detect(color, depth, intrinsics, options=options)
+
+            free = [grasp for each in found.objects if not each.blocked_by for grasp in each.grasps]
+            best = max(free, key=chance, default=None)
+            if best is None or chance(best) <= 0.1:  # it is not worth the while
+                tell(left=found.objects)
+            else:
+                tell(grasp=best)
+                tried.append(best)
+except fovea.FoveaError as error:
+    sys.exit(f"clean_up: {error}")
