@@ -65,7 +65,7 @@ TEST_F(FrameListTest, ReadsTumFoldersByTime) {
 
 TEST_F(FrameListTest, NamesTheLineThatIsBroken) {
   Write("rgb.txt", "# c\n1.5\n");
-  Write("depth.txt", "");
+  Write("depth.txt", "# depth maps\n");
   try {
     ListFrames(Input());
     FAIL();

@@ -40,7 +40,7 @@ TEST(BoxLines, HideWhatIsBehindTheFacesThatAreSeen) {
   const std::vector<SpaceLine> lines = LinesOf(BoxAt(0.5, 0.5, 1));
   EXPECT_EQ(lines.size(), 12U);
   EXPECT_EQ(NumHidden(lines), 3);
-  EXPECT_EQ(NumHidden(LinesOf(BoxAt(0, 0, 1))), 4) << "of one face that is seen, the back";
+  EXPECT_EQ(NumHidden(LinesOf(BoxAt(0, 0, 1))), 8) << "all but those of the one face that is seen";
 }
 
 TEST(RoundLines, LieOnTheCylinderAndItsOutlineTouchesLinesOfSight) {
