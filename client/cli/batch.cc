@@ -6,6 +6,7 @@
 #include <future>
 #include <iostream>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -61,6 +62,24 @@ struct Run {
   const std::function<std::string(const client::RpcError&)>& explain;
 };
 
+// A folder can wait: a server may take fewer frames of one caller than --jobs.
+v1::DetectResponse Ask(const Run& run, const v1::DetectRequest& request) {
+  using std::chrono::steady_clock;
+  const steady_clock::time_point end = steady_clock::now() + run.timeout;
+  while (true) {
+    try {
+      return run.client.Detect(request, std::chrono::duration_cast<std::chrono::milliseconds>(
+                                            end - steady_clock::now()));
+    } catch (const client::RpcError& error) {
+      if (error.code() != grpc::StatusCode::RESOURCE_EXHAUSTED || !error.retry_after() ||
+          steady_clock::now() + *error.retry_after() >= end) {
+        throw;
+      }
+      std::this_thread::sleep_for(*error.retry_after());
+    }
+  }
+}
+
 // Whoever finds NAME.json finds all of it, and all other files.
 void WriteFiles(Outputs outputs, const FrameFiles& files, const FrameSettings& settings,
                 const v1::DetectRequest& request, const v1::Detections& found) {
@@ -75,7 +94,7 @@ Outcome DetectFrame(const Run& run, const FrameFiles& files) {
     if (!fs::exists(files.depth_path)) throw std::runtime_error("no " + files.depth_path);
     const Outputs outputs = OutputsOf(files.id, run.batch);
     const v1::DetectRequest request = MakeRequest(files, run.settings);
-    const v1::DetectResponse response = run.client.Detect(request, run.timeout);
+    const v1::DetectResponse response = Ask(run, request);
     const v1::Detections& found = response.detections();
     CheckSize(run.settings, found);
     WriteFiles(outputs, files, run.settings, request, found);

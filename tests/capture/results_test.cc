@@ -1,6 +1,7 @@
 #include "client/capture/results.h"
 
 #include <gmock/gmock.h>
+#include <grpcpp/support/status_code_enum.h>
 #include <gtest/gtest.h>
 
 #include <sstream>
