@@ -44,6 +44,7 @@ set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 # gRPC's CMake files want the last one to be there.
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
     "libgrpc++-dev, libgrpc-dev, libprotobuf-dev, protobuf-compiler-grpc")
+set(CPACK_DEBIAN_DEV_PACKAGE_SUGGESTS "libpcl-dev") # of fovea::pcl
 # fovea-client had these files before.
 set(CPACK_DEBIAN_DEV_PACKAGE_BREAKS "fovea-client (<< 0.1.0-1)")
 set(CPACK_DEBIAN_DEV_PACKAGE_REPLACES "fovea-client (<< 0.1.0-1)")

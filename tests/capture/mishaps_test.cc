@@ -149,7 +149,7 @@ TEST_F(MishapsTest, ServerThatRefusesFrames) {
   const Finished finished = With("", {"--set", "no.such=1"});
   EXPECT_EQ(finished.exit_code, 1);
   EXPECT_THAT(finished.out, HasSubstr("000001  failed: options.parameters[no.such]"));
-  EXPECT_EQ(CountOf(finished.out, "failed;"), kNumFrames);
+  EXPECT_EQ(CountOf(finished.out, "failed;"), 1) << "it would refuse them all";
 }
 
 TEST_F(MishapsTest, MisspeltFlags) {
