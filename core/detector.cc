@@ -13,9 +13,12 @@
 #include "core/object_surroundings.h"
 #include "core/objects/portions.h"
 #include "core/paper/detect_as_paper.h"
+#include "core/planning/collision_primitives.h"
+#include "core/planning/height_map.h"
 #include "core/refinement.h"
 #include "core/relations/blocked_by.h"
 #include "core/relations/free_places.h"
+#include "core/relations/leans_on.h"
 #include "core/saliency/mean_saliency.h"
 #include "core/scene/background.h"
 #include "core/scene_geometry.h"
@@ -213,15 +216,36 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& op
   return {scene.points, std::move(scene.supports)};
 }
 
+void PrepareForPlanning(const ObjectSurroundings& around, const PlanningOptions& options,
+                        Detections& result) {
+  if (options.collision_primitives) {
+    for (DetectedObject& object : result.objects) object.collision = PrimitiveOf(object);
+    for (const Support& support : around.supports) {
+      result.support_collisions.push_back(PrimitiveOf(support, around.points));
+    }
+  }
+  if (options.height_map) {
+    const Eigen::Vector3f up = result.support ? result.support->normal : -result.gravity.direction;
+    const float offset_m = result.support ? result.support->offset_m : 0;
+    result.height_map = MakeHeightMap(around.points, up, offset_m, options);
+  }
+}
+
 // What a robot asks of the objects beside what they are.
 void AnswerRobot(const RgbdFrame& frame, const ObjectSurroundings& around,
                  const DetectorOptions& options, Trace* trace, StageClock& clock,
                  Detections& result) {
+  FindWhatLeans(-result.gravity.direction, result.objects);
   BlockByWhatStandsOn(result.objects);
   if (options.place) {
     clock.Begin("places");
     result.free_places =
         FindFreePlaces(around.points, around.supports, result.objects, *options.place);
+  }
+  const PlanningOptions& planning = options.planning;
+  if (planning.collision_primitives || planning.height_map) {
+    clock.Begin("planning");
+    PrepareForPlanning(around, planning, result);
   }
   if (!options.grippers.empty()) {
     clock.Begin("grasps");

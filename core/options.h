@@ -62,6 +62,7 @@ struct DetectorOptions {
   ObjectOptions objects;
   std::vector<Gripper> grippers;      // to plan grasps for; of profile "paper" too
   std::optional<PlaceOptions> place;  // what to find free places for; of profile "paper" too
+  PlanningOptions planning;           // of profile "paper" too
 };
 
 // "paper": the method as Bao et al. describe it. "default": what goes beyond it. An empty name

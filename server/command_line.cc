@@ -118,6 +118,11 @@ void AddFlags(CLI::App& app, ServerOptions& options) {
       "--option", options.fixed_options,
       "Options of the method, each NAME=VALUE, that hold for every frame; --list-options "
       "prints all");
+  app.add_option(
+      "--gripper", options.grippers,
+      "Grippers of robots whose requests name none, each ROBOT=GRIPPER with a "
+      "fovea.v1.Gripper in JSON, for example 'arm={\"jaw\": {\"max_opening_m\": 0.14}}'; "
+      "ROBOT * is every other one");
   app.add_option("--hold-s", options.hold_s,
                  "How long to serve on with health NOT_SERVING after SIGTERM or SIGINT, 0 to 3600 "
                  "seconds; a second signal ends it")

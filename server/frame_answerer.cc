@@ -38,6 +38,7 @@ FrameAnswerer::FrameAnswerer(DetectFunction detect, const ServerOptions& options
                [nice = options.compute_nice] { LowerPriority(nice); }),
       detect_(std::move(detect)),
       policy_(options.client_options, options.fixed_options),
+      grippers_(options.grippers),
       max_pixels_(static_cast<std::uint64_t>(options.max_pixels)),
       max_compute_(options.max_compute_ms),
       slow_(options.slow_ms),
@@ -57,6 +58,7 @@ grpc::Status FrameAnswerer::Answer(const FrameRequest& request, const Caller& ca
     detections = Compute(request, caller, &trace, &image, &times);
     detections.stage_times = times;
     *answer = ToProto(detections, trace, *request.frame, *request.options);
+    answer->set_grippers_source(grippers_.SourceFor(caller.robot(), request.options->grasps()));
   } catch (...) {
     status = StatusOfCurrentException(caller.DeadlinePassed());
     detections = {};
@@ -122,7 +124,8 @@ Detections FrameAnswerer::DetectInTime(const RgbdFrame& frame, const DetectorOpt
 Detections FrameAnswerer::Compute(const FrameRequest& request, const Caller& caller, Trace* trace,
                                   cv::Size* image, std::vector<StageTime>* times) const {
   std::vector<std::string> losses;
-  const DetectorOptions options = FromProto(*request.options, policy_);
+  DetectorOptions options = FromProto(*request.options, policy_);
+  options.grippers = grippers_.For(caller.robot(), request.options->grasps(), options.grippers);
   RequireStream(*request.options, request.tracker);
   const RgbdFrame frame = FromProto(*request.frame, max_pixels_, &losses);
   *image = frame.depth_m.size();

@@ -13,6 +13,7 @@
 #include "fovea/v1/detection.pb.h"
 #include "fovea/v1/frame.pb.h"
 #include "server/conversion/option_policy.h"
+#include "server/conversion/robot_grippers.h"
 #include "server/server_options.h"
 
 namespace fovea::server {
@@ -65,6 +66,7 @@ class FrameAnswerer {
   mutable Helpers helpers_;
   const DetectFunction detect_;
   const OptionPolicy policy_;
+  const RobotGrippers grippers_;
   const std::uint64_t max_pixels_;
   const std::chrono::milliseconds max_compute_, slow_;
   Metrics& metrics_;

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "server/conversion/option_policy.h"
+#include "server/conversion/robot_grippers.h"
 #include "server/tracing/http_post.h"
 
 namespace fovea::server {
@@ -125,6 +126,7 @@ void Validate(const ServerOptions& options) {
   RequireTracing(options);
   RequireRange("--slow-ms", options.slow_ms, 0, 3'600'000);
   const OptionPolicy policy(options.client_options, options.fixed_options);
+  const RobotGrippers grippers(options.grippers);
   RequireLogLevel(options.log_level);
   RequireLogFormat(options.log_format);
 }

@@ -61,6 +61,8 @@ struct ServerOptions {
   // "all"; and options, as NAME=VALUE, that hold for every frame whatever it asks for.
   std::string client_options = "all";
   std::vector<std::string> fixed_options;
+  // Of robots whose requests name none, each ROBOT={…}; see RobotGrippers.
+  std::vector<std::string> grippers;
   // Frames that wait beyond those, -1 … 10000; -1 = one per compute thread. More wait longer, fewer
   // are refused sooner. A stream's newest frame is not counted.
   int max_waiting = -1;

@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/depth/measured_area.h"
+#include "core/objects/color_names.h"
 #include "core/objects/selection.h"
 #include "core/shape/complete_objects.h"
 #include "core/types/interruption.h"
@@ -89,6 +90,8 @@ DescribedObject Describe(const RgbdFrame& frame, const cv::Mat& points, const Ca
   InterruptionPoint();
   object.truncated = candidate.truncated;
   SetColoredCloud(frame, points, pixels, object);
+
+  object.colors = ColorPartsOf(object.cloud);
 
   std::vector<Eigen::Vector3f> positions;
   for (const ColoredPoint& p : object.cloud) positions.emplace_back(p.x, p.y, p.z);

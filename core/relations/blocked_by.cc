@@ -21,8 +21,10 @@ void AddAbove(const std::vector<std::vector<int>>& carried, int label, int lifte
 void BlockByWhatStandsOn(std::vector<DetectedObject>& objects) {
   std::vector<std::vector<int>> carried(objects.size() + 1);  // by label
   for (const DetectedObject& object : objects) {
-    for (const int label : object.stands_on) {
-      carried[static_cast<std::size_t>(label)].push_back(object.label);
+    for (const std::vector<int>* below : {&object.stands_on, &object.leans_on}) {
+      for (const int label : *below) {
+        carried[static_cast<std::size_t>(label)].push_back(object.label);
+      }
     }
   }
   for (DetectedObject& object : objects) {

@@ -51,6 +51,16 @@ void SetRoundShape(const Solid& solid, const LevelFrame& frame, Shape& shape) {
   shape.length_m = lies ? size.x() : size.z();
 }
 
+// Taken from the level frame to the camera's, and to the axes of the box where these are swapped.
+BoxUncertainty InCamera(const BoxUncertainty& level, const LevelFrame& frame, bool is_swapped) {
+  Eigen::Matrix4f turn = Eigen::Matrix4f::Identity();
+  turn.topLeftCorner<3, 3>() = frame.rotation;
+  BoxUncertainty uncertainty = level;
+  uncertainty.pose_covariance = turn * level.pose_covariance * turn.transpose();
+  if (is_swapped) std::swap(uncertainty.size_sigma_m.x(), uncertainty.size_sigma_m.y());
+  return uncertainty;
+}
+
 }  // namespace
 
 void SetShape(const FittedShape& fitted, const LevelFrame& frame, DetectedObject& object) {
@@ -59,7 +69,10 @@ void SetShape(const FittedShape& fitted, const LevelFrame& frame, DetectedObject
   shape.kind = fitted.kind;
   shape.confidence = fitted.confidence;
   shape.residual_m = fitted.fit.residual_m;
-  if (fitted.kind == Shape::Kind::kOther) {
+  const Eigen::Vector3f size = solid.Size();
+  const bool is_other = fitted.kind == Shape::Kind::kOther;
+  object.uncertainty = InCamera(fitted.uncertainty, frame, !is_other && size.y() > size.x());
+  if (is_other) {
     const float top = (object.visible_box.center - frame.origin).dot(frame.rotation.col(2)) +
                       object.visible_box.size_m.z() / 2;
     object.box = object.visible_box;

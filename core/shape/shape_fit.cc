@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/shape/uncertainty.h"
+
 namespace fovea {
 namespace {
 
@@ -173,6 +175,9 @@ FittedShape FitShape(const DetectedObject& object, const std::vector<OutlinePoin
   }
   best.confidence /= odds;
   best.kind = best.fit.cost < kMostCost ? KindOf(best.fit) : Shape::Kind::kOther;
+  const bool is_other = best.kind == Shape::Kind::kOther;
+  best.uncertainty = UncertaintyOf(
+      seen, is_other ? StartOf(Solid::Kind::kBox, start) : best.fit.solid, best.fit.cost);
   return best;
 }
 

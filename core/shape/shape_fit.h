@@ -6,6 +6,7 @@
 
 #include "core/shape/outline.h"
 #include "core/shape/solid_fit.h"
+#include "core/types/box_uncertainty.h"
 #include "core/types/detections.h"
 #include "core/types/rgbd_frame.h"
 
@@ -33,6 +34,8 @@ struct FittedShape {
   Shape::Kind kind = Shape::Kind::kOther;
   float confidence = 0;
   FittedSolid fit;  // of kOther: the one that explains most
+  // Level frame; of the solid's box, of kOther of the box around what was seen.
+  BoxUncertainty uncertainty;
 };
 
 // Tries each solid on the points of the object and the rays through its outline, from the box that

@@ -80,10 +80,6 @@ void DistancesOfSphere(const Solid& solid, const LevelPoints& p, ArrayXf& distan
               solid.radius_m;
 }
 
-bool HasTurn(Solid::Kind kind) {
-  return kind == Solid::Kind::kBox || kind == Solid::Kind::kLyingCylinder;
-}
-
 // By half of the tangent, which is exact on every machine.
 Eigen::Vector2f Turned(const Eigen::Vector2f& along, float angle_rad) {
   const float t = angle_rad / 2, scale = 1 / (1 + t * t);
@@ -123,6 +119,10 @@ int NumParameters(Solid::Kind kind) {
       return 3;
   }
   return 0;
+}
+
+bool HasTurn(Solid::Kind kind) {
+  return kind == Solid::Kind::kBox || kind == Solid::Kind::kLyingCylinder;
 }
 
 Solid Moved(const Solid& solid, const Eigen::VectorXf& step) {

@@ -32,6 +32,10 @@ struct Solid {
 // How many numbers describe a solid of this kind: its centre, its turn where it has one, its sizes.
 int NumParameters(Solid::Kind kind);
 
+// Whether a turn is one of them, and which.
+bool HasTurn(Solid::Kind kind);
+inline constexpr int kTurnParameter = 2;
+
 // Changed by a step in these numbers. A turn is in radians, for small ones. Sizes stay above 2 mm.
 Solid Moved(const Solid& solid, const Eigen::VectorXf& step);
 

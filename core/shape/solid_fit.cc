@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/shape/solid_residuals.h"
+
 namespace fovea {
 namespace {
 
@@ -13,132 +15,10 @@ using Eigen::ArrayXf;
 // From wide to narrow: points that are far off pull at first.
 constexpr std::array<float, 3> kScales = {4, 2, 1};
 constexpr int kStepsPerScale = 3;
-constexpr float kDifference = 1e-4F;  // metres and radians, for derivatives
-// A point inside of a hollow frustum costs as much as one 0.7 standard deviations off.
-constexpr float kHollowResidual = 0.7F;
 // Of twelve parts of its rim, as many must be seen.
 constexpr int kMinRimParts = 4;
-constexpr float kRim_m = 0.006F, kRimHeight_m = 0.01F, kInnerShare = 0.9F;
+constexpr float kRimHeight_m = 0.01F, kInnerShare = 0.9F;
 constexpr float kMostGrowth = 1.6F, kRoom_m = 0.02F;
-
-// What is not seen of a box is likely not much thinner than what is. Moves sides by tenths of a
-// millimetre where they are seen, and decides where nothing else does.
-float Thinness(const Solid& solid) {
-  if (solid.kind != Solid::Kind::kBox) return 0;
-  constexpr float kLikelyShare = 0.6F, kWeight = 0.4F;
-  const float length = 2 * std::max(solid.half_length_m, solid.half_width_m);
-  const float width = 2 * std::min(solid.half_length_m, solid.half_width_m);
-  const float likely = kLikelyShare * std::min(length, solid.height_m);
-  return width < likely ? kWeight * (likely - width) / likely : 0;
-}
-
-// 1 for the points of a hollow: seen through the top of an upright round solid, and below it.
-ArrayXf IsBelowRim(const SeenObject& seen, const Solid& solid) {
-  constexpr float kSurely = 2.5F;  // standard deviations
-  const LevelPoints& p = seen.points;
-  const float inner_m = kInnerShare * solid.radius_m;
-  const Eigen::Vector3f& camera = seen.camera;
-  if (camera.z() <= solid.height_m) return ArrayXf::Zero(p.size());
-  // Where the lines of sight pass the height of the top.
-  const ArrayXf share = (camera.z() - solid.height_m) / (camera.z() - p.h).max(kRim_m);
-  const ArrayXf x = camera.x() + share * (p.x - camera.x()) - solid.center.x();
-  const ArrayXf y = camera.y() + share * (p.y - camera.y()) - solid.center.y();
-  const ArrayXf below = solid.height_m - p.h - (kSurely * seen.noise_m).max(kRim_m);
-  return (x.square() + y.square() < inner_m * inner_m && below > 0).cast<float>();
-}
-
-// Distances, in standard deviations, of the points and of the rays, and where each ray is nearest.
-class Residuals {
- public:
-  explicit Residuals(const SeenObject& seen)
-      : seen_(seen), on_rays_(seen.directions.size()), is_hollow_(seen.points.size()) {}
-
-  // With the places along the rays that are nearest to this solid.
-  const ArrayXf& Of(const Solid& solid) {
-    FindNearest(solid);
-    MarkHollow(solid);
-    return AtNearest(solid);
-  }
-
-  // With those of the last call of Of().
-  const ArrayXf& AtNearest(const Solid& solid) {
-    const Eigen::Index num_points = seen_.points.size(), num_rays = on_rays_.size();
-    all_.resize(num_points + num_rays);
-    SignedDistances(solid, seen_.points, distances_, &seen_.camera);
-    all_.head(num_points) = (is_hollow_ > 0).select(kHollowResidual, distances_ / seen_.noise_m);
-    SignedDistances(solid, on_rays_, distances_);
-    distances_ = (seen_.is_own_end > 0).select(distances_, distances_.max(0.0F));
-    all_.segment(num_points, num_rays) = distances_ / seen_.outline_noise_m;
-    return all_;
-  }
-
- private:
-  void PutOnRays(const ArrayXf& places) {
-    on_rays_.x = seen_.camera.x() + seen_.directions.x * places;
-    on_rays_.y = seen_.camera.y() + seen_.directions.y * places;
-    on_rays_.h = seen_.camera.z() + seen_.directions.h * places;
-  }
-
-  // The distance from a convex solid along a ray has one minimum; golden sections find it, after
-  // the first time from where it was.
-  void FindNearest(const Solid& solid) {
-    const Eigen::Vector3f size = solid.Size();
-    const Eigen::Vector3f middle(solid.center.x(), solid.center.y(), size.z() / 2);
-    const Eigen::Vector3f to = middle - seen_.camera;
-    const ArrayXf squared =
-        seen_.directions.x.square() + seen_.directions.y.square() + seen_.directions.h.square();
-    ArrayXf reach = size.norm() / squared.sqrt();
-    if (places_.size() == 0) {
-      places_ = (seen_.directions.x * to.x() + seen_.directions.y * to.y() +
-                 seen_.directions.h * to.z()) /
-                squared;
-    } else {
-      reach *= 0.25F;
-    }
-    constexpr int kSections = 9;
-    constexpr float kGolden = 0.381966F;
-    ArrayXf low = places_ - reach, high = places_ + reach;
-    ArrayXf a = low + kGolden * (high - low), b = high - kGolden * (high - low), at_a, at_b, at_new;
-    PutOnRays(a);
-    SignedDistances(solid, on_rays_, at_a);
-    PutOnRays(b);
-    SignedDistances(solid, on_rays_, at_b);
-    for (int section = 0; section < kSections; ++section) {
-      for (Eigen::Index i = 0; i < places_.size(); ++i) {  // what compilers make vectors of
-        const bool is_before = at_a[i] < at_b[i];
-        high[i] = is_before ? b[i] : high[i];
-        low[i] = is_before ? low[i] : a[i];
-        const float step = kGolden * (high[i] - low[i]);
-        places_[i] = is_before ? low[i] + step : high[i] - step;
-      }
-      PutOnRays(places_);
-      SignedDistances(solid, on_rays_, at_new);
-      for (Eigen::Index i = 0; i < places_.size(); ++i) {
-        const bool is_before = at_a[i] < at_b[i];
-        const float kept = is_before ? a[i] : b[i], at_kept = is_before ? at_a[i] : at_b[i];
-        a[i] = is_before ? places_[i] : kept;
-        at_a[i] = is_before ? at_new[i] : at_kept;
-        b[i] = is_before ? kept : places_[i];
-        at_b[i] = is_before ? at_kept : at_new[i];
-      }
-    }
-    places_ = (at_a < at_b).select(a, b);
-    PutOnRays(places_);
-  }
-
-  void MarkHollow(const Solid& solid) {
-    if (solid.kind == Solid::Kind::kFrustum) {
-      is_hollow_ = IsBelowRim(seen_, solid);
-    } else {
-      is_hollow_.setZero();
-    }
-  }
-
-  const SeenObject& seen_;
-  LevelPoints on_rays_;
-  ArrayXf places_;  // along the rays, of what is nearest to the solid
-  ArrayXf is_hollow_, distances_, all_;
-};
 
 float MeanCost(const ArrayXf& residuals, float scale) {
   const ArrayXf squared = (residuals / scale).square();
@@ -158,27 +38,13 @@ float CostOf(const ArrayXf& residuals, const Solid& solid, float scale) {
   return MeanCost(residuals, scale) + thinness * thinness;
 }
 
-Eigen::VectorXf Step(Residuals& residuals, const Solid& solid, const ArrayXf& at, float scale,
+Eigen::VectorXf Step(SolidResiduals& residuals, const Solid& solid, const ArrayXf& at, float scale,
                      float damping) {
-  const int count = NumParameters(solid.kind);
-  Eigen::MatrixXf derivatives(at.size(), count);
-  Eigen::VectorXf thinner(count);
-  const float thinness = Thinness(solid);
-  for (int k = 0; k < count; ++k) {
-    const Eigen::VectorXf step = Eigen::VectorXf::Unit(count, k) * kDifference;
-    const Solid moved = Moved(solid, step);
-    derivatives.col(k) = (residuals.AtNearest(moved) - at) / kDifference;
-    thinner[k] = (Thinness(moved) - thinness) / kDifference;
-  }
-  const ArrayXf weights = (1 + (at / scale).square()).square().inverse();
-  const Eigen::MatrixXf weighted = derivatives.array().colwise() * weights;
-  Eigen::MatrixXf normal = weighted.transpose() * derivatives;
-  Eigen::VectorXf gradient = weighted.transpose() * at.matrix();
-  const float num_residuals = static_cast<float>(at.size()) * scale * scale;
-  normal += num_residuals * thinner * thinner.transpose();
-  gradient += num_residuals * thinness * thinner;
+  NormalEquations equations = Linearize(residuals, solid, at, scale);
+  AddThinness(solid, static_cast<float>(at.size()) * scale * scale, equations);
+  Eigen::MatrixXf& normal = equations.normal;
   normal.diagonal().array() += damping * (normal.diagonal().array() + normal.diagonal().mean());
-  return normal.ldlt().solve(-gradient);
+  return normal.ldlt().solve(-equations.gradient);
 }
 
 // In how many twelfths of a turn about the axis a rim is seen.
@@ -209,7 +75,7 @@ float ResidualOf(const SeenObject& seen, const Solid& solid, const ArrayXf& resi
 }  // namespace
 
 FittedSolid FitSolid(const SeenObject& seen, const Solid& start) {
-  Residuals residuals(seen);
+  SolidResiduals residuals(seen);
   FittedSolid fitted{start};
   float damping = 1e-2F;
   for (const float scale : kScales) {

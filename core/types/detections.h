@@ -11,9 +11,12 @@
 #include <string>
 #include <vector>
 
+#include "core/types/box_uncertainty.h"
+#include "core/types/color.h"
 #include "core/types/grasp.h"
 #include "core/types/gripper.h"
 #include "core/types/oriented_box.h"
+#include "core/types/planning.h"
 #include "core/types/shape.h"
 #include "core/types/track.h"
 
@@ -49,12 +52,14 @@ struct DetectedObject {
   OrientedBox box;             // completed: with what the camera cannot see of its shape; stands on
                                // the support where one was found
   OrientedBox visible_box;     // around what was seen alone, with the same axes
+  std::optional<BoxUncertainty> uncertainty;  // of `box`; none where depth is missing
   Shape shape;
   bool yaw_is_arbitrary = false;  // round about the upright: the box's x axis then points away from
                                   // the camera
   float unseen_share = 0;         // of the completed surface, without its bottom, 0 … 1
   Eigen::Vector3f centroid = Eigen::Vector3f::Zero();  // mean of the visible points
   std::array<std::uint8_t, 3> mean_color{};            // RGB
+  std::vector<ColorPart> colors;                       // by name, the largest part first
   std::optional<float> height_above_support_m;         // of its lowest point
   bool truncated = false;                              // the mask ends with the image or its depth
   bool depth_missing = false;  // of most of the mask: it was seen as a hole in its support, the box
@@ -63,7 +68,9 @@ struct DetectedObject {
   std::vector<NoGrasp> no_grasps;  // of the grippers without one
   // What carries it and what must be taken away before it: labels, 0 = a support surface.
   std::vector<int> stands_on, blocked_by;
-  std::vector<ColoredPoint> cloud;   // one point per mask pixel, row-major order
+  std::vector<int> leans_on;                    // labels of the objects that hold it up at its side
+  std::optional<CollisionPrimitive> collision;  // encloses it; where planning asks for it
+  std::vector<ColoredPoint> cloud;              // one point per mask pixel, row-major order
   std::optional<ObjectTrack> track;  // where frames are tracked (core/tracking/tracker.h)
 };
 
@@ -131,6 +138,9 @@ struct Detections {
   std::optional<SupportSurface> support;  // the dominating one
   std::vector<Gripper> grippers;          // that grasps were planned for
   std::vector<FreePlace> free_places;     // most room first; empty unless asked for
+  // Where planning asks for them: below each support, the dominating one first.
+  std::vector<CollisionPrimitive> support_collisions;
+  std::optional<HeightMap> height_map;
   bool incomplete = false;  // the time budget ended before all of the scene was looked at
   Diagnostics diagnostics;
   std::vector<StageTime> stage_times;  // in the order of the pipeline

@@ -8,6 +8,7 @@
 #include "server/conversion/mask.h"
 #include "server/conversion/object.h"
 #include "server/conversion/place.h"
+#include "server/conversion/planning.h"
 #include "server/conversion/trace.h"
 #include "server/conversion/tracking.h"
 
@@ -109,6 +110,10 @@ v1::Detections ToProto(const Detections& detections, const Trace& trace, const v
   AddObjects(detections, frame, options, &proto);
   for (const Gripper& gripper : detections.grippers) *proto.add_grippers() = ToProto(gripper);
   for (const FreePlace& place : detections.free_places) *proto.add_free_places() = ToProto(place);
+  for (const CollisionPrimitive& primitive : detections.support_collisions) {
+    *proto.add_support_collisions() = ToProto(primitive);
+  }
+  if (detections.height_map) *proto.mutable_height_map() = ToProto(*detections.height_map);
   if (options.return_rejected()) AddRejected(detections, &proto);
   AddTracking(detections, &proto);
   AddTrace(trace, options, &proto);

@@ -1,19 +1,24 @@
 #include "server/conversion/object.h"
 
+#include "server/conversion/color.h"
 #include "server/conversion/geometry.h"
 #include "server/conversion/grasp.h"
 #include "server/conversion/mask.h"
+#include "server/conversion/planning.h"
 #include "server/conversion/shape.h"
 
 namespace fovea::server {
 namespace {
 
-v1::Color ColorToProto(const std::array<std::uint8_t, 3>& rgb) {
-  v1::Color color;
-  color.set_red(rgb[0]);
-  color.set_green(rgb[1]);
-  color.set_blue(rgb[2]);
-  return color;
+v1::BoxUncertainty UncertaintyToProto(const BoxUncertainty& uncertainty) {
+  v1::BoxUncertainty proto;
+  for (Eigen::Index row = 0; row < 4; ++row) {
+    for (Eigen::Index column = 0; column < 4; ++column) {
+      proto.add_pose_covariance(uncertainty.pose_covariance(row, column));
+    }
+  }
+  *proto.mutable_size_sigma() = ToProto(uncertainty.size_sigma_m);
+  return proto;
 }
 
 }  // namespace
@@ -37,9 +42,12 @@ v1::Object ToProto(const DetectedObject& object, const std::string& frame_id,
   *proto.mutable_shape() = ToProto(object.shape);
   proto.set_yaw_is_arbitrary(object.yaw_is_arbitrary);
   proto.set_unseen_share(object.unseen_share);
+  if (object.uncertainty) *proto.mutable_uncertainty() = UncertaintyToProto(*object.uncertainty);
+  if (object.collision) *proto.mutable_collision() = ToProto(*object.collision);
 
   *proto.mutable_centroid() = ToProto(object.centroid);
   *proto.mutable_mean_color() = ColorToProto(object.mean_color);
+  for (const ColorPart& part : object.colors) *proto.add_colors() = ToProto(part);
   if (object.height_above_support_m) {
     proto.set_height_above_support_m(*object.height_above_support_m);
   }
@@ -55,6 +63,7 @@ v1::Object ToProto(const DetectedObject& object, const std::string& frame_id,
     *proto.add_no_grasps() = ToProto(none, name_of(none.gripper));
   }
   for (const int label : object.stands_on) proto.add_stands_on(static_cast<std::uint32_t>(label));
+  for (const int label : object.leans_on) proto.add_leans_on(static_cast<std::uint32_t>(label));
   for (const int label : object.blocked_by) proto.add_blocked_by(static_cast<std::uint32_t>(label));
   return proto;
 }

@@ -12,6 +12,7 @@
 #include "server/conversion/field_error.h"
 #include "server/conversion/gripper.h"
 #include "server/conversion/place.h"
+#include "server/conversion/planning.h"
 
 namespace fovea::server {
 namespace {
@@ -104,6 +105,7 @@ DetectorOptions FromProto(const v1::DetectOptions& options, const OptionPolicy& 
   result.time_budget = TimeBudgetFromProto(options);
   result.grippers = FromProto(options.grasps());
   result.place = PlaceFromProto(options);
+  result.planning = PlanningFromProto(options);
   InField("options.parameters", [&] { Validate(result); });
   return result;
 }

@@ -33,6 +33,17 @@ void WriteRequests(const fs::path& folder) {
   request.mutable_frame()->mutable_color_from_depth()->mutable_position()->set_x(0.025);
   request.mutable_frame()->mutable_color_from_depth()->mutable_orientation()->set_w(1);
   Write(folder, "unregistered", request.SerializeAsString());
+  request = TestRequest();
+  fovea::v1::DetectOptions& options = *request.mutable_options();
+  options.mutable_grasps()->add_grippers()->mutable_jaw()->mutable_palm_size()->set_x(0.1);
+  options.mutable_grasps()->add_grippers()->mutable_suction()->set_max_curvature_per_m(10);
+  options.mutable_grasps()->mutable_grippers(0)->mutable_approach()->set_z(1);
+  options.mutable_places()->mutable_size()->set_x(0.1);
+  options.mutable_places()->set_margin_m(0.05);
+  options.mutable_planning()->set_collision_primitives(true);
+  options.mutable_planning()->mutable_height_map()->set_cell_m(0.01);
+  options.mutable_planning()->mutable_height_map()->set_max_cells(1000);
+  Write(folder, "robot", request.SerializeAsString());
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ def tell(**decision: Any) -> None:
 
 
 try:
-    with fovea.Client(arguments.address) as client:
+    with fovea.Client(arguments.address, timeout=60) as client:
         for line in sys.stdin:
             frame = json.loads(line)["frame"]
             color, depth = (base64.b64decode(frame[each]["data"]) for each in ("color", "depth"))

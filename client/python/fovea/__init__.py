@@ -36,8 +36,19 @@ from fovea.errors import (
 )
 from fovea.files import read_frame
 from fovea.frame import CameraIntrinsics, Frame
-from fovea.objects import BoundingBox2D, Grasp, NoGrasp, Object, OrientedBox, PointCloud, Shape
+from fovea.objects import (
+    BoundingBox2D,
+    BoxUncertainty,
+    ColorPart,
+    Grasp,
+    NoGrasp,
+    Object,
+    OrientedBox,
+    PointCloud,
+    Shape,
+)
 from fovea.options import DetectOptions, Gripper, RetryOptions, TlsOptions
+from fovea.planning import CollisionPrimitive, HeightMap
 from fovea.server_info import Option, ServerInfo, StageStatistics, Statistics
 from fovea.stream import StreamAnswer
 from fovea.tracking import CameraMotion, HiddenTrack
@@ -45,10 +56,13 @@ from fovea.version import __version__
 
 __all__ = [
     "BoundingBox2D",
+    "BoxUncertainty",
     "CameraIntrinsics",
     "CameraMotion",
     "Cancelled",
     "Client",
+    "CollisionPrimitive",
+    "ColorPart",
     "DeadlineExceeded",
     "DetectOptions",
     "Detections",
@@ -59,6 +73,7 @@ __all__ = [
     "Grasp",
     "Gravity",
     "Gripper",
+    "HeightMap",
     "HiddenTrack",
     "InvalidArgument",
     "MissingPackage",

@@ -10,6 +10,12 @@ import numpy.typing as npt
 from fovea.enums import name_of
 from fovea.geometry import FloatArray, vector_from_proto
 from fovea.objects import Object, OrientedBox, box_from_proto, object_from_proto
+from fovea.planning import (
+    CollisionPrimitive,
+    HeightMap,
+    height_map_from_proto,
+    primitive_from_proto,
+)
 from fovea.tracking import (
     CameraMotion,
     HiddenTrack,
@@ -138,6 +144,12 @@ class Detections:
     camera_motion: CameraMotion | None = None  # None also for the first frame of an epoch
     # For two seconds after a thing was seen last, by track_id.
     hidden_tracks: list[HiddenTrack] = field(default_factory=list)
+    # Whose the grippers are that grasps were planned for: "request"; "server", as its operator says
+    # for this robot; "default", one that opens 0.085 m; None of older servers.
+    grippers_source: str | None = None
+    # With DetectOptions.collision_primitives: a box below each surface that things stand on.
+    support_collisions: list[CollisionPrimitive] = field(default_factory=list)
+    height_map: HeightMap | None = None  # with DetectOptions.height_map_cell_m
 
     def label_image(self) -> npt.NDArray[np.uint16]:
         """HxW: 0 = background, k = the object with label k. Needs masks."""
@@ -188,6 +200,13 @@ def detections_from_proto(proto: detection_pb2.Detections) -> Detections:
         if proto.HasField("camera_motion")
         else None,
         hidden_tracks=[hidden_track_from_proto(each) for each in proto.hidden_tracks],
+        grippers_source=name_of(detection_pb2.GripperSource, proto.grippers_source)
+        if proto.grippers_source
+        else None,
+        support_collisions=[primitive_from_proto(each) for each in proto.support_collisions],
+        height_map=height_map_from_proto(proto.height_map)
+        if proto.HasField("height_map")
+        else None,
     )
 
 

@@ -10,6 +10,7 @@ import numpy.typing as npt
 from fovea.enums import name_of
 from fovea.geometry import FloatArray, pose_from_proto, vector_from_proto
 from fovea.masks import decode_mask
+from fovea.planning import CollisionPrimitive, primitive_from_proto
 from fovea.v1 import detection_pb2, geometry_pb2
 
 
@@ -44,6 +45,27 @@ class Shape:
     length_m: float | None  # along the axis
     radii_m: FloatArray  # of "revolution": at evenly spaced heights, the lowest first; else empty
     hollow: bool  # of "revolution": open at its top, as bowls and cups
+
+
+@dataclass(frozen=True, eq=False)
+class BoxUncertainty:
+    """How sure an oriented box is: standard deviations and covariances of its errors."""
+
+    # 4x4: of x, y, z of the middle (camera frame, m) and of the turn about the box's z axis (rad).
+    pose_covariance: FloatArray
+    size_sigma: FloatArray  # standard deviations of the sizes along the box axes, m
+
+
+@dataclass(frozen=True, eq=False)
+class ColorPart:
+    """The pixels of an object that have one of the eleven basic colours."""
+
+    # "black", "gray", "white", "red", "orange", "yellow", "green", "blue", "purple", "pink" or
+    # "brown"
+    name: str
+    share: float  # of the mask, 0 … 1
+    mean: tuple[int, int, int]  # red, green, blue
+    centroid: FloatArray  # mean of their points
 
 
 @dataclass(frozen=True, eq=False)
@@ -138,6 +160,12 @@ class Object:
     steadied_box: OrientedBox | None = None  # mean of oriented_box over the last answers
     steadied_over: int = 0  # so many of them; starts again when it was moved
     moving: bool = False  # against the background
+    # By name, the largest part first; those of an eighth of the mask and more.
+    colors: list[ColorPart] = field(default_factory=list)
+    uncertainty: BoxUncertainty | None = None  # of oriented_box; None with depth_missing
+    leans_on: list[int] = field(default_factory=list)  # labels of what holds it up at its side
+    # With DetectOptions.collision_primitives, else None: encloses the object.
+    collision: CollisionPrimitive | None = None
 
 
 def object_from_proto(proto: detection_pb2.Object, height: int, width: int) -> Object:
@@ -174,11 +202,31 @@ def object_from_proto(proto: detection_pb2.Object, height: int, width: int) -> O
         steadied_box=box_from_proto(proto.steadied_box) if proto.HasField("steadied_box") else None,
         steadied_over=proto.steadied_over,
         moving=proto.moving,
+        colors=[_color_part(each) for each in proto.colors],
+        uncertainty=_uncertainty(proto.uncertainty) if proto.HasField("uncertainty") else None,
+        leans_on=list(proto.leans_on),
+        collision=primitive_from_proto(proto.collision) if proto.HasField("collision") else None,
     )
 
 
 def box_from_proto(proto: geometry_pb2.OrientedBox) -> OrientedBox:
     return OrientedBox(pose=pose_from_proto(proto.pose), size=vector_from_proto(proto.size))
+
+
+def _color_part(proto: detection_pb2.ColorPart) -> ColorPart:
+    return ColorPart(
+        name=name_of(detection_pb2.ColorName, proto.name),
+        share=proto.share,
+        mean=(proto.mean.red, proto.mean.green, proto.mean.blue),
+        centroid=vector_from_proto(proto.centroid),
+    )
+
+
+def _uncertainty(proto: detection_pb2.BoxUncertainty) -> BoxUncertainty:
+    return BoxUncertainty(
+        pose_covariance=np.array(proto.pose_covariance).reshape(4, 4),
+        size_sigma=vector_from_proto(proto.size_sigma),
+    )
 
 
 def _grasp(proto: detection_pb2.Grasp) -> Grasp:
@@ -206,7 +254,6 @@ def _no_grasp(proto: detection_pb2.NoGrasp) -> NoGrasp:
         gripper_index=proto.gripper_index,
         reason=name_of(detection_pb2.NoGraspReason, proto.reason),
     )
-
 
 
 def _shape(proto: detection_pb2.Shape) -> Shape:

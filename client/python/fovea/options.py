@@ -82,10 +82,15 @@ class DetectOptions:
     time_budget: float = 0
     # Only in streams: objects keep a track_id from frame to frame.
     tracking: bool = False
-    # The robot's grippers; None: one with two fingers that opens 0.085 m; (): no grasps, sooner.
+    # The robot's grippers; None: those that the server's operator has set for this robot, else one
+    # with two fingers that opens 0.085 m; (): no grasps, sooner.
     grippers: Sequence[Gripper] | None = None
     # Length, width and height in metres of what free places are looked for; None: none are.
     place_size: tuple[float, float, float] | None = None
+    # Object.collision and Detections.support_collisions.
+    collision_primitives: bool = False
+    # Metres: Detections.height_map in cells of this size; None: none.
+    height_map_cell_m: float | None = None
 
     def to_proto(self) -> detection_pb2.DetectOptions:
         """Raises InvalidArgument for a parameter that is no number, or a budget out of range."""
@@ -104,6 +109,9 @@ class DetectOptions:
         if self.place_size is not None:
             size = proto.places.size
             size.x, size.y, size.z = self.place_size
+        proto.planning.collision_primitives = self.collision_primitives
+        if self.height_map_cell_m is not None:
+            proto.planning.height_map.cell_m = self.height_map_cell_m
         if self.tracking:
             proto.tracking.enabled = True
         if self.time_budget:

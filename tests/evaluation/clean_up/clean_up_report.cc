@@ -33,8 +33,9 @@ double Percent(std::size_t part, std::size_t whole) {
 }
 
 bool EndsWell(const CleanedScene& scene) {
-  return !scene.gave_up && std::all_of(scene.left.begin(), scene.left.end(),
-                                       [](const LeftThing& left) { return left.IsTrue(); });
+  return !scene.gave_up && scene.error.empty() &&
+         std::all_of(scene.left.begin(), scene.left.end(),
+                     [](const LeftThing& left) { return left.IsTrue(); });
 }
 
 void PrintCounts(std::ostream& out, const std::map<std::string, std::size_t>& counts) {
@@ -56,7 +57,11 @@ void PrintSteps(std::ostream& out, const CleanedScene& scene) {
   for (const LeftThing& left : scene.left) {
     fmt::print(out, "left {:14} {}\n", left.name, StateOf(left));
   }
-  if (scene.left.empty()) fmt::print(out, "the floor is empty\n");
+  if (!scene.error.empty()) {
+    fmt::print(out, "ended early: {}\n", scene.error);
+  } else if (scene.left.empty()) {
+    fmt::print(out, "the floor is empty\n");
+  }
 }
 
 void PrintSummary(std::ostream& out, const std::vector<CleanedScene>& scenes) {
@@ -64,7 +69,7 @@ void PrintSummary(std::ostream& out, const std::vector<CleanedScene>& scenes) {
   std::map<std::string, std::size_t> ends, left;
   for (const CleanedScene& scene : scenes) {
     things += scene.num_things;
-    empty += scene.left.empty() ? 1 : 0;
+    empty += scene.left.empty() && scene.error.empty() ? 1 : 0;
     well += EndsWell(scene) ? 1 : 0;
     for (const Attempt& attempt : scene.attempts) {
       ++attempts;
@@ -92,6 +97,7 @@ nlohmann::json ToJson(const std::vector<CleanedScene>& scenes) {
     nlohmann::json json = {{"seed", scene.seed},
                            {"things", scene.num_things},
                            {"gave_up", scene.gave_up},
+                           {"error", scene.error},
                            {"attempts", nlohmann::json::array()},
                            {"left", nlohmann::json::array()}};
     for (const Attempt& attempt : scene.attempts) {

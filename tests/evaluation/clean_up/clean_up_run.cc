@@ -74,10 +74,9 @@ void WritePicture(const CleanUpFlags& flags, const CleanedScene& scene,
               DrawGrasps(frame.frame, hand, drawn));
 }
 
-CleanedScene CleanUpOne(const CleanUpFlags& flags, std::uint64_t seed) {
+void CleanUpOne(const CleanUpFlags& flags, CleanedScene& result) {
+  const std::uint64_t seed = result.seed;
   FloorWorld world(ClutteredFloor(seed, flags.num_things), Hands(), SensorOf(flags.sensor), seed);
-  CleanedScene result;
-  result.seed = seed;
   result.num_things = world.NumThings();
   testing::Process program(flags.program, STDERR_FILENO);
   while (true) {
@@ -90,14 +89,14 @@ CleanedScene CleanUpOne(const CleanUpFlags& flags, std::uint64_t seed) {
     if (const auto* found = std::get_if<std::vector<FoundThing>>(&decision)) {
       WritePicture(flags, result, frame, world.hands(), nullptr);
       result.left = WhatIsLeft(world, frame, *found);
-      return result;
+      return;
     }
     result.attempts.push_back(world.Take(std::get<Grasp>(decision)));
     WritePicture(flags, result, frame, world.hands(), &result.attempts.back());
     if (result.attempts.size() < kAttemptsPerThing * result.num_things) continue;
     result.gave_up = true;
     result.left = WhatIsLeft(world, world.Look(), {});
-    return result;
+    return;
   }
 }
 
@@ -109,7 +108,12 @@ std::vector<CleanedScene> CleanUp(const CleanUpFlags& flags) {
   std::vector<CleanedScene> scenes(count);
   std::atomic<std::size_t> done = 0;
   ForEachIndex(count, flags.num_threads, [&](std::size_t i) {
-    scenes[i] = CleanUpOne(flags, flags.first_seed + i);
+    scenes[i].seed = flags.first_seed + i;
+    try {
+      CleanUpOne(flags, scenes[i]);
+    } catch (const std::exception& error) {
+      scenes[i].error = error.what();
+    }
     ShowProgress("scenes", ++done, count);
   });
   return scenes;

@@ -35,10 +35,12 @@ struct CleanedScene {
   std::vector<Attempt> attempts;
   std::vector<LeftThing> left;
   bool gave_up = false;  // four attempts for each thing did not do
+  std::string error;     // the program ended before its time, or said no decision
 };
 
 // Starts the program for each scene, tells it what the camera sees (client_dialog.h), does as it
-// wants, and so on until it has had enough. Throws std::runtime_error where it ends before.
+// wants, and so on until it has had enough. What goes wrong with the program of one scene is that
+// scene's error.
 std::vector<CleanedScene> CleanUp(const CleanUpFlags& flags);
 
 }  // namespace fovea::evaluation

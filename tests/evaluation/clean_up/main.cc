@@ -1,5 +1,6 @@
 // fovea-clean-up: a simulated floor that a robot's program cleans up.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
@@ -55,7 +56,9 @@ int Run(int argc, char** argv) {
   }
   PrintSummary(std::cout, scenes);
   WriteJson(json, ToJson(scenes));
-  return EXIT_SUCCESS;
+  const bool all_ended = std::all_of(scenes.begin(), scenes.end(),
+                                     [](const CleanedScene& scene) { return scene.error.empty(); });
+  return all_ended ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 }  // namespace

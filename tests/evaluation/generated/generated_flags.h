@@ -18,6 +18,7 @@ struct GeneratedFlags {
   std::vector<std::string> sensors = {"kinect", "realsense"};
   std::vector<std::string> settings;  // name=value
   bool give_gravity = false;
+  bool leaning = false;  // add a thing that leans against a box where there is room
   int num_threads = 1;
   std::string json, plot, overlays;
 };

@@ -46,8 +46,9 @@ void ForEachGeneratedScene(const GeneratedFlags& flags, const DetectorOptions& o
   std::mutex mutex;  // guards done
   std::size_t done = 0;
   ForEachIndex(count, flags.num_threads, [&](std::size_t i) {
-    GeneratedScene scene = {kinds[i / each], flags.first_seed + i % each, {}, {}};
+    GeneratedScene scene = {kinds[i / each], flags.first_seed + i % each, {}, {}, {}};
     scene.scene = scenes::RandomScene(scene.kind, scene.seed);
+    if (flags.leaning) scene.leaning = scenes::AddLeaningThing(scene.scene, scene.seed);
     const std::vector<int> pixels_alone = PixelsAlone(scene.scene);
     for (const std::string& sensor : flags.sensors) {
       scene.frames.push_back(Look(scene, sensor, flags.give_gravity, options, pixels_alone));

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/detector.h"
 #include "tests/evaluation/generated/generated_flags.h"
 #include "tests/support/labelled_frame.h"
+#include "tests/support/leaning.h"
 #include "tests/support/scene.h"
 
 namespace fovea::evaluation {
@@ -33,6 +35,7 @@ struct GeneratedScene {
   std::string kind;
   std::uint64_t seed = 0;
   scenes::Scene scene;
+  std::optional<scenes::LeaningThing> leaning;
   std::vector<GeneratedFrame> frames;  // one for each sensor
 };
 

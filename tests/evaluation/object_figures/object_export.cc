@@ -41,6 +41,12 @@ nlohmann::json ToJson(const DescribedObject& object) {
       {"shape_is_right", object.shape_is_right},
       {"shape_confidence", object.shape_confidence},
       {"unseen_share", object.unseen_share}};
+  for (std::size_t i = 0; i < kUncertainNumbers.size(); ++i) {
+    if (!object.uncertain[i]) continue;
+    json["uncertain"][kUncertainNumbers[i]] = {{"error", object.uncertain[i]->error},
+                                               {"sigma", object.uncertain[i]->sigma}};
+  }
+  if (object.color_is_right) json["color_is_right"] = *object.color_is_right;
   if (object.box.yaw_deg) json["yaw_error_deg"] = *object.box.yaw_deg;
   return json;
 }
@@ -54,6 +60,10 @@ nlohmann::json ToJson(const ObjectRun& run) {
                            {"answered", run.on_objects.answered},
                            {"precision", score.precision},
                            {"recall", score.recall}}},
+                         {"leaning",
+                          {{"truth", run.leaning.truth},
+                           {"answered", run.leaning.answered},
+                           {"right", run.leaning.right}}},
                          {"stands_right", run.stands_right},
                          {"objects_ms", Median(run.objects_ms)},
                          {"objects_ms_for_ten", Median(run.per_ten_ms)},
@@ -63,6 +73,17 @@ nlohmann::json ToJson(const ObjectRun& run) {
   for (const auto& [name, counts] : RightShapes(run)) {
     json["shape_right"][name] = {{"right", counts.first}, {"count", counts.second}};
   }
+  for (const auto& [group, numbers] : HonestiesOf(run)) {
+    for (const Honesty& h : numbers) {
+      json["honesty"][group][h.name] = {{"count", h.count},
+                                        {"within_one", h.within_one},
+                                        {"within_two", h.within_two},
+                                        {"median_error", h.median_error},
+                                        {"median_sigma", h.median_sigma}};
+    }
+  }
+  const auto [right_colors, num_colors] = RightColors(run);
+  json["color_right"] = {{"right", right_colors}, {"count", num_colors}};
   json["objects"] = nlohmann::json::array();
   for (const DescribedObject& object : run.objects) json["objects"].push_back(ToJson(object));
   return json;

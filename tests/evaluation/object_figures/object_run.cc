@@ -1,10 +1,13 @@
 #include "tests/evaluation/object_figures/object_run.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <set>
 
+#include "core/objects/color_names.h"
 #include "tests/evaluation/generated/generated_run.h"
 #include "tests/evaluation/generated/true_class.h"
 #include "tests/evaluation/object_figures/true_supports.h"
@@ -12,19 +15,44 @@
 namespace fovea::evaluation {
 namespace {
 
+bool IsInOneColor(const scenes::Body& body) {
+  return body.material.pattern == scenes::Pattern::kPlain && body.other_materials.empty();
+}
+
+// As a camera shows it in white light of full strength.
+std::array<std::uint8_t, 3> Displayed(const scenes::Material& material) {
+  constexpr double kGamma = 2.2;
+  std::array<std::uint8_t, 3> rgb{};
+  for (int i = 0; i < 3; ++i) {
+    const double share = std::clamp(material.color[i], 0.0, 1.0);
+    rgb[static_cast<std::size_t>(i)] =
+        static_cast<std::uint8_t>(std::lround(255 * std::pow(share, 1 / kGamma)));
+  }
+  return rgb;
+}
+
 DescribedObject Describe(const GeneratedScene& scene, const GeneratedFrame& frame,
                          const MatchedObject& match, const scenes::Body& body) {
   const DetectedObject& answer = frame.detections.objects[match.answer];
   const TrueClass truth = ClassOf(body);
-  DescribedObject object = {
-      scene.kind,       frame.sensor,        body.name, truth.name,
-      scene.seed,       match.visible_share, {},        truth.accepted.front(),
-      answer.shape.kind};
+  DescribedObject object;
+  object.kind = scene.kind;
+  object.sensor = frame.sensor;
+  object.name = body.name;
+  object.what = truth.name;
+  object.seed = scene.seed;
+  object.visible_share = match.visible_share;
+  object.true_shape = truth.accepted.front();
+  object.answered_shape = answer.shape.kind;
   object.box = CompareBoxes(body, InWorld(answer.box, scene.scene.camera.world_from_camera));
   object.shape_is_right = std::find(truth.accepted.begin(), truth.accepted.end(),
                                     answer.shape.kind) != truth.accepted.end();
   object.shape_confidence = answer.shape.confidence;
   object.unseen_share = answer.unseen_share;
+  object.uncertain = CompareUncertainBox(body, answer, scene.scene.camera.world_from_camera);
+  if (IsInOneColor(body) && !answer.colors.empty()) {
+    object.color_is_right = answer.colors.front().name == NameOfColor(Displayed(body.material));
+  }
   return object;
 }
 
@@ -53,6 +81,26 @@ void AddRelations(const GeneratedFrame& frame, const std::vector<std::vector<int
   }
 }
 
+// Where one of both was not found, the pair counts as little as those of AddRelations.
+void AddLeaning(const GeneratedScene& scene, const GeneratedFrame& frame, Relations& leaning) {
+  std::map<int, int> label_of_truth;
+  for (const MatchedObject& match : frame.matches) {
+    label_of_truth[static_cast<int>(match.truth) + 1] = static_cast<int>(match.answer) + 1;
+  }
+  std::pair<int, int> truth = {0, 0};  // what leans on what, as answered
+  if (scene.leaning && label_of_truth.contains(scene.leaning->label) &&
+      label_of_truth.contains(scene.leaning->against)) {
+    truth = {label_of_truth[scene.leaning->label], label_of_truth[scene.leaning->against]};
+    ++leaning.truth;
+  }
+  for (const DetectedObject& object : frame.detections.objects) {
+    for (const int other : object.leans_on) {
+      ++leaning.answered;
+      leaning.right += truth == std::pair(object.label, other);
+    }
+  }
+}
+
 void AddTimes(const Detections& detections, ObjectRun& run) {
   for (const StageTime& time : detections.stage_times) {
     if (time.stage != "objects") continue;
@@ -71,6 +119,7 @@ ObjectRun DescribeScene(const GeneratedScene& scene) {
       run.objects.push_back(Describe(scene, frame, match, *bodies[match.truth]));
     }
     AddRelations(frame, supports, run);
+    AddLeaning(scene, frame, run.leaning);
     AddTimes(frame.detections, run);
   }
   return run;
@@ -96,6 +145,9 @@ ObjectRun RunObjects(const GeneratedFlags& flags) {
     all.on_objects.truth += run.on_objects.truth;
     all.on_objects.answered += run.on_objects.answered;
     all.on_objects.right += run.on_objects.right;
+    all.leaning.truth += run.leaning.truth;
+    all.leaning.answered += run.leaning.answered;
+    all.leaning.right += run.leaning.right;
     all.stands_right += run.stands_right;
   }
   return all;

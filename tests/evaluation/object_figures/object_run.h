@@ -1,12 +1,14 @@
 // What is said of the objects of generated scenes, beside what is true.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/types/shape.h"
 #include "tests/evaluation/generated/generated_flags.h"
 #include "tests/evaluation/object_figures/box_errors.h"
+#include "tests/evaluation/object_figures/box_honesty.h"
 
 namespace fovea::evaluation {
 
@@ -19,6 +21,8 @@ struct DescribedObject {
   bool shape_is_right = false;  // any of TrueClass::accepted
   double shape_confidence = 0;
   double unseen_share = 0;
+  UncertainBox uncertain;
+  std::optional<bool> color_is_right;  // the name of its largest part; of things in one colour
 };
 
 // Pairs of matched objects of which one stands on the other.
@@ -29,6 +33,7 @@ struct Relations {
 struct ObjectRun {
   std::vector<DescribedObject> objects;  // matched ones, in the order of scenes, sensors and labels
   Relations on_objects;
+  Relations leaning;
   // Matched objects whose stands_on is exactly right, furniture and nothing answered taken for the
   // same; objects that were not matched count as furniture on both sides.
   int stands_right = 0;

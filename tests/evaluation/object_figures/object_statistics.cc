@@ -73,6 +73,27 @@ std::map<std::string, std::pair<int, int>> RightShapes(const ObjectRun& run) {
   return right;
 }
 
+std::map<std::string, std::vector<Honesty>> HonestiesOf(const ObjectRun& run) {
+  std::map<std::string, std::vector<UncertainBox>> groups;
+  for (const DescribedObject& object : run.objects) {
+    groups["all"].push_back(object.uncertain);
+    groups[VisibilityName(object.visible_share)].push_back(object.uncertain);
+  }
+  std::map<std::string, std::vector<Honesty>> honesties;
+  for (const auto& [name, boxes] : groups) honesties[name] = HonestyOf(boxes);
+  return honesties;
+}
+
+std::pair<int, int> RightColors(const ObjectRun& run) {
+  std::pair<int, int> right;
+  for (const DescribedObject& object : run.objects) {
+    if (!object.color_is_right) continue;
+    right.first += *object.color_is_right;
+    ++right.second;
+  }
+  return right;
+}
+
 Score ScoreOf(const Relations& relations) {
   return MakeScore(relations.right, relations.answered, relations.right, relations.truth);
 }

@@ -41,4 +41,10 @@ std::map<std::string, std::pair<int, int>> RightShapes(const ObjectRun& run);
 
 Score ScoreOf(const Relations& relations);
 
+// Of all objects, and of what is seen to ≥ 0.9, 0.7 … 0.9 and 0.4 … 0.7.
+std::map<std::string, std::vector<Honesty>> HonestiesOf(const ObjectRun& run);
+
+// Things in one colour that are called by its name, and how many there are.
+std::pair<int, int> RightColors(const ObjectRun& run);
+
 }  // namespace fovea::evaluation

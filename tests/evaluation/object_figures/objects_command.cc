@@ -26,6 +26,8 @@ void AddObjectsCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "objects", "Compare boxes, shapes and relations in generated scenes with the truth");
   AddGeneratedFlags(*command, *flags);
+  command->add_flag("--leaning", flags->leaning,
+                    "Lean a book against a box of each scene that has one");
   command->callback([flags] { Run(*flags); });
 }
 

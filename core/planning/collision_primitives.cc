@@ -1,0 +1,141 @@
+#include "core/planning/collision_primitives.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "core/types/interruption.h"
+#include "core/types/level_axes.h"
+
+namespace fovea {
+namespace {
+
+CollisionPrimitive BoxPrimitive(const OrientedBox& box) {
+  CollisionPrimitive primitive;
+  primitive.pose.linear() = box.rotation;
+  primitive.pose.translation() = box.center;
+  primitive.size_m = box.size_m;
+  return primitive;
+}
+
+CollisionPrimitive CylinderPrimitive(const Shape& shape) {
+  CollisionPrimitive primitive;
+  primitive.kind = CollisionPrimitive::Kind::kCylinder;
+  const Eigen::Vector3f x = shape.axis.unitOrthogonal();
+  primitive.pose.linear() << x, shape.axis.cross(x), shape.axis;
+  primitive.pose.translation() = shape.center;
+  primitive.size_m = {2 * shape.radius_m, 2 * shape.radius_m, shape.length_m};
+  return primitive;
+}
+
+CollisionPrimitive OfShape(const DetectedObject& object) {
+  switch (object.shape.kind) {
+    case Shape::Kind::kCylinder:
+    case Shape::Kind::kRevolution:
+      return CylinderPrimitive(object.shape);
+    case Shape::Kind::kSphere: {
+      CollisionPrimitive sphere;
+      sphere.kind = CollisionPrimitive::Kind::kSphere;
+      sphere.pose.translation() = object.shape.center;
+      sphere.size_m.setConstant(2 * object.shape.radius_m);
+      return sphere;
+    }
+    case Shape::Kind::kBox:
+    case Shape::Kind::kFlat:
+    case Shape::Kind::kOther:
+      break;
+  }
+  return BoxPrimitive(object.box);
+}
+
+// How far the point lies outside, 0 inside; of cylinders the larger of both ways out.
+float Outside(const CollisionPrimitive& primitive, const Eigen::Vector3f& point) {
+  const Eigen::Vector3f p = primitive.pose.inverse(Eigen::Isometry) * point;
+  const Eigen::Vector3f half = primitive.size_m / 2;
+  switch (primitive.kind) {
+    case CollisionPrimitive::Kind::kSphere:
+      return std::max(0.0F, p.norm() - half.x());
+    case CollisionPrimitive::Kind::kCylinder:
+      return std::max({0.0F, p.head<2>().norm() - half.x(), std::abs(p.z()) - half.z()});
+    case CollisionPrimitive::Kind::kBox:
+      break;
+  }
+  return (p.cwiseAbs() - half).cwiseMax(0).maxCoeff();
+}
+
+Eigen::Vector3f PositionOf(const ColoredPoint& point) { return {point.x, point.y, point.z}; }
+
+bool HoldsItsPoints(const CollisionPrimitive& primitive, const std::vector<ColoredPoint>& cloud) {
+  constexpr float kOutside_m = 0.01F;
+  constexpr std::size_t kOneIn = 50;
+  const auto outside = std::count_if(cloud.begin(), cloud.end(), [&](const ColoredPoint& point) {
+    return Outside(primitive, PositionOf(point)) >= kOutside_m;
+  });
+  return kOneIn * static_cast<std::size_t>(outside) <= cloud.size();
+}
+
+// All but a hundredth of the points along each way.
+CollisionPrimitive BoxGrownTo(const std::vector<ColoredPoint>& cloud, const OrientedBox& box) {
+  constexpr std::size_t kOneIn = 100;
+  OrientedBox grown = box;
+  std::vector<float> along(cloud.size());
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::Vector3f way = box.rotation.col(axis);
+    std::transform(cloud.begin(), cloud.end(), along.begin(), [&](const ColoredPoint& point) {
+      return way.dot(PositionOf(point) - box.center);
+    });
+    const auto few = static_cast<std::ptrdiff_t>(along.size() / kOneIn);
+    std::nth_element(along.begin(), along.begin() + few, along.end());
+    const float low = std::min(along[static_cast<std::size_t>(few)], -box.size_m[axis] / 2);
+    std::nth_element(along.begin(), along.end() - 1 - few, along.end());
+    const float high = std::max(*(along.end() - 1 - few), box.size_m[axis] / 2);
+    grown.size_m[axis] = high - low;
+    grown.center += way * ((low + high) / 2);
+  }
+  return BoxPrimitive(grown);
+}
+
+}  // namespace
+
+CollisionPrimitive PrimitiveOf(const DetectedObject& object) {
+  const CollisionPrimitive primitive = OfShape(object);
+  if (object.cloud.empty() || HoldsItsPoints(primitive, object.cloud)) return primitive;
+  return BoxGrownTo(object.cloud, object.box);
+}
+
+CollisionPrimitive PrimitiveOf(const Support& support, const cv::Mat& points, float tolerance_m) {
+  constexpr float kThickness_m = 0.02F;
+  const SupportSurface& surface = support.surface;
+  const LevelAxes axes = LevelAxesAlongView(surface.normal);
+  std::vector<cv::Point2f> on;
+  for (int row = 0; row < points.rows; ++row) {
+    InterruptionPoint();
+    for (int column = 0; column < points.cols; ++column) {
+      const auto& p = points.at<cv::Vec3f>(row, column);
+      const Eigen::Vector3f point(p[0], p[1], p[2]);
+      if (!(std::abs(surface.HeightOf(point)) <= tolerance_m)) continue;  // NaN is none
+      if (!support.footprint.Covers(point)) continue;
+      const Eigen::Vector2f place = axes * point;
+      on.emplace_back(place.x(), place.y());
+    }
+  }
+  CollisionPrimitive primitive;
+  if (on.empty()) return primitive;
+  const cv::RotatedRect rectangle = cv::minAreaRect(on);
+  cv::Point2f corners[4];
+  rectangle.points(corners);
+  const cv::Point2f side = corners[2] - corners[1];  // of the length size.width
+  Eigen::Vector2f x(side.x, side.y);
+  x = x.norm() > 0 ? x.normalized().eval() : Eigen::Vector2f::UnitX();
+  primitive.pose.linear().col(0) = axes.transpose() * x;
+  primitive.pose.linear().col(2) = surface.normal;
+  primitive.pose.linear().col(1) = surface.normal.cross(primitive.pose.linear().col(0));
+  primitive.pose.translation() =
+      axes.transpose() * Eigen::Vector2f(rectangle.center.x, rectangle.center.y) -
+      (surface.offset_m + kThickness_m / 2) * surface.normal;
+  primitive.size_m = {rectangle.size.width, rectangle.size.height, kThickness_m};
+  return primitive;
+}
+
+}  // namespace fovea

@@ -1,0 +1,139 @@
+#include "core/relations/leans_on.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace fovea {
+namespace {
+
+constexpr std::size_t kMaxPoints = 400;
+
+using Points = std::vector<Eigen::Vector3f>;
+
+Points SomePoints(const std::vector<ColoredPoint>& cloud) {
+  const std::size_t count = std::min(cloud.size(), kMaxPoints);
+  Points points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const ColoredPoint& p = cloud[i * cloud.size() / count];
+    points.emplace_back(p.x, p.y, p.z);
+  }
+  return points;
+}
+
+struct Face {
+  Eigen::Vector3f middle, normal;  // towards the camera
+  float scatter_m = 0;             // standard deviation across it
+  float breadth_m = 0;             // the smaller one along it
+};
+
+Face FitFace(const Points& points) {
+  Face face;
+  face.middle.setZero();
+  for (const Eigen::Vector3f& p : points) face.middle += p / static_cast<float>(points.size());
+  Eigen::Matrix3f spread = Eigen::Matrix3f::Zero();
+  for (const Eigen::Vector3f& p : points) {
+    const Eigen::Vector3f off = p - face.middle;
+    spread += off * off.transpose() / static_cast<float>(points.size());
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver(spread);
+  face.normal = solver.eigenvectors().col(0);
+  if (face.normal.dot(face.middle) > 0) face.normal = -face.normal;
+  const Eigen::Vector3f deviations = solver.eigenvalues().cwiseMax(0).cwiseSqrt();
+  face.scatter_m = deviations[0];
+  face.breadth_m = deviations[1];
+  return face;
+}
+
+// The one flat face that nearly all points lie on.
+std::optional<Face> OnlyFace(const Points& points) {
+  constexpr std::size_t kFewest = 60;
+  constexpr float kMinShare = 0.85F, kFlatter = 5;
+  if (points.size() < kFewest) return std::nullopt;
+  const float z = points[points.size() / 2].z();
+  const float noise_m = 0.003F + 0.003F * z * z;
+  Face face = FitFace(points);
+  Points inliers;
+  for (int round = 0; round < 2; ++round) {
+    inliers.clear();
+    const float reach_m = std::max(2 * noise_m, round == 0 ? 1.5F * face.scatter_m : 0.0F);
+    std::copy_if(points.begin(), points.end(), std::back_inserter(inliers),
+                 [&](const Eigen::Vector3f& p) {
+                   return std::abs(face.normal.dot(p - face.middle)) <= reach_m;
+                 });
+    if (inliers.size() < kFewest) return std::nullopt;
+    face = FitFace(inliers);
+  }
+  const bool is_all =
+      static_cast<float>(inliers.size()) >= kMinShare * static_cast<float>(points.size());
+  const bool is_flat = face.scatter_m <= noise_m && face.breadth_m >= kFlatter * face.scatter_m;
+  if (!is_all || !is_flat) return std::nullopt;
+  return face;
+}
+
+bool IsTilted(const Face& face, const Eigen::Vector3f& up) {
+  constexpr float kLeast = 0.156F, kMost = 0.866F;  // sines of 9 and 60 degrees
+  const float sine = face.normal.dot(up);
+  return sine >= kLeast && sine <= kMost;
+}
+
+bool IsInside(const OrientedBox& box, const Eigen::Vector3f& point) {
+  constexpr float kGrown_m = 0.01F;
+  const Eigen::Vector3f p = box.rotation.transpose() * (point - box.center);
+  return ((p.cwiseAbs() - box.size_m / 2).array() <= kGrown_m).all();
+}
+
+// Share of the points that have the box behind them.
+float ShareHeld(const Points& points, const Face& face, const OrientedBox& box) {
+  constexpr float kBehind_m = 0.06F, kStep_m = 0.01F;
+  const auto has_it_behind = [&](const Eigen::Vector3f& p) {
+    for (float depth_m = 0; depth_m <= kBehind_m; depth_m += kStep_m) {
+      if (IsInside(box, p - depth_m * face.normal)) return true;
+    }
+    return false;
+  };
+  const auto held = std::count_if(points.begin(), points.end(), has_it_behind);
+  return static_cast<float>(held) / static_cast<float>(std::max<std::size_t>(1, points.size()));
+}
+
+bool Contains(const std::vector<int>& labels, int label) {
+  return std::find(labels.begin(), labels.end(), label) != labels.end();
+}
+
+// The half of the points that is higher.
+Points UpperHalf(Points points, const Eigen::Vector3f& up) {
+  std::sort(points.begin(), points.end(), [&](const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+    return up.dot(a) < up.dot(b);
+  });
+  points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(points.size() / 2));
+  return points;
+}
+
+}  // namespace
+
+void FindWhatLeans(const Eigen::Vector3f& up, std::vector<DetectedObject>& objects) {
+  constexpr float kMinHeld = 0.2F, kBelow_m = 0.03F;
+  for (DetectedObject& object : objects) {
+    if (object.depth_missing) continue;
+    const Points points = SomePoints(object.cloud);
+    const std::optional<Face> face = OnlyFace(points);
+    if (!face || !IsTilted(*face, up)) continue;
+    const Points upper = UpperHalf(points, up);
+    const OrientedBox& seen = object.visible_box;
+    const float bottom = up.dot(seen.center) - seen.size_m.z() / 2;
+    float best = kMinHeld;
+    for (const DetectedObject& other : objects) {
+      const float top = up.dot(other.box.center) + other.box.size_m.z() / 2;
+      const bool stand_on_each_other =
+          Contains(object.stands_on, other.label) || Contains(other.stands_on, object.label);
+      if (other.label == object.label || stand_on_each_other || bottom > top - kBelow_m) continue;
+      const float held = ShareHeld(upper, *face, other.box);
+      if (held <= best) continue;
+      best = held;
+      object.leans_on = {other.label};
+    }
+  }
+}
+
+}  // namespace fovea

@@ -1,0 +1,144 @@
+#include "core/shape/solid_residuals.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fovea {
+namespace {
+
+using Eigen::ArrayXf;
+
+constexpr float kDifference = 1e-4F;  // metres and radians, for derivatives
+// A point inside of a hollow frustum costs as much as one 0.7 standard deviations off.
+constexpr float kHollowResidual = 0.7F;
+constexpr float kRim_m = 0.006F, kInnerShare = 0.9F;
+
+}  // namespace
+
+float Thinness(const Solid& solid) {
+  if (solid.kind != Solid::Kind::kBox) return 0;
+  constexpr float kLikelyShare = 0.6F, kWeight = 0.4F;
+  const float length = 2 * std::max(solid.half_length_m, solid.half_width_m);
+  const float width = 2 * std::min(solid.half_length_m, solid.half_width_m);
+  const float likely = kLikelyShare * std::min(length, solid.height_m);
+  return width < likely ? kWeight * (likely - width) / likely : 0;
+}
+
+ArrayXf IsBelowRim(const SeenObject& seen, const Solid& solid) {
+  constexpr float kSurely = 2.5F;  // standard deviations
+  const LevelPoints& p = seen.points;
+  const float inner_m = kInnerShare * solid.radius_m;
+  const Eigen::Vector3f& camera = seen.camera;
+  if (camera.z() <= solid.height_m) return ArrayXf::Zero(p.size());
+  // Where the lines of sight pass the height of the top.
+  const ArrayXf share = (camera.z() - solid.height_m) / (camera.z() - p.h).max(kRim_m);
+  const ArrayXf x = camera.x() + share * (p.x - camera.x()) - solid.center.x();
+  const ArrayXf y = camera.y() + share * (p.y - camera.y()) - solid.center.y();
+  const ArrayXf below = solid.height_m - p.h - (kSurely * seen.noise_m).max(kRim_m);
+  return (x.square() + y.square() < inner_m * inner_m && below > 0).cast<float>();
+}
+
+const ArrayXf& SolidResiduals::Of(const Solid& solid) {
+  FindNearest(solid);
+  MarkHollow(solid);
+  return AtNearest(solid);
+}
+
+const ArrayXf& SolidResiduals::AtNearest(const Solid& solid) {
+  const Eigen::Index num_points = seen_.points.size(), num_rays = on_rays_.size();
+  all_.resize(num_points + num_rays);
+  SignedDistances(solid, seen_.points, distances_, &seen_.camera);
+  all_.head(num_points) = (is_hollow_ > 0).select(kHollowResidual, distances_ / seen_.noise_m);
+  SignedDistances(solid, on_rays_, distances_);
+  distances_ = (seen_.is_own_end > 0).select(distances_, distances_.max(0.0F));
+  all_.segment(num_points, num_rays) = distances_ / seen_.outline_noise_m;
+  return all_;
+}
+
+void SolidResiduals::PutOnRays(const ArrayXf& places) {
+  on_rays_.x = seen_.camera.x() + seen_.directions.x * places;
+  on_rays_.y = seen_.camera.y() + seen_.directions.y * places;
+  on_rays_.h = seen_.camera.z() + seen_.directions.h * places;
+}
+
+// The distance from a convex solid along a ray has one minimum; golden sections find it, after
+// the first time from where it was.
+void SolidResiduals::FindNearest(const Solid& solid) {
+  const Eigen::Vector3f size = solid.Size();
+  const Eigen::Vector3f middle(solid.center.x(), solid.center.y(), size.z() / 2);
+  const Eigen::Vector3f to = middle - seen_.camera;
+  const ArrayXf squared =
+      seen_.directions.x.square() + seen_.directions.y.square() + seen_.directions.h.square();
+  ArrayXf reach = size.norm() / squared.sqrt();
+  if (places_.size() == 0) {
+    places_ =
+        (seen_.directions.x * to.x() + seen_.directions.y * to.y() + seen_.directions.h * to.z()) /
+        squared;
+  } else {
+    reach *= 0.25F;
+  }
+  constexpr int kSections = 9;
+  constexpr float kGolden = 0.381966F;
+  ArrayXf low = places_ - reach, high = places_ + reach;
+  ArrayXf a = low + kGolden * (high - low), b = high - kGolden * (high - low), at_a, at_b, at_new;
+  PutOnRays(a);
+  SignedDistances(solid, on_rays_, at_a);
+  PutOnRays(b);
+  SignedDistances(solid, on_rays_, at_b);
+  for (int section = 0; section < kSections; ++section) {
+    for (Eigen::Index i = 0; i < places_.size(); ++i) {  // what compilers make vectors of
+      const bool is_before = at_a[i] < at_b[i];
+      high[i] = is_before ? b[i] : high[i];
+      low[i] = is_before ? low[i] : a[i];
+      const float step = kGolden * (high[i] - low[i]);
+      places_[i] = is_before ? low[i] + step : high[i] - step;
+    }
+    PutOnRays(places_);
+    SignedDistances(solid, on_rays_, at_new);
+    for (Eigen::Index i = 0; i < places_.size(); ++i) {
+      const bool is_before = at_a[i] < at_b[i];
+      const float kept = is_before ? a[i] : b[i], at_kept = is_before ? at_a[i] : at_b[i];
+      a[i] = is_before ? places_[i] : kept;
+      at_a[i] = is_before ? at_new[i] : at_kept;
+      b[i] = is_before ? kept : places_[i];
+      at_b[i] = is_before ? at_kept : at_new[i];
+    }
+  }
+  places_ = (at_a < at_b).select(a, b);
+  PutOnRays(places_);
+}
+
+void SolidResiduals::MarkHollow(const Solid& solid) {
+  if (solid.kind == Solid::Kind::kFrustum) {
+    is_hollow_ = IsBelowRim(seen_, solid);
+  } else {
+    is_hollow_.setZero();
+  }
+}
+
+NormalEquations Linearize(SolidResiduals& residuals, const Solid& solid, const ArrayXf& at,
+                          float scale) {
+  const int count = NumParameters(solid.kind);
+  Eigen::MatrixXf derivatives(at.size(), count);
+  for (int k = 0; k < count; ++k) {
+    const Eigen::VectorXf step = Eigen::VectorXf::Unit(count, k) * kDifference;
+    derivatives.col(k) = (residuals.AtNearest(Moved(solid, step)) - at) / kDifference;
+  }
+  const ArrayXf weights = (1 + (at / scale).square()).square().inverse();
+  const Eigen::MatrixXf weighted = derivatives.array().colwise() * weights;
+  return {weighted.transpose() * derivatives, weighted.transpose() * at.matrix()};
+}
+
+void AddThinness(const Solid& solid, float weight, NormalEquations& equations) {
+  const auto count = static_cast<int>(equations.gradient.size());
+  const float thinness = Thinness(solid);
+  Eigen::VectorXf thinner(count);
+  for (int k = 0; k < count; ++k) {
+    const Solid moved = Moved(solid, Eigen::VectorXf::Unit(count, k) * kDifference);
+    thinner[k] = (Thinness(moved) - thinness) / kDifference;
+  }
+  equations.normal += weight * thinner * thinner.transpose();
+  equations.gradient += weight * thinness * thinner;
+}
+
+}  // namespace fovea

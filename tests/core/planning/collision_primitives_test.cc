@@ -1,0 +1,78 @@
+#include "core/planning/collision_primitives.h"
+
+#include <gtest/gtest.h>
+
+namespace fovea {
+namespace {
+
+using Kind = CollisionPrimitive::Kind;
+using Eigen::Vector3f;
+
+DetectedObject Object(Shape::Kind kind) {
+  DetectedObject object;
+  object.box.center = {0.1F, 0.2F, 1};
+  object.box.size_m = {0.1F, 0.06F, 0.2F};
+  object.shape.kind = kind;
+  object.shape.center = object.box.center;
+  object.shape.axis = Vector3f::UnitX();
+  object.shape.radius_m = 0.04F;
+  object.shape.length_m = 0.2F;
+  object.cloud = {{0.1F, 0.2F, 0.97F, 0, 0, 0}};
+  return object;
+}
+
+TEST(CollisionPrimitives, AreWhatTheShapeIs) {
+  const CollisionPrimitive box = PrimitiveOf(Object(Shape::Kind::kBox));
+  EXPECT_EQ(box.kind, Kind::kBox);
+  EXPECT_EQ(box.size_m, Vector3f(0.1F, 0.06F, 0.2F));
+  const CollisionPrimitive cylinder = PrimitiveOf(Object(Shape::Kind::kCylinder));
+  EXPECT_EQ(cylinder.kind, Kind::kCylinder);
+  EXPECT_EQ(cylinder.size_m, Vector3f(0.08F, 0.08F, 0.2F));
+  EXPECT_EQ(cylinder.pose.linear().col(2), Vector3f::UnitX());
+  EXPECT_NEAR(cylinder.pose.linear().determinant(), 1, 1e-6);
+  const CollisionPrimitive ball = PrimitiveOf(Object(Shape::Kind::kSphere));
+  EXPECT_EQ(ball.kind, Kind::kSphere);
+  EXPECT_EQ(ball.size_m, Vector3f::Constant(0.08F));
+  EXPECT_EQ(ball.pose.translation(), Vector3f(0.1F, 0.2F, 1));
+}
+
+TEST(CollisionPrimitives, HoldAHandleBesideTheCylinder) {
+  DetectedObject mug = Object(Shape::Kind::kRevolution);
+  mug.shape.axis = Vector3f::UnitZ();
+  for (int i = 0; i < 90; ++i) mug.cloud.push_back(mug.cloud.front());
+  EXPECT_EQ(PrimitiveOf(mug).kind, Kind::kCylinder);
+  for (int i = 0; i < 10; ++i) mug.cloud.push_back({0.19F, 0.2F, 1, 0, 0, 0});
+  const CollisionPrimitive box = PrimitiveOf(mug);
+  EXPECT_EQ(box.kind, Kind::kBox);
+  EXPECT_NEAR(box.size_m.x(), 0.05 + 0.09, 1e-6);
+  EXPECT_NEAR(box.pose.translation().x(), 0.1 + (0.09 - 0.05) / 2, 1e-6);
+  EXPECT_NEAR(box.size_m.y(), 0.06, 1e-6);
+}
+
+TEST(CollisionPrimitives, OfASupportLieBelowItsSurface) {
+  // A table top 0.5 m below the camera, from 0.6 to 1 m away, and a thing on it.
+  cv::Mat points(41, 61, CV_32FC3);
+  for (int row = 0; row < points.rows; ++row) {
+    for (int column = 0; column < points.cols; ++column) {
+      points.at<cv::Vec3f>(row, column) = {0.01F * static_cast<float>(column - 30), 0.5F,
+                                           0.6F + 0.01F * static_cast<float>(row)};
+    }
+  }
+  points.at<cv::Vec3f>(20, 30)[1] = 0.3F;
+  points.at<cv::Vec3f>(0, 0) = cv::Vec3f::all(std::numeric_limits<float>::quiet_NaN());
+  Support support;
+  support.surface.normal = -Vector3f::UnitY();
+  support.surface.offset_m = 0.5F;
+  const CollisionPrimitive table = PrimitiveOf(support, points);
+  EXPECT_EQ(table.kind, Kind::kBox);
+  EXPECT_NEAR(table.size_m.head<2>().maxCoeff(), 0.6, 1e-5);
+  EXPECT_NEAR(table.size_m.head<2>().minCoeff(), 0.4, 1e-5);
+  EXPECT_NEAR(table.pose.translation().x(), 0, 1e-5);
+  EXPECT_NEAR(table.pose.translation().y(), 0.5 + table.size_m.z() / 2, 1e-5);
+  EXPECT_NEAR(table.pose.translation().z(), 0.8, 1e-5);
+  EXPECT_TRUE(table.pose.linear().col(2).isApprox(support.surface.normal));
+  EXPECT_NEAR(table.pose.linear().determinant(), 1, 1e-5);
+}
+
+}  // namespace
+}  // namespace fovea

@@ -1,0 +1,81 @@
+#include "core/shape/uncertainty.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "tests/core/shape/things_on_floor.h"
+
+namespace fovea {
+namespace {
+
+using scenes::ShapeKind;
+
+Solid Box() {
+  Solid box;
+  box.half_length_m = 0.1F;
+  box.half_width_m = 0.06F;
+  box.height_m = 0.15F;
+  return box;
+}
+
+// A grid of points on the front of the box at y = -0.06, and on its top too where that is seen; a
+// camera before it, level with its middle or above.
+SeenObject SeenFrom(float camera_h, float noise_m, bool with_top) {
+  const int side = 10, count = side * side * (with_top ? 2 : 1);
+  SeenObject seen;
+  seen.camera = {0, -1, camera_h};
+  seen.points = LevelPoints(count);
+  for (int i = 0; i < count; ++i) {
+    const bool is_top = i >= side * side;
+    const float along = (static_cast<float>(i % side) + 0.5F) / side;
+    const float across = (static_cast<float>(i / side % side) + 0.5F) / side;
+    seen.points.x[i] = 0.2F * along - 0.1F;
+    seen.points.y[i] = is_top ? 0.12F * across - 0.06F : -0.06F;
+    seen.points.h[i] = is_top ? 0.15F : 0.15F * across;
+  }
+  seen.noise_m = Eigen::ArrayXf::Constant(count, noise_m);
+  return seen;
+}
+
+TEST(Uncertainty, IsLargeOfWhatIsHidden) {
+  const BoxUncertainty front = UncertaintyOf(SeenFrom(0.08F, 0.003F, false), Box(), 0.1F);
+  // Nothing tells how far it reaches back.
+  EXPECT_GT(front.size_sigma_m.y(), 0.03F);
+  EXPECT_GT(std::sqrt(front.pose_covariance(1, 1)), 0.015F);
+  EXPECT_LT(front.size_sigma_m.y(), 0.2F);
+  const BoxUncertainty both = UncertaintyOf(SeenFrom(0.8F, 0.003F, true), Box(), 0.1F);
+  // The top does not end the box either, but it is seen to be at 15 cm.
+  EXPECT_LT(both.size_sigma_m.z(), front.size_sigma_m.z());
+  EXPECT_LT(both.pose_covariance(2, 2), front.pose_covariance(2, 2));
+}
+
+TEST(Uncertainty, GrowsWithTheNoise) {
+  const BoxUncertainty clear = UncertaintyOf(SeenFrom(0.8F, 0.002F, true), Box(), 0.1F);
+  const BoxUncertainty noisy = UncertaintyOf(SeenFrom(0.8F, 0.02F, true), Box(), 0.1F);
+  EXPECT_GT(noisy.size_sigma_m.z(), clear.size_sigma_m.z());
+  EXPECT_GT(noisy.pose_covariance(3, 3), clear.pose_covariance(3, 3));
+}
+
+TEST(Uncertainty, IsACovarianceInTheCamerasFrame) {
+  const Detections found =
+      CompleteThings({Thing(ShapeKind::kBox, {0.2, 0.12, 0.15}, {-0.15, 0}, 0, 0.5),
+                      Thing(ShapeKind::kSphere, {0.1, 0.1, 0.1}, {0.2, 0}, 0)},
+                     35)
+          .detections;
+  for (const DetectedObject& object : found.objects) {
+    ASSERT_TRUE(object.uncertainty);
+    const Eigen::Matrix4f& covariance = object.uncertainty->pose_covariance;
+    EXPECT_TRUE(covariance.isApprox(covariance.transpose(), 1e-4F));
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4f> solver(covariance);
+    EXPECT_GE(solver.eigenvalues().minCoeff(), -1e-9F);
+    EXPECT_GT(object.uncertainty->size_sigma_m.minCoeff(), 0);
+  }
+  // Any turn describes a ball as well as any other.
+  EXPECT_EQ(found.objects[1].uncertainty->pose_covariance(3, 3), 0);
+  EXPECT_GT(found.objects[0].uncertainty->pose_covariance(3, 3), 0);
+}
+
+}  // namespace
+}  // namespace fovea
