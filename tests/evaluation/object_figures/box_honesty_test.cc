@@ -14,7 +14,7 @@ scenes::Body Body(scenes::ShapeKind kind) {
   body.shape.kind = kind;
   body.shape.size_m = {0.2, 0.1, 0.08};
   if (kind != scenes::ShapeKind::kBox) body.shape.size_m.setConstant(0.1);
-  body.world_from_body.translation() = {1, 2, 0.04};
+  body.world_from_body.translation() = Eigen::Vector3d(1, 2, 0.04);
   return body;
 }
 
