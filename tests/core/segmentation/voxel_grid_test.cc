@@ -107,6 +107,30 @@ cv::Mat WallAt(float z) {
   return points;
 }
 
+// Of the 64 columns three would lie on faces of the cells: 330 - 319.5 is twice 525 · 0.01.
+TEST(BuildVoxelGrid, ColumnsOnAFaceOfPerspectiveVoxelsStayWhole) {
+  cv::Mat points(200, 64, CV_32FC3);
+  for (int row = 0; row < points.rows; ++row) {
+    const float z = 0.5F + 0.001F * static_cast<float>(row);
+    for (int col = 0; col < points.cols; ++col) {
+      const auto ray = static_cast<float>((col + 300 - 319.5) / 525);
+      points.at<cv::Vec3f>(row, col) = {z * ray, 0, z};
+    }
+  }
+  const VoxelGrid grid =
+      BuildVoxelGrid(points, {Upwards(points)}, {.size_m = 0.01, .perspective = true});
+  const auto cell = [&](int row, int col) {
+    return grid.voxels[grid.voxel_of_pixel.at<int>(row, col)].cell.x();
+  };
+  for (int col = 0; col < points.cols; ++col) {
+    for (int row = 1; row < points.rows; ++row) ASSERT_EQ(cell(row, col), cell(0, col)) << col;
+  }
+  EXPECT_EQ(cell(0, 30), 1);
+  EXPECT_EQ(cell(0, 31), 2);
+  EXPECT_EQ(cell(0, 9), -2);
+  EXPECT_EQ(cell(0, 8), -3);
+}
+
 TEST(BuildVoxelGrid, PerspectiveVoxelsHoldTheSameNumberOfPixelsAtAnyDistance) {
   for (const float z : {0.6F, 1.01F, 2.02F, 5.05F}) {
     const cv::Mat points = WallAt(z);
