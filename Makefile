@@ -6,16 +6,19 @@ BUILD := build/$(PRESET)
 
 all: build
 
-.PHONY: dependencies build
+.PHONY: dependencies configured build
 dependencies:
 	@deploy/install_dependencies.sh
 
-build: dependencies
+configured: dependencies
 	@cmake --preset $(PRESET)
+
+build: configured
 	@cmake --build --preset $(PRESET)
 
 # Generated frames, or real ones: make demo FRAME=DIR/NAME [INTRINSICS=FX,FY,CX,CY]
-demo: build
+demo: configured
+	@cmake --build --preset $(PRESET) --target fovea-server fovea fovea_scenes_tool
 	@deploy/demo.sh $(BUILD)
 
 test: build
@@ -28,7 +31,7 @@ lint: dependencies
 package: build
 	@cd $(BUILD) && cpack
 
-# Below PREFIX, /usr/local unless given; needs to be root for that
+# Below PREFIX, and nothing else; /usr/local unless given, which needs root
 install: build
 	@cmake --install $(BUILD) $(if $(PREFIX),--prefix $(PREFIX))
 

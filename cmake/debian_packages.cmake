@@ -71,8 +71,7 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/deploy/debia
                                               ${PROJECT_SOURCE_DIR}/deploy/debian/python/prerm)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-pil, python3-zstandard")
 
-install(FILES deploy/fovea-server.service DESTINATION lib/systemd/system COMPONENT server)
-install(FILES deploy/fovea-server.toml DESTINATION /etc/fovea COMPONENT server)
+install(SCRIPT cmake/install_server_files.cmake COMPONENT server)
 
 # bash looks for a file with the command's name.
 set(COMPLETIONS ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)

@@ -1,17 +1,18 @@
 #!/bin/sh
 # Shows Fovea at work: starts the server, sends it frames, prints what it found and leaves pictures
-# and a point cloud in demo/.
+# and a point cloud in demo/, of which it names the one to look at.
 #
 # usage: deploy/demo.sh BUILD_FOLDER
 # FRAME=DIR/NAME      use DIR/NAME_color.(png|jpg) and DIR/NAME_depth.png instead of generated frames
 # INTRINSICS=FX,FY,CX,CY   of the camera that took FRAME, in pixels (default: 525,525,319.5,239.5)
+# FOVEA_DATA=DIR      recordings, of which one comes among the generated frames where they are
 set -eu
 
 build=$1
 out=demo
 intrinsics=${INTRINSICS:-525,525,319.5,239.5}
 mkdir -p "$out/frames" "$out/results"
-rm -f "$out"/frames/* "$out"/results/*
+rm -f "$out"/frames/* "$out"/results/* "$out/objects.png"
 
 # Now, not by the server once it runs: else the wait below may find the address of an earlier run.
 : >"$out/server.log"
@@ -26,30 +27,35 @@ while [ -z "$address" ]; do
   [ -n "$address" ] || sleep 0.1
 done
 
+# A frame into demo/frames; fails if a half of it is not there.
+add_frame() {
+  cp "$1_depth.png" "$out/frames/" &&
+    if [ -f "$1_color.png" ]; then cp "$1_color.png" "$out/frames/"; else cp "$1_color.jpg" "$out/frames/"; fi
+}
+
 if [ -n "${FRAME:-}" ]; then
-  found=0
-  for file in "${FRAME}_color.png" "${FRAME}_color.jpg" "${FRAME}_depth.png"; do
-    [ -f "$file" ] && cp "$file" "$out/frames/" && found=$((found + 1))
-  done
-  if [ "$found" -lt 2 ]; then
+  add_frame "$FRAME" 2>/dev/null || {
     echo "demo: FRAME=$FRAME needs ${FRAME}_color.png (or .jpg) and ${FRAME}_depth.png" >&2
     exit 1
-  fi
-  first=$(basename "$FRAME")
+  }
 else
   for kind in tabletop stacked floor; do
     "$build/tests/support/fovea-scenes" --output "$out/frames" --kind "$kind" --count 1 --seed 7 \
       >/dev/null
   done
-  first=$(basename "$(ls "$out"/frames/*_color.png | head -n 1)" _color.png)
+  # The same camera took these, but they may not be part of a clone.
+  add_frame "${FOVEA_DATA:-../shared/data}/floor/floor1" 2>/dev/null || true
 fi
 
 "$build/client/cli/fovea" detect --server "$address" --intrinsics "$intrinsics" \
   --input "$out/frames" --output "$out/results"
-color=$(ls "$out/frames/${first}"_color.* | head -n 1)
+for depth in "$out"/frames/*_depth.png; do break; done
+first=$(basename "$depth" _depth.png)
+for color in "$out/frames/${first}"_color.*; do break; done
 "$build/client/cli/fovea" detect --server "$address" --intrinsics "$intrinsics" \
-  --color "$color" --depth "$out/frames/${first}_depth.png" --cloud "$out/results/${first}.ply"
+  --color "$color" --depth "$depth" --cloud "$out/results/${first}.ply"
 
+/usr/bin/python3 deploy/side_by_side.py "$out/objects.png" "$out"/results/*_overlay.jpg
 echo
-echo "Pictures:    $(ls "$out"/results/*_overlay.jpg | tr '\n' ' ')"
+echo "Look at      $out/objects.png (each frame in $out/results)"
 echo "Point cloud: $out/results/${first}.ply"

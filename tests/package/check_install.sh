@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Everything is installed below the prefix and finds each other there; of /usr, where Debian has it.
+# usage: check_install.sh BUILD_FOLDER SOURCE_FOLDER PYTHON
+set -euo pipefail
+build=$1 source=$2 python=$3
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+fail() {
+  echo "check_install: $*" >&2
+  exit 1
+}
+
+DESTDIR=$work/root cmake --install "$build" --prefix /opt/fovea >/dev/null
+outside=$(find "$work/root" -type f -not -path "$work/root/opt/fovea/*")
+[ -z "$outside" ] || fail "these are outside of the prefix: $outside"
+
+cmake --install "$build" --prefix "$work/own" >/dev/null
+"$work/own/bin/fovea-server" --config "$work/own/etc/fovea/fovea-server.toml" --check-config
+unit=$work/own/lib/systemd/system/fovea-server.service
+grep -qx "ExecStart=$work/own/bin/fovea-server --config $work/own/etc/fovea/fovea-server.toml" "$unit" ||
+  fail "the unit starts another server: $(grep ExecStart= "$unit")"
+PYTHONPATH=$(echo "$work"/own/lib/python3.*/dist-packages) "$python" -B -c 'import fovea'
+
+DESTDIR=$work/debian cmake --install "$build" --prefix /usr >/dev/null
+for file in etc/fovea/fovea-server.toml usr/lib/python3/dist-packages/fovea/__init__.py; do
+  [ -f "$work/debian/$file" ] || fail "/$file is not there"
+done
+cmp "$source/deploy/fovea-server.service" "$work/debian/usr/lib/systemd/system/fovea-server.service"
+
+DESTDIR=$work/local cmake --install "$build" --prefix /usr/local >/dev/null
+# Debian's python3 has one folder there, of its own minor version.
+searched=$("$python" -c 'import site; print(next(p for p in site.getsitepackages() if p.startswith("/usr/local/")))')
+[ -d "$work/local$searched/fovea" ] || fail "python3 looks in $searched, the library is not there"
