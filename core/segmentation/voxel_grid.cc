@@ -31,9 +31,9 @@ std::vector<Eigen::Vector3i> HalfNeighborhood(int axes) {
 
 // The edge of cells. With round intrinsics whole columns and rows of pixels would lie on faces of
 // perspective ones (of 0.01 at 525 px every 21st), where rounding decides anew for each pixel.
-// Cells larger by far more than that, and far less than a pixel, decide for all of them alike.
+// Cells smaller by far more than that, and far less than a pixel, decide for all of them alike.
 float EdgeOf(const VoxelOptions& options) {
-  constexpr double kOffPixels = 1 + 1e-5;
+  constexpr double kOffPixels = 1 - 1e-5;
   return static_cast<float>(options.size_m * (options.perspective ? kOffPixels : 1));
 }
 

@@ -125,10 +125,10 @@ TEST(BuildVoxelGrid, ColumnsOnAFaceOfPerspectiveVoxelsStayWhole) {
   for (int col = 0; col < points.cols; ++col) {
     for (int row = 1; row < points.rows; ++row) ASSERT_EQ(cell(row, col), cell(0, col)) << col;
   }
-  EXPECT_EQ(cell(0, 30), 1);
-  EXPECT_EQ(cell(0, 31), 2);
-  EXPECT_EQ(cell(0, 9), -2);
-  EXPECT_EQ(cell(0, 8), -3);
+  EXPECT_EQ(cell(0, 29), 1);
+  EXPECT_EQ(cell(0, 30), 2);
+  EXPECT_EQ(cell(0, 9), -3);
+  EXPECT_EQ(cell(0, 10), -2);
 }
 
 TEST(BuildVoxelGrid, PerspectiveVoxelsHoldTheSameNumberOfPixelsAtAnyDistance) {
