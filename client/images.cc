@@ -75,6 +75,21 @@ v1::CameraIntrinsics MakeIntrinsics(double fx, double fy, double cx, double cy) 
   return intrinsics;
 }
 
+v1::LensDistortion MakeLensDistortion(const std::string& model,
+                                      const std::vector<double>& coefficients) {
+  v1::LensDistortion distortion;
+  if (model == "plumb_bob" || model == "rational_polynomial") {
+    distortion.set_model(v1::DISTORTION_MODEL_BROWN_CONRADY);
+  } else if (model == "equidistant") {
+    distortion.set_model(v1::DISTORTION_MODEL_KANNALA_BRANDT);
+  } else {
+    throw std::invalid_argument("distortion model \"" + model +
+                                "\" is not plumb_bob, rational_polynomial or equidistant");
+  }
+  distortion.mutable_coefficients()->Add(coefficients.begin(), coefficients.end());
+  return distortion;
+}
+
 v1::Pose MakePose(double x, double y, double z, double qx, double qy, double qz, double qw) {
   v1::Pose pose;
   pose.mutable_position()->set_x(x);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "fovea/v1/frame.pb.h"
 
@@ -27,6 +28,13 @@ v1::DepthImage MakeDepthImage(const float* meters, std::uint32_t width, std::uin
 v1::DepthImage MakeDepthImage(std::string png_file, double unit_m = 0.001);
 
 v1::CameraIntrinsics MakeIntrinsics(double fx, double fy, double cx, double cy);
+
+// For CameraIntrinsics.distortion, by the names and numbers of ROS's camera_info, in OpenCV's
+// order: "plumb_bob" (k1, k2, p1, p2, k3), "rational_polynomial" (and k4, k5, k6) or "equidistant"
+// (k1 to k4 of a fisheye). Throws std::invalid_argument for another name; the server checks the
+// rest.
+v1::LensDistortion MakeLensDistortion(const std::string& model,
+                                      const std::vector<double>& coefficients);
 
 // Metres and a unit quaternion, for example for Frame.color_from_depth.
 v1::Pose MakePose(double x, double y, double z, double qx, double qy, double qz, double qw);

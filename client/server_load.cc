@@ -15,11 +15,11 @@ double NumAnswered(const v1::GetStatisticsResponse& statistics) {
   return sum;
 }
 
-// Of all frames, without their time in the queue.
+// Of all frames, without their time in the queue. What they wait for a processor is in the others.
 double WorkSeconds(const v1::GetStatisticsResponse& statistics) {
   double sum = 0;
   for (const auto& [stage, times] : statistics.stages()) {
-    if (stage != "queue") sum += Seconds(times.total());
+    if (stage != "queue" && stage != "processor_wait") sum += Seconds(times.total());
   }
   return sum;
 }

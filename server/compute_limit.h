@@ -6,6 +6,10 @@
 
 namespace fovea::server {
 
+// A name among stage times that is no stage, but part of the times of the others: how long the
+// frame's thread waited for a processor that other threads or programs had.
+constexpr char kProcessorWait[] = "processor_wait";
+
 // Thrown where a frame has used up the processor time that it may take.
 class ComputeLimitPassed : public std::runtime_error {
  public:
@@ -25,11 +29,15 @@ class ComputeLimit {
 
   bool HasPassed() const { return limit_.count() > 0 && Used() - start_ > limit_; }
 
+  // How long the thread could have gone on since, and got no processor: other threads had them.
+  std::chrono::nanoseconds WaitedForProcessor() const;
+
  private:
   static std::chrono::nanoseconds Used();
 
   const std::chrono::milliseconds limit_;
   const std::chrono::nanoseconds start_;
+  const std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace fovea::server

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/lens/distort_answer.h"
+#include "core/lens/undistortion.h"
 #include "server/compute_limit.h"
 #include "server/conversion/detections.h"
 #include "server/conversion/field_error.h"
@@ -24,6 +26,20 @@ namespace fovea::server {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+// Regions of interest are in the pixels that were sent, the detector looks at others.
+void UndistortRegion(const Lens& lens, RegionOptions& region) {
+  const cv::Rect sent(region.x_px, region.y_px,
+                      region.width_px > 0 ? region.width_px : lens.size().width,
+                      region.height_px > 0 ? region.height_px : lens.size().height);
+  const cv::Rect image({0, 0}, lens.size());
+  if ((sent & image) == image) return;
+  const cv::Rect ideal = UndistortRect(lens, sent & image);
+  region.x_px = ideal.x;
+  region.y_px = ideal.y;
+  region.width_px = ideal.width;
+  region.height_px = ideal.height;
+}
 
 double Milliseconds(Clock::duration duration) {
   return std::chrono::duration<double, std::milli>(duration).count();
@@ -113,6 +129,7 @@ Detections FrameAnswerer::DetectInTime(const RgbdFrame& frame, const DetectorOpt
       return passed || caller.IsGone();
     });
     times->insert(times->end(), detections.stage_times.begin(), detections.stage_times.end());
+    times->push_back({kProcessorWait, Milliseconds(limit.WaitedForProcessor())});
     return detections;
   } catch (const Cancelled& cancelled) {
     times->insert(times->end(), cancelled.stage_times.begin(), cancelled.stage_times.end());
@@ -127,9 +144,12 @@ Detections FrameAnswerer::Compute(const FrameRequest& request, const Caller& cal
   DetectorOptions options = FromProto(*request.options, policy_);
   options.grippers = grippers_.For(caller.robot(), request.options->grasps(), options.grippers);
   RequireStream(*request.options, request.tracker);
-  const RgbdFrame frame = FromProto(*request.frame, max_pixels_, &losses);
+  std::optional<Lens> lens;
+  const RgbdFrame frame = FromProto(*request.frame, max_pixels_, &losses, &lens);
   *image = frame.depth_m.size();
-  InField("options.parameters", [&] { RequireNotEmpty(options.region, frame.depth_m.size()); });
+  RegionOptions& region = options.paper ? options.paper->region : options.region;
+  InField("options.parameters", [&] { RequireNotEmpty(region, frame.depth_m.size()); });
+  if (lens) UndistortRegion(*lens, region);
   times->push_back({"decode", Milliseconds(Clock::now() - request.began)});
   // What the method throws from here on is no longer about the request, TooComplex apart.
   Detections detections =
@@ -137,6 +157,7 @@ Detections FrameAnswerer::Compute(const FrameRequest& request, const Caller& cal
   if (request.tracker != nullptr) {
     request.tracker->Add(*request.frame, request.options->tracking(), frame, detections, times);
   }
+  if (lens) DistortAnswer(*lens, detections, *trace);
   std::vector<std::string>& messages = detections.diagnostics.messages;
   messages.insert(messages.begin(), losses.begin(), losses.end());
   return detections;

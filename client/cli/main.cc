@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "client/cli/busy_machine.h"
 #include "client/cli/detect_command.h"
 #include "client/cli/explain.h"
 #include "client/cli/json.h"
@@ -26,8 +27,10 @@ int CheckHealth(const ConnectionFlags& flags) {
 
 int PrintInfo(const ConnectionFlags& flags) {
   const fovea::client::Client client = fovea::cli::Connect(flags);
+  const fovea::v1::GetStatisticsResponse statistics = client.GetStatistics();
   std::cout << "{\n\"server\": " << fovea::cli::ToJson(client.GetServerInfo())
-            << ",\n\"statistics\": " << fovea::cli::ToJson(client.GetStatistics()) << "}\n";
+            << ",\n\"statistics\": " << fovea::cli::ToJson(statistics) << "}\n";
+  std::cerr << fovea::cli::NoteOfBusyMachine(statistics);
   return EXIT_SUCCESS;
 }
 

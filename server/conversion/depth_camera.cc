@@ -3,6 +3,7 @@
 #include <opencv2/core.hpp>
 
 #include "core/depth/registration.h"
+#include "core/lens/undistortion.h"
 #include "server/conversion/field_error.h"
 #include "server/conversion/geometry.h"
 #include "server/conversion/intrinsics.h"
@@ -26,7 +27,7 @@ std::optional<DepthCamera> DepthCameraFromProto(const v1::Frame& frame) {
                "is missing; frame.depth_intrinsics needs the depth camera's pose in the frame of "
                "the colour camera");
   const DepthCamera camera = {FromProto(frame.depth_intrinsics(), kIntrinsics),
-                              FromProto(frame.color_from_depth(), kPose)};
+                              frame.depth_intrinsics(), FromProto(frame.color_from_depth(), kPose)};
   const double distance_m = camera.color_from_depth.translation().norm();
   RequireField(distance_m <= kFarthest_m, std::string(kPose) + ".position",
                "is " + std::to_string(distance_m) + " m away, at most 10 m are allowed");
@@ -36,8 +37,10 @@ std::optional<DepthCamera> DepthCameraFromProto(const v1::Frame& frame) {
 cv::Mat Register(const cv::Mat& depth_m, const DepthCamera& camera, const CameraIntrinsics& color,
                  const cv::Size& color_size, std::vector<std::string>* messages) {
   RequirePlausible(camera.intrinsics, depth_m.size(), kIntrinsics);
+  const std::optional<Lens> lens = LensFromProto(camera.proto, depth_m.size(), kIntrinsics);
+  const cv::Mat ideal_m = lens ? UndistortDepth(depth_m, *lens) : depth_m;
   cv::Mat registered = InField(kPose, [&] {
-    return RegisterDepth(depth_m, camera.intrinsics, camera.color_from_depth, color, color_size);
+    return RegisterDepth(ideal_m, camera.intrinsics, camera.color_from_depth, color, color_size);
   });
   if (messages != nullptr && HasDepth(depth_m) && !HasDepth(registered)) {
     messages->emplace_back(

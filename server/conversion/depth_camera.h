@@ -14,6 +14,7 @@ namespace fovea::server {
 
 struct DepthCamera {
   CameraIntrinsics intrinsics;
+  v1::CameraIntrinsics proto;  // with its distortion, which the image's size is needed for
   Eigen::Isometry3d color_from_depth;
 };
 
@@ -23,7 +24,7 @@ std::optional<DepthCamera> DepthCameraFromProto(const v1::Frame& frame);
 
 // Depth in pixels of colour, see core/depth/registration.h. Appends to `messages` that nothing of
 // what was measured lies in the colour image. Throws std::invalid_argument that starts with
-// "frame.color_from_depth: ".
+// "frame.color_from_depth: " or "frame.depth_intrinsics…: ".
 cv::Mat Register(const cv::Mat& depth_m, const DepthCamera& camera, const CameraIntrinsics& color,
                  const cv::Size& color_size, std::vector<std::string>* messages);
 

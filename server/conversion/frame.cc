@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/lens/undistortion.h"
 #include "server/conversion/depth_camera.h"
 #include "server/conversion/field_error.h"
 #include "server/conversion/geometry.h"
@@ -62,7 +63,7 @@ void RequireSameSize(const cv::Mat& color, const cv::Mat& depth) {
 }  // namespace
 
 RgbdFrame FromProto(const v1::Frame& frame, std::uint64_t max_pixels,
-                    std::vector<std::string>* messages) {
+                    std::vector<std::string>* messages, std::optional<Lens>* lens) {
   RequireParts(frame);
   RgbdFrame result;
   // What is cheap to check comes before the images.
@@ -73,12 +74,19 @@ RgbdFrame FromProto(const v1::Frame& frame, std::uint64_t max_pixels,
 
   result.color_rgb = ColorFromProto(frame.color(), max_pixels);
   RequirePlausible(result.intrinsics, result.color_rgb.size(), "frame.intrinsics");
+  const std::optional<Lens> of_color =
+      LensFromProto(frame.intrinsics(), result.color_rgb.size(), "frame.intrinsics");
   result.depth_m = DepthFromProto(frame.depth(), max_pixels);
   if (depth_camera) {
     result.depth_m = Register(result.depth_m, *depth_camera, result.intrinsics,
                               result.color_rgb.size(), messages);
   }
   RequireSameSize(result.color_rgb, result.depth_m);
+  if (of_color) {
+    result.color_rgb = UndistortColor(result.color_rgb, *of_color);
+    if (!depth_camera) result.depth_m = UndistortDepth(result.depth_m, *of_color);
+  }
+  if (lens != nullptr) *lens = of_color;
   InField("frame", [&] { Validate(result); });
   return result;
 }

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "server/compute_limit.h"
 #include "server/status.h"
 
 namespace fovea::server {
@@ -44,6 +45,7 @@ FrameSpans SpansOf(const TracedFrame& frame, Span::Time now) {
   const Span whole = spans.front();
   Span::Time at = whole.start;
   for (const StageTime& stage : frame.detections.stage_times) {
+    if (stage.stage == kProcessorWait) continue;  // it is in the others
     const Span::Time start = at;
     at += Nanoseconds(stage.duration_ms);
     spans.push_back({.name = stage.stage,

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <string>
 
+#include "client/images.h"
 #include "tests/server/frames.h"
 
 namespace {
@@ -33,6 +34,11 @@ void WriteRequests(const fs::path& folder) {
   request.mutable_frame()->mutable_color_from_depth()->mutable_position()->set_x(0.025);
   request.mutable_frame()->mutable_color_from_depth()->mutable_orientation()->set_w(1);
   Write(folder, "unregistered", request.SerializeAsString());
+  *request.mutable_frame()->mutable_intrinsics()->mutable_distortion() =
+      fovea::client::MakeLensDistortion("plumb_bob", {-0.1, 0.02, 0.001, 0.002, 0});
+  *request.mutable_frame()->mutable_depth_intrinsics()->mutable_distortion() =
+      fovea::client::MakeLensDistortion("equidistant", {-0.01, 0.03, 0, 0});
+  Write(folder, "distorted", request.SerializeAsString());
   request = TestRequest();
   fovea::v1::DetectOptions& options = *request.mutable_options();
   options.mutable_grasps()->add_grippers()->mutable_jaw()->mutable_palm_size()->set_x(0.1);

@@ -22,7 +22,7 @@ endfunction()
 
 forbid(core "grpc|google/protobuf|fovea/v1/|server/|client/|tests/" "the core knows no service")
 forbid(core "opencv2/(imgcodecs|highgui)|fstream|filesystem|spdlog|iostream" "the core has no files, windows or logs")
-foreach(stage depth saliency seeds scene segmentation objects tracking types)
+foreach(stage depth lens saliency seeds scene segmentation objects tracking types)
   forbid(core/${stage} "core/(detector|options|profiles)" "stages do not know the detector")
 endforeach()
 forbid(core/types "core/[a-su-z]" "types stand at the bottom")

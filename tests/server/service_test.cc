@@ -56,10 +56,11 @@ TEST(Detect, EchoesTheFrameAndStartsStageTimesWithQueueAndDecoding) {
   EXPECT_EQ(answer.profile(), "default");
   EXPECT_EQ(answer.width(), std::uint32_t{kWidth});
   EXPECT_EQ(answer.height(), std::uint32_t{kHeight});
-  ASSERT_EQ(answer.stage_times_size(), 3);
+  ASSERT_EQ(answer.stage_times_size(), 4);
   EXPECT_EQ(answer.stage_times(0).stage(), "queue");
   EXPECT_EQ(answer.stage_times(1).stage(), "decode");
   EXPECT_EQ(answer.stage_times(2).duration().nanos(), 1'500'000);
+  EXPECT_EQ(answer.stage_times(3).stage(), "processor_wait");
   ASSERT_EQ(answer.objects_size(), 1);
   EXPECT_EQ(answer.objects(0).id(), "frame-7/1");
 }

@@ -285,7 +285,8 @@ TEST(Statistics, CountWhatWasDone) {
   EXPECT_EQ(statistics.objects(), 1U);
   EXPECT_EQ(statistics.received_bytes(), TestRequest().ByteSizeLong());
   EXPECT_GT(statistics.sent_bytes(), 0U);
-  EXPECT_THAT(statistics.stages(), UnorderedElementsAre(Key("queue"), Key("decode"), Key("first")));
+  EXPECT_THAT(statistics.stages(), UnorderedElementsAre(Key("queue"), Key("decode"), Key("first"),
+                                                        Key("processor_wait")));
   EXPECT_EQ(statistics.stages().at("first").count(), 1U);
   EXPECT_EQ(statistics.stages().at("first").total().nanos(), 1'500'000);
 }

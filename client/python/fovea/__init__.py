@@ -35,7 +35,7 @@ from fovea.errors import (
     VersionMismatch,
 )
 from fovea.files import read_frame
-from fovea.frame import CameraIntrinsics, Frame
+from fovea.frame import CameraIntrinsics, Frame, LensDistortion
 from fovea.objects import (
     BoundingBox2D,
     BoxUncertainty,
@@ -76,6 +76,7 @@ __all__ = [
     "HeightMap",
     "HiddenTrack",
     "InvalidArgument",
+    "LensDistortion",
     "MissingPackage",
     "NoGrasp",
     "Object",

@@ -124,7 +124,8 @@ class Detections:
     objects: list[Object]
     gravity: Gravity
     support_surface: SupportSurface | None  # None where none was found
-    # Milliseconds, in the order of the pipeline; "queue" and "decode" are the server's part.
+    # Milliseconds, in the order of the pipeline; "queue" and "decode" are the server's part;
+    # "processor_wait" is in the others: what other programs kept the server's processors from it.
     stage_times_ms: dict[str, float]
     diagnostics: Diagnostics
     # By name, "color" and "depth": HxW uint8, 255 = most salient of this frame.

@@ -19,17 +19,49 @@ _INTRINSICS = "frame.intrinsics"
 _DEPTH_INTRINSICS = "frame.depth_intrinsics"
 
 
+_MODELS = {
+    "plumb_bob": frame_pb2.DISTORTION_MODEL_BROWN_CONRADY,
+    "rational_polynomial": frame_pb2.DISTORTION_MODEL_BROWN_CONRADY,
+    "equidistant": frame_pb2.DISTORTION_MODEL_KANNALA_BRANDT,
+}
+
+
+@dataclass(frozen=True)
+class LensDistortion:
+    """How a lens bends rays, by the names and numbers of ROS's camera_info, in OpenCV's order.
+
+    model: "plumb_bob" (k1, k2, p1, p2, k3), "rational_polynomial" (and k4, k5, k6) or "equidistant"
+        (k1 to k4 of a fisheye).
+    """
+
+    model: str
+    coefficients: tuple[float, ...]
+
+    def to_proto(self, field: str = _INTRINSICS) -> frame_pb2.LensDistortion:
+        if self.model not in _MODELS:
+            known = ", ".join(_MODELS)
+            raise InvalidArgument(
+                f"{field}.distortion.model", f"{self.model!r} is not one of {known}"
+            )
+        values = numbers(
+            self.coefficients, (len(self.coefficients),), f"{field}.distortion.coefficients"
+        )
+        return frame_pb2.LensDistortion(model=_MODELS[self.model], coefficients=values.tolist())
+
+
 @dataclass(frozen=True)
 class CameraIntrinsics:
-    """Pinhole model without distortion, in pixels of the camera's image.
+    """Pinhole model, in pixels of the camera's image, and what its lens does to it.
 
-    The centre of the top left pixel is (0, 0).
+    The centre of the top left pixel is (0, 0). Without `distortion`, images are rectified. With it,
+    the server undistorts them and answers in the pixels that were sent.
     """
 
     fx: float
     fy: float
     cx: float
     cy: float
+    distortion: LensDistortion | None = None
 
     @staticmethod
     def from_matrix(matrix: npt.ArrayLike, field: str = _INTRINSICS) -> CameraIntrinsics:
@@ -44,7 +76,10 @@ class CameraIntrinsics:
             value = getattr(self, name)
             if not (isinstance(value, (int, float, np.number)) and math.isfinite(value)):
                 raise InvalidArgument(f"{field}.{name}", f"{value!r} is not a finite number")
-        return frame_pb2.CameraIntrinsics(fx=self.fx, fy=self.fy, cx=self.cx, cy=self.cy)
+        proto = frame_pb2.CameraIntrinsics(fx=self.fx, fy=self.fy, cx=self.cx, cy=self.cy)
+        if self.distortion is not None:
+            proto.distortion.CopyFrom(self.distortion.to_proto(field))
+        return proto
 
 
 @dataclass(frozen=True, eq=False)

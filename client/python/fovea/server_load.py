@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 from fovea.server_info import Statistics
 
+_NO_WORK = ("queue", "processor_wait")
+
 
 @dataclass(frozen=True)
 class _Work:
@@ -13,7 +15,8 @@ class _Work:
 
     uptime: float
     num_frames: int
-    work: float  # of all frames, without their time in the queue
+    # Of all frames, without their time in the queue. What they wait for a processor is in the others.
+    work: float
 
     @staticmethod
     def of(statistics: Statistics) -> _Work:
@@ -21,7 +24,7 @@ class _Work:
         return _Work(
             statistics.uptime_ms / 1000,
             sum(statistics.frames_answered.values()),
-            sum(stage.total_ms for name, stage in stages if name != "queue") / 1000,
+            sum(stage.total_ms for name, stage in stages if name not in _NO_WORK) / 1000,
         )
 
 

@@ -28,9 +28,7 @@ def test_every_frame_is_answered_in_order(client: fovea.Client, scene: Scene) ->
         assert_same(answer.detections, expected)
 
 
-def test_things_keep_their_ids_where_that_is_asked_for(
-    client: fovea.Client, scene: Scene
-) -> None:
+def test_things_keep_their_ids_where_that_is_asked_for(client: fovea.Client, scene: Scene) -> None:
     frames = [scene.frame(id=str(i), captured_at_ns=10**18 + i * 10**8) for i in range(3)]
     options = fovea.DetectOptions(tracking=True)
     answers = [answer.detections for answer in client.stream(frames, options, every_frame=True)]

@@ -1,0 +1,25 @@
+// From the images of a camera with a lens to those of a pinhole camera in its place.
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+#include "core/lens/lens.h"
+
+namespace fovea {
+
+// Both are of the image's size, and the lens must be of it, too. What the camera sees beyond the
+// ideal image is lost: with the same intrinsics that is a margin, of wide fisheyes most. Cost: some
+// 30 ns a pixel.
+//
+// CV_8UC3, interpolated. Where the camera does not see, the colour of its border goes on, so that
+// nothing stands out there.
+cv::Mat UndistortColor(const cv::Mat& color, const Lens& lens);
+
+// CV_32FC1 of the nearest pixel, never between two surfaces; NaN where the camera does not see.
+cv::Mat UndistortDepth(const cv::Mat& depth_m, const Lens& lens);
+
+// The smallest rectangle of the ideal image that holds what is in this one of the sent image; also
+// in it.
+cv::Rect UndistortRect(const Lens& lens, const cv::Rect& sent);
+
+}  // namespace fovea

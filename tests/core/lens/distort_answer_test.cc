@@ -1,0 +1,148 @@
+#include "core/lens/distort_answer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "core/lens/undistortion.h"
+
+namespace fovea {
+namespace {
+
+const cv::Size kSize(160, 120);
+// Bends the corners inwards by some eight pixels.
+Lens Barrel() {
+  return {{130, 130, 79.5, 59.5},
+          {LensDistortion::Model::kBrownConrady, {-0.15, 0.01, 0.001, 0.002}},
+          kSize};
+}
+
+// The tight rectangle of what is not 0.
+cv::Rect BoundsOf(const cv::Mat& mask) { return cv::boundingRect(mask); }
+
+// An object of a disk of the ideal image, with a point for each pixel that says which one.
+Detections AnswerWithDisk(const cv::Point& middle, int radius_px) {
+  Detections answer;
+  answer.labels = cv::Mat::zeros(kSize, CV_16UC1);
+  cv::circle(answer.labels, middle, radius_px, 1, cv::FILLED);
+  DetectedObject& object = answer.objects.emplace_back();
+  object.label = 1;
+  object.bounds_px = BoundsOf(answer.labels == 1);
+  for (int y = 0; y < kSize.height; ++y) {
+    for (int x = 0; x < kSize.width; ++x) {
+      if (answer.labels.at<std::uint16_t>(y, x) == 0) continue;
+      object.cloud.push_back({static_cast<float>(x), static_cast<float>(y), 1, 0, 0, 0});
+    }
+  }
+  object.num_pixels = object.cloud.size();
+  return answer;
+}
+
+TEST(DistortAnswer, TakesAMaskToWhereTheCameraShowsIt) {
+  const Lens lens = Barrel();
+  const cv::Point middle(140, 100);
+  Detections answer = AnswerWithDisk(middle, 12);
+  Trace trace;
+  DistortAnswer(lens, answer, trace);
+
+  const DetectedObject& object = answer.objects.front();
+  EXPECT_EQ(BoundsOf(answer.labels == 1), object.bounds_px);
+  EXPECT_EQ(static_cast<std::size_t>(cv::countNonZero(answer.labels)), object.num_pixels);
+  EXPECT_EQ(object.cloud.size(), object.num_pixels);
+  for (int y = 0, next = 0; y < kSize.height; ++y) {
+    for (int x = 0; x < kSize.width; ++x) {
+      const cv::Point2d ideal = lens.Undistort(cv::Point2d(x, y));
+      const double off = cv::norm(ideal - cv::Point2d(middle));
+      const bool has_label = answer.labels.at<std::uint16_t>(y, x) == 1;
+      if (off < 11) EXPECT_TRUE(has_label) << x << ' ' << y;
+      if (off > 14) EXPECT_FALSE(has_label) << x << ' ' << y;
+      if (!has_label) continue;
+      const ColoredPoint& point = object.cloud[next++];
+      EXPECT_NEAR(point.x, ideal.x, 0.51);
+      EXPECT_NEAR(point.y, ideal.y, 0.51);
+    }
+  }
+  // The disk would reach to column 152.
+  EXPECT_LT(object.bounds_px.br().x, 150);
+}
+
+TEST(DistortAnswer, KeepsARectangleOfWhatTheCameraDoesNotShow) {
+  // A cushion shows less of the ideal image.
+  const Lens lens({130, 130, 79.5, 59.5}, {LensDistortion::Model::kBrownConrady, {0.3}}, kSize);
+  Detections answer = AnswerWithDisk({157, 117}, 2);
+  Trace trace;
+  DistortAnswer(lens, answer, trace);
+  EXPECT_EQ(answer.objects.front().num_pixels, 0U);
+  EXPECT_EQ(answer.objects.front().bounds_px, cv::Rect(159, 119, 1, 1));
+}
+
+TEST(DistortAnswer, TakesSeedsRejectedAndImagesAlong) {
+  const Lens lens = Barrel();
+  Detections answer;
+  answer.labels = cv::Mat::zeros(kSize, CV_16UC1);
+  answer.rejected.push_back({cv::Rect(130, 90, 20, 20), 0.1F, "small"});
+  Trace trace;
+  trace.seeds.resize(1);
+  trace.seeds[0].pixel = {150, 110};
+  trace.depth_m = cv::Mat(kSize, CV_32FC1, cv::Scalar(2));
+  trace.depth_m.at<float>(110, 150) = 1;
+  trace.voxels.voxel_of_pixel = cv::Mat(kSize, CV_32SC1, cv::Scalar(7));
+  DistortAnswer(lens, answer, trace);
+
+  const cv::Point expected = lens.Distort({150, 110});
+  EXPECT_EQ(trace.seeds[0].pixel, expected);
+  EXPECT_EQ(trace.depth_m.at<float>(expected), 1);
+  EXPECT_LE(cv::norm(answer.rejected[0].bounds_px.tl() - cv::Point(lens.Distort({130, 90}))), 1.5);
+  EXPECT_EQ(trace.voxels.voxel_of_pixel.at<int>(60, 80), 7);
+  EXPECT_TRUE(trace.color_saliency.empty());
+}
+
+// A plane drawn by the lens itself: depth that grows with the ideal column.
+TEST(UndistortDepth, IsWhatAPinholeCameraWouldSee) {
+  const Lens lens = Barrel();
+  cv::Mat sent(kSize, CV_32FC1), color(kSize, CV_8UC3);
+  for (int y = 0; y < kSize.height; ++y) {
+    for (int x = 0; x < kSize.width; ++x) {
+      const double column = lens.Undistort(cv::Point2d(x, y)).x;
+      sent.at<float>(y, x) = static_cast<float>(1 + 0.01 * column);
+      color.at<cv::Vec3b>(y, x) = cv::Vec3b::all(cv::saturate_cast<std::uint8_t>(column));
+    }
+  }
+  const cv::Mat ideal = UndistortDepth(sent, lens), ideal_color = UndistortColor(color, lens);
+  int unseen = 0;
+  for (int y = 0; y < kSize.height; ++y) {
+    for (int x = 0; x < kSize.width; ++x) {
+      if (std::isnan(ideal.at<float>(y, x))) {
+        ++unseen;
+        continue;
+      }
+      EXPECT_NEAR(ideal.at<float>(y, x), 1 + 0.01 * x, 0.01) << x << ' ' << y;
+      if (!cv::Rect(2, 2, 156, 116).contains({x, y})) continue;  // next to what nobody sees
+      EXPECT_NEAR(ideal_color.at<cv::Vec3b>(y, x)[0], x, 1.5) << x << ' ' << y;
+    }
+  }
+  EXPECT_EQ(unseen, 0);  // a barrel shows more than the ideal image
+}
+
+TEST(UndistortDepth, HasNoneWhereTheCameraDoesNotLook) {
+  const Lens lens({130, 130, 79.5, 59.5}, {LensDistortion::Model::kBrownConrady, {0.3}}, kSize);
+  const cv::Mat ideal = UndistortDepth(cv::Mat::ones(kSize, CV_32FC1), lens);
+  EXPECT_TRUE(std::isnan(ideal.at<float>(0, 0)));
+  EXPECT_EQ(ideal.at<float>(60, 80), 1);
+}
+
+TEST(UndistortRect, HoldsWhatTheSentRectangleShows) {
+  const Lens lens = Barrel();
+  const cv::Rect sent(10, 10, 30, 20), ideal = UndistortRect(lens, sent);
+  for (int y = sent.y; y < sent.br().y; ++y) {
+    for (int x = sent.x; x < sent.br().x; ++x) {
+      const cv::Point nearest = lens.Undistort(cv::Point2d(x, y));
+      EXPECT_TRUE(ideal.contains(nearest) || !cv::Rect({0, 0}, kSize).contains(nearest)) << nearest;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fovea
