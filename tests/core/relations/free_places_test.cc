@@ -96,6 +96,73 @@ TEST(FindFreePlaces, OfThingsTheHiddenPartTakesRoomToo) {
   for (const FreePlace& place : places) EXPECT_LT(place.box.center.x() + 0.05F, 0);
 }
 
+// A lamp that hangs 0.5 m above the right half of the table, beside which the camera looks through.
+TEST(FindFreePlaces, WhatHangsHigherThanTheThingIsNotInItsWay) {
+  Table table;
+  for (int col = 0; col < table.points.cols; ++col) {
+    const float along = static_cast<float>(col) / static_cast<float>(table.points.cols);
+    table.points.at<cv::Vec3f>(0, col) = {0.5F * along, 0.2F * (along - 0.5F), 0.5F};
+  }
+  const float above_m = Table().Places({.size_m = {0.8F, 0.4F, 0.3F}})[0].clearance_m;
+  const auto under_it = table.Places({.size_m = {0.8F, 0.4F, 0.3F}});
+  ASSERT_FALSE(under_it.empty());
+  EXPECT_EQ(under_it[0].clearance_m, above_m);
+  for (const FreePlace& place : table.Places({.size_m = {0.2F, 0.2F, 0.6F}})) {
+    EXPECT_LT(place.box.center.x() - 0.1F, 0.4F) << "in the lamp";
+    EXPECT_FALSE(std::abs(place.box.center.y()) < 0.05F && place.box.center.x() > 0) << "in it";
+  }
+}
+
+TEST(FindFreePlaces, AThingThatHangsAboveIsNotInTheWayEither) {
+  DetectedObject shelf;
+  shelf.box.center = {0, 0, 0.4F};
+  shelf.box.rotation << 1, 0, 0, 0, -1, 0, 0, 0, -1;
+  shelf.box.size_m = {1, 0.6F, 0.1F};
+  EXPECT_FALSE(Table().Places({.size_m = {0.2F, 0.2F, 0.3F}}, {shelf}).empty());
+  EXPECT_TRUE(Table().Places({.size_m = {0.2F, 0.2F, 0.6F}}, {shelf}).empty());
+}
+
+// A strip of 0.16 m across the table, at 45 degrees.
+TEST(FindFreePlaces, TriesDirectionsThatAreNotAlongTheView) {
+  Table table;
+  for (int row = 0; row < table.points.rows; ++row) {
+    for (int col = 0; col < table.points.cols; ++col) {
+      auto& point = table.points.at<cv::Vec3f>(row, col);
+      if (std::abs(point[0] - point[1]) > 0.08F * 1.41421F) point = cv::Vec3f::all(kNone);
+    }
+  }
+  const auto places = table.Places({.size_m = {0.5F, 0.06F, 0.1F}, .margin_m = 0.02F});
+  ASSERT_FALSE(places.empty());
+  const Eigen::Vector3f along = places[0].box.rotation.col(0);
+  EXPECT_NEAR(std::abs(along.x()), std::sqrt(0.5F), 1e-3F);
+  EXPECT_GT(along.x() * along.y(), 0);
+}
+
+// The table once more, 0.3 m nearer, without what a thing covers of it.
+TEST(FindFreePlaces, OfSeveralSupportsTheOneWithMoreRoomComesFirst) {
+  Table table;
+  table.Put({-0.5F, -0.3F}, {0.1F, 0.3F}, 0.3F);
+  table.supports.insert(table.supports.begin(),
+                        {{-Eigen::Vector3f::UnitZ(), 1, 1000}, Footprint(), 1});
+  table.supports[1].surface.offset_m = 0.7F;
+  const auto places = table.Places({.size_m = {0.1F, 0.1F, 0.1F}, .max_places = 3});
+  ASSERT_EQ(places.size(), 3U);
+  EXPECT_NEAR(places[0].box.center.z(), 0.7F - 0.05F, 1e-3F);
+  for (std::size_t i = 1; i < 3; ++i) {
+    EXPECT_LE(places[i].clearance_m, places[i - 1].clearance_m);
+  }
+}
+
+// 0.3 m to the edges, less half of the thing, which takes an odd number of cells of 1 cm.
+TEST(FindFreePlaces, ClearanceCountsFromTheThing) {
+  const auto with = [](float margin_m) {
+    return Table().Places({.size_m = {0.3F, 0.2F, 0.1F}, .margin_m = margin_m, .max_places = 1});
+  };
+  EXPECT_NEAR(with(0.02F).at(0).clearance_m, 0.19F, 0.015F);
+  EXPECT_NEAR(with(0.15F).at(0).clearance_m, 0.19F, 0.015F);
+  EXPECT_TRUE(with(0.21F).empty());
+}
+
 TEST(FindFreePlaces, OfWhatIsTooLargeThereIsNone) {
   EXPECT_TRUE(Table().Places({.size_m = {0.9F, 0.7F, 0.1F}}).empty());
   EXPECT_TRUE(FindFreePlaces(Table().points, {}, {}, {.size_m = {0.1F, 0.1F, 0.1F}}).empty());
