@@ -1,5 +1,5 @@
 # The two commands of the README; developers may use the CMake presets directly.
-.PHONY: all demo test lint package install clean
+.PHONY: all demo test lint check-long package install clean
 
 PRESET ?= release
 BUILD := build/$(PRESET)
@@ -26,6 +26,10 @@ test: build
 
 lint: dependencies
 	@deploy/lint.sh $(BUILD)
+
+# Sanitizers, fuzzing and the contract: an hour and more; PART=asan, tsan, fuzz or buf for one
+check-long: dependencies
+	@deploy/check_long.sh $(PART)
 
 # Debian packages of the server, the clients and the libraries, in $(BUILD)
 package: build

@@ -1,6 +1,7 @@
 #!/bin/sh
 # Installs the Debian 12 packages that building and testing Fovea needs, if any is missing.
 # Runs as root, or as a user with sudo. Prints nothing when all are there.
+# usage: deploy/install_dependencies.sh [PACKAGE...]   (others beside them)
 set -eu
 
 packages="
@@ -17,7 +18,7 @@ python3-pil python3-pip python3-pytest python3-zstandard openssl
 "
 
 missing=""
-for package in $packages; do
+for package in $packages "$@"; do
   status=$(dpkg-query -W -f '${Status}' "$package" 2>/dev/null || true)
   [ "$status" = "install ok installed" ] || missing="$missing $package"
 done

@@ -1,18 +1,34 @@
 #!/bin/sh
-# Checks the format (clang-format, black) and the code (clang-tidy, mypy) of everything that is ours.
-# usage: deploy/lint.sh BUILD_FOLDER   (built, so that it holds compile_commands.json and stubs)
+# Checks the format of everything that is ours (clang-format, black) and the code: C++ with
+# clang-tidy, Python with mypy, shell with shellcheck, CMake with cmake-lint.
+# usage: deploy/lint.sh BUILD_FOLDER [--quick [BASE]]
+# BUILD_FOLDER is built, so that it holds compile_commands.json and stubs. --quick: clang-tidy only of
+# sources that changed since they parted from BASE (main unless given), of 20 at most.
 set -eu
 
 build=$1
-for tool in clang-format clang-tidy black mypy; do
-  command -v "$tool" >/dev/null || { echo "lint: $tool is missing: apt-get install $tool" >&2; exit 1; }
-done
+quick=${2:-}
+base=${3:-main}
+
+deploy/install_dependencies.sh clang-format clang-tidy black mypy shellcheck cmake-format
 
 git ls-files '*.cc' '*.h' | xargs clang-format --dry-run -Werror
-# The examples build against the installed library only: tests/package does that.
-git ls-files '*.cc' ':!client/examples' | xargs -P 2 -n 4 clang-tidy --quiet -p "$build"
-
 git ls-files '*.py' | xargs black --quiet --check --line-length 100
+
+# With and without an ending.
+git grep -lE '^#!/(bin/sh|bin/bash|usr/bin/env bash)$' | xargs shellcheck --severity=warning
+git ls-files '*CMakeLists.txt' '*.cmake' | xargs cmake-lint --suppress-decorations
+
+# The examples build against the installed library only: tests/package does that.
+sources=$(git ls-files '*.cc' ':!client/examples')
+if [ "$quick" = --quick ]; then
+  since=$(git merge-base HEAD "$base" 2>/dev/null || git merge-base HEAD "origin/$base" 2>/dev/null || true)
+  sources=""
+  [ -z "$since" ] || sources=$(git diff --name-only --diff-filter=d "$since" -- '*.cc' ':!client/examples')
+  [ "$(echo "$sources" | wc -l)" -le 20 ] || { echo "lint: clang-tidy of 20 of the sources that changed"; sources=$(echo "$sources" | head -n 20); }
+fi
+[ -z "$sources" ] || echo "$sources" | xargs -P 2 -n 4 clang-tidy --quiet -p "$build"
+
 # With the generated modules, which the sources do not have.
 for what in "-p fovea" client/examples/python/clean_up.py client/examples/python/detect_once.py client/examples/python/detect_stream.py; do
   # shellcheck disable=SC2086  # a flag and its value

@@ -56,7 +56,7 @@ struct ServerOptions {
   int threads_per_frame = 0;
   // How much these threads give way to the server's others, which refuse and receive, 0 … 19 steps
   // of niceness. More gives way to other programs of the machine as well.
-  int compute_nice = 10;
+  int compute_nice = 0;
   // What requests may change of the method: "none", "safe" (what is looked for and reported) or
   // "all"; and options, as NAME=VALUE, that hold for every frame whatever it asks for.
   std::string client_options = "all";
