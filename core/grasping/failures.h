@@ -13,6 +13,10 @@ struct Failures {
 
   void Add(NoGrasp::Reason reason) { ++counts[static_cast<std::size_t>(reason)]; }
 
+  void Add(const Failures& others) {
+    for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += others.counts[i];
+  }
+
   int NumOfMostCommon() const { return *std::max_element(counts.begin(), counts.end()); }
 
   // What the most failed for; `otherwise` where none was tried.

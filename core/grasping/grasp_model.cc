@@ -6,7 +6,8 @@ namespace fovea {
 
 double GraspFunction::LogOdds(const GraspTerms& terms) const {
   double sum = bias;
-  for (std::size_t t = 0; t < terms.size(); ++t) sum += weights[t] * static_cast<double>(terms[t]);
+  for (std::size_t t = 0; t < terms.size(); ++t)
+    sum += functions[t].Of(static_cast<double>(terms[t]));
   return sum;
 }
 

@@ -4,13 +4,14 @@
 #include <array>
 
 #include "core/grasping/grasp_terms.h"
+#include "core/objects/object_model.h"
 
 namespace fovea {
 
-// The logarithm of the odds, a linear function of the terms.
+// The logarithm of the odds: a sum of functions of one term each.
 struct GraspFunction {
   double bias = 0;
-  std::array<double, kNumGraspTerms> weights{};
+  std::array<TermFunction, kNumGraspTerms> functions;
 
   double LogOdds(const GraspTerms& terms) const;
 };

@@ -8,10 +8,10 @@
 
 namespace fovea {
 
-inline constexpr std::size_t kNumGraspTerms = 22;
+inline constexpr std::size_t kNumGraspTerms = 25;
 using GraspTerms = std::array<float, kNumGraspTerms>;
 
-// Lengths in centimetres, slopes as tangents, shares 0 … 1. The first ten are of the object.
+// Lengths in centimetres, slopes as tangents, shares 0 … 1. The first twelve are of the object.
 enum ObjectGraspTerm : std::size_t {
   kTermDistance,      // from the camera, metres
   kTermConfidence,    // that it is an object
@@ -23,6 +23,8 @@ enum ObjectGraspTerm : std::size_t {
   kTermFlat,          //
   kTermHeight,        // up to 15
   kTermDepthMissing,  //
+  kTermSlender,       // its height by its mean width, up to 3
+  kTermHiddenBorder,  // share of its outline
   kNumTermsOfObject,
 };
 
@@ -37,8 +39,9 @@ enum JawTerm : std::size_t {
   kTermContactDepth,                     // from the tips up, the lower contact, up to 2.5
   kTermUnseenContacts,                   // share
   kTermHandBehindTarget,                 // share of the fingers
-  kTermHandBehindOther,                  // share of the fingers, what is not measured counts half
+  kTermHandBehindOther,                  // share of the less seen finger; unmeasured counts half
   kTermHandOutside,                      // share of the fingers, outside of the image
+  kTermWidth,                            // between the fingers
 };
 
 enum SuctionTerm : std::size_t {
@@ -49,7 +52,8 @@ enum SuctionTerm : std::size_t {
   kTermOffCenter,                       // of the axis from the middle, in diameters of the lip
   kTermCovered,                         // share of sixteen sectors of the lip with points
   kTermTubeGap,                         // beside the tube, up to 2
-  kTermPoints,                          // under the lip, logarithm of their number
+  kTermPoints,                          // under the lip, hundreds of them, up to 2
+  kTermDisagrees,                       // sine of the angle between the patch and the shape there
 };
 
 // What a grasp is judged as: one function each.

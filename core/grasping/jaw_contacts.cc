@@ -74,16 +74,24 @@ Eigen::Vector2f SlopesOf(const Reaches& touching, const JawPlace& place) {
   return Eigen::Matrix3f(sums).ldlt().solve(right).head<2>();
 }
 
+// `is_exact`: of a solid; then the levels next to the first to touch tell how it slopes even where
+// they lie far behind it.
 JawContact ContactOf(const Reaches& reaches, const TurnedGrid& turned, const JawPlace& place,
-                     float pad_width_m, bool is_towards_plus, float patch_m) {
+                     float pad_width_m, bool is_towards_plus, float patch_m, bool is_exact) {
+  constexpr float kNextLevel_m = 0.0065F;
   JawContact contact;
-  float farthest = HandGrid::kNothing;
-  for (const Reach& reach : reaches) farthest = std::max(farthest, reach.outwards_m);
+  Reach first = {0, 0, HandGrid::kNothing};
+  for (const Reach& reach : reaches) {
+    if (reach.outwards_m > first.outwards_m) first = reach;
+  }
+  const float farthest = first.outwards_m;
   const float sign = is_towards_plus ? -1.0F : 1.0F;
   Reaches near;
   float low = 1, high = -1;
   for (const Reach& reach : reaches) {
-    if (reach.outwards_m < farthest - 2 * patch_m) continue;
+    const bool is_next = is_exact && reach.across_m == first.across_m &&
+                         std::abs(reach.height_m - first.height_m) < kNextLevel_m;
+    if (reach.outwards_m < farthest - 2 * patch_m && !is_next) continue;
     near.push_back(reach);
     if (reach.outwards_m < farthest - patch_m) continue;
     low = std::min(low, reach.across_m);
@@ -109,6 +117,7 @@ std::array<JawContact, 2> CloseOn(const TurnedGrid& turned, const CompletedSolid
   constexpr float kPatch_m = 0.002F;
   std::array<Reaches, 2> reaches = ThroughColumns(turned, place, gripper);
   float patch = std::max(kPatch_m, 0.75F * turned.cell_m);
+  bool is_exact = false;
   if (solid.IsKnown() && !place.is_part) {
     const auto exact = ThroughSolid(turned, solid, place, gripper);
     const auto farthest = [](const Reaches& side) {
@@ -121,13 +130,15 @@ std::array<JawContact, 2> CloseOn(const TurnedGrid& turned, const CompletedSolid
       agrees = agrees && std::abs(farthest(exact[i]) - farthest(reaches[i])) < 2.5F * turned.cell_m;
     }
     if (agrees) {
+      is_exact = true;
       reaches = exact;
       patch = kPatch_m;
     }
   }
   std::array<JawContact, 2> contacts;
   for (const int i : {0, 1}) {
-    contacts[i] = ContactOf(reaches[i], turned, place, gripper.finger_width_m, i == 0, patch);
+    contacts[i] =
+        ContactOf(reaches[i], turned, place, gripper.finger_width_m, i == 0, patch, is_exact);
   }
   return contacts;
 }

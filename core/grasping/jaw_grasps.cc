@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/grasping/hidden_border.h"
 #include "core/grasping/jaw_contacts.h"
 #include "core/grasping/jaw_places.h"
 #include "core/grasping/sight.h"
@@ -16,7 +17,7 @@ constexpr float kCentimetres = 100;
 
 // Shares of the places of both fingers, by what the camera says of them.
 struct HandSights {
-  float behind_target = 0, behind_other = 0, outside = 0;
+  float behind_target = 0, behind_other = 0, outside = 0;  // behind_other: of the worse finger
 };
 
 HandSights LookAtFingers(const GraspScene& scene, int label, const HandGrid& grid,
@@ -25,6 +26,7 @@ HandSights LookAtFingers(const GraspScene& scene, int label, const HandGrid& gri
   HandSights sights;
   constexpr int kPlaces = 12;
   for (const float side : {-1.0F, 1.0F}) {
+    float behind_other = 0;
     const float along = middle_m + side * (opened_m + gripper.finger_thickness_m) / 2;
     for (const float across : {-0.5F, 0.0F, 0.5F}) {
       for (const float above_m : {0.004F, 0.02F}) {
@@ -35,10 +37,10 @@ HandSights LookAtFingers(const GraspScene& scene, int label, const HandGrid& gri
             sights.behind_target += 1.0F / kPlaces;
             break;
           case Sight::kBehindOther:
-            sights.behind_other += 1.0F / kPlaces;
+            behind_other += 2.0F / kPlaces;
             break;
           case Sight::kUnmeasured:
-            sights.behind_other += 0.5F / kPlaces;
+            behind_other += 1.0F / kPlaces;
             break;
           case Sight::kOutsideOfImage:
             sights.outside += 1.0F / kPlaces;
@@ -48,6 +50,7 @@ HandSights LookAtFingers(const GraspScene& scene, int label, const HandGrid& gri
         }
       }
     }
+    sights.behind_other = std::max(sights.behind_other, behind_other);
   }
   return sights;
 }
@@ -146,6 +149,7 @@ void AddGrasp(const Turn& turn, const JawPlace& place, const GraspTerms& of_obje
   t[kTermHandBehindTarget] = sights.behind_target;
   t[kTermHandBehindOther] = sights.behind_other;
   t[kTermHandOutside] = sights.outside;
+  t[kTermWidth] = kCentimetres * width;
   constexpr float kLevel = 0.5F;  // cosine of the approach with the object's upright
   const bool is_level = std::abs(turn.grid.floor_normal.z()) < kLevel;
   Grasp& grasp = scored.grasp;
@@ -165,7 +169,7 @@ void AddGrasp(const Turn& turn, const JawPlace& place, const GraspTerms& of_obje
 
 }  // namespace
 
-GraspTerms TermsOfObject(const DetectedObject& object) {
+GraspTerms TermsOfObject(const GraspScene& scene, const DetectedObject& object) {
   using Kind = Shape::Kind;
   const Kind kind = object.shape.kind;
   GraspTerms terms{};
@@ -180,13 +184,16 @@ GraspTerms TermsOfObject(const DetectedObject& object) {
   terms[kTermFlat] = kind == Kind::kFlat ? 1 : 0;
   terms[kTermHeight] = std::min(15.0F, kCentimetres * object.box.size_m.z());
   terms[kTermDepthMissing] = object.depth_missing ? 1 : 0;
+  const Eigen::Vector3f& size = object.box.size_m;
+  terms[kTermSlender] = std::min(3.0F, 2 * size.z() / std::max(0.001F, size.x() + size.y()));
+  terms[kTermHiddenBorder] = HiddenShareOfBorder(scene, object);
   return terms;
 }
 
 void FindJawGrasps(const GraspScene& scene, const DetectedObject& object, const HandGrid& grid,
                    std::vector<JawHand>& hands) {
   const CompletedSolid solid(object, grid.frame);
-  const GraspTerms of_object = TermsOfObject(object);
+  const GraspTerms of_object = TermsOfObject(scene, object);
   const float half_across = solid.HalfExtents().head<2>().norm() + 0.025F;
   std::vector<JawPlace> places;
   // Far apart turns first: the cap on places leaves none of them out.

@@ -19,7 +19,7 @@ struct JawHand {
 };
 
 // What speaks for all grasps of an object.
-GraspTerms TermsOfObject(const DetectedObject& object);
+GraspTerms TermsOfObject(const GraspScene& scene, const DetectedObject& object);
 
 // Fills `failures` and `grasps` of each hand: twelve turns of it, from that of the object's box
 // on, at most 400 places each. `grid`: along the way in, wide enough for the widest hand.

@@ -181,7 +181,9 @@ void FindJawPlaces(const HandGrid& grid, const TurnedGrid& turned, const JawGrip
   if (rows < 1) return;
   const float half_width = gripper.finger_width_m / 2;
   const float length = static_cast<float>(rows) * grid.cell_m;
-  const int strips = std::clamp(static_cast<int>(length / kBetweenStrips_m), 1, kMostStrips);
+  // An odd number: one passes through the middle.
+  const int strips =
+      std::min(kMostStrips, 2 * static_cast<int>(length / (2 * kBetweenStrips_m)) + 1);
   Station at = {grid, turned, gripper, 0, 0, 0, {}, {}};
   for (int i = 0; i < strips; ++i) {
     const float share = (static_cast<float>(i) + 0.5F) / static_cast<float>(strips);

@@ -52,19 +52,11 @@ class Planner {
 
   std::vector<Found> PlanFor(std::size_t target) const {
     std::vector<Found> found(grippers_.size());
-    std::vector<std::pair<Eigen::Vector3f, HandGrid>> grids;  // by approach
-    for (std::size_t g = 0; g < grippers_.size(); ++g) {
-      for (const Eigen::Vector3f& approach :
-           ApproachesOf(grippers_[g], scene_.up, objects_[target])) {
-        InterruptionPoint();
-        auto known = std::find_if(grids.begin(), grids.end(),
-                                  [&](const auto& entry) { return entry.first == approach; });
-        if (known == grids.end()) {
-          grids.emplace_back(approach, BuildHandGrid(scene_, objects_, target, approach, reach_m_));
-          known = std::prev(grids.end());
-        }
-        Find(target, g, known->second, found[g]);
-      }
+    for (const auto& [approach, grippers] : GrippersByApproach(objects_[target])) {
+      InterruptionPoint();
+      const HandGrid grid = BuildHandGrid(scene_, objects_, target, approach, reach_m_);
+      FindWithJaws(target, grippers, grid, found);
+      FindWithCups(target, grippers, grid, found);
     }
     const GraspModel& model = FittedGraspModel();
     for (Found& own : found) {
@@ -74,18 +66,47 @@ class Planner {
   }
 
  private:
-  void Find(std::size_t target, std::size_t g, const HandGrid& grid, Found& found) const {
-    const DetectedObject& object = objects_[target];
-    std::vector<ScoredGrasp> grasps;
-    if (const auto* jaw = std::get_if<JawGripper>(&grippers_[g].hand)) {
-      std::vector<JawHand> hands = {{g, *jaw, found.failures, {}}};
-      FindJawGrasps(scene_, object, grid, hands);
-      grasps = std::move(hands[0].grasps);
-      found.failures = hands[0].failures;
-    } else {
-      grasps = FindSuctionGrasps(scene_, object, grid, grippers_[g], g, found.failures);
+  // Those that move in the same way share a grid.
+  std::vector<std::pair<Eigen::Vector3f, std::vector<std::size_t>>> GrippersByApproach(
+      const DetectedObject& object) const {
+    std::vector<std::pair<Eigen::Vector3f, std::vector<std::size_t>>> groups;
+    for (std::size_t g = 0; g < grippers_.size(); ++g) {
+      for (const Eigen::Vector3f& approach : ApproachesOf(grippers_[g], scene_.up, object)) {
+        auto known = std::find_if(groups.begin(), groups.end(),
+                                  [&](const auto& entry) { return entry.first == approach; });
+        if (known == groups.end()) known = groups.insert(groups.end(), {approach, {}});
+        known->second.push_back(g);
+      }
     }
-    std::move(grasps.begin(), grasps.end(), std::back_inserter(found.grasps));
+    return groups;
+  }
+
+  void FindWithJaws(std::size_t target, const std::vector<std::size_t>& grippers,
+                    const HandGrid& grid, std::vector<Found>& found) const {
+    std::vector<JawHand> hands;
+    for (const std::size_t g : grippers) {
+      if (const auto* jaw = std::get_if<JawGripper>(&grippers_[g].hand)) {
+        hands.push_back({g, *jaw, {}, {}});
+      }
+    }
+    if (hands.empty()) return;
+    FindJawGrasps(scene_, objects_[target], grid, hands);
+    for (JawHand& hand : hands) {
+      Found& own = found[hand.gripper];
+      std::move(hand.grasps.begin(), hand.grasps.end(), std::back_inserter(own.grasps));
+      own.failures.Add(hand.failures);
+    }
+  }
+
+  void FindWithCups(std::size_t target, const std::vector<std::size_t>& grippers,
+                    const HandGrid& grid, std::vector<Found>& found) const {
+    for (const std::size_t g : grippers) {
+      if (!std::holds_alternative<SuctionGripper>(grippers_[g].hand)) continue;
+      Found& own = found[g];
+      std::vector<ScoredGrasp> grasps =
+          FindSuctionGrasps(scene_, objects_[target], grid, grippers_[g], g, own.failures);
+      std::move(grasps.begin(), grasps.end(), std::back_inserter(own.grasps));
+    }
   }
 
   const GraspScene& scene_;

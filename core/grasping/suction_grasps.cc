@@ -31,7 +31,8 @@ std::vector<cv::Point> PixelsToTry(const GraspScene& scene, const DetectedObject
 
 // The smallest distance between the tube and what else is in the columns of the grid, up to 20 mm;
 // negative where they meet.
-float TubeGap(const HandGrid& grid, const SuctionPatch& patch, float radius_m) {
+float TubeGap(const HandGrid& grid, const Eigen::Vector3f& center, const Eigen::Vector3f& normal,
+              float radius_m) {
   constexpr float kFarthest_m = 0.02F, kOnPatch_m = 0.006F;
   // Around the tube, cosines and sines of multiples of 45 degrees.
   constexpr float kHalf = 0.70710678F;
@@ -43,8 +44,8 @@ float TubeGap(const HandGrid& grid, const SuctionPatch& patch, float radius_m) {
                                                                {-kHalf, -kHalf},
                                                                {0, -1},
                                                                {kHalf, -kHalf}}};
-  const Eigen::Vector3f start = grid.frame.FromCamera(patch.center);
-  const Eigen::Vector3f way = grid.frame.rotation.transpose() * patch.normal;
+  const Eigen::Vector3f start = grid.frame.FromCamera(center);
+  const Eigen::Vector3f way = grid.frame.rotation.transpose() * normal;
   const Eigen::Vector3f u = way.unitOrthogonal(), v = way.cross(u);
   float gap = kFarthest_m;
   for (float along = kOnPatch_m; along < kTube_m; along += 0.01F) {
@@ -61,32 +62,52 @@ float TubeGap(const HandGrid& grid, const SuctionPatch& patch, float radius_m) {
   return gap;
 }
 
-// Of the solid that the object is taken for, which is surer than that of a noisy patch; that of the
-// patch where it has none.
-float CurvatureAt(const DetectedObject& object, const SuctionPatch& patch) {
+struct Surface {
+  Eigen::Vector3f normal;
+  float curvature_per_m = 0;
+};
+
+// The face of a box that faces a patch most.
+Eigen::Vector3f FaceTowards(const OrientedBox& box, const Eigen::Vector3f& normal) {
+  const Eigen::Vector3f cosines = box.rotation.transpose() * normal;
+  Eigen::Index axis = 0;
+  cosines.cwiseAbs().maxCoeff(&axis);
+  return cosines[axis] > 0 ? box.rotation.col(axis) : Eigen::Vector3f(-box.rotation.col(axis));
+}
+
+Surface SurfaceOf(const DetectedObject& object, const SuctionPatch& patch) {
   constexpr float kOnTop = 0.7F;  // cosine
   const Shape& shape = object.shape;
+  const Eigen::Vector3f from = patch.center - shape.center;
   switch (shape.kind) {
     case Shape::Kind::kBox:
     case Shape::Kind::kFlat:
-      return 0;
+      return {FaceTowards(object.box, patch.normal), 0};
     case Shape::Kind::kSphere:
-      return 1 / shape.radius_m;
-    case Shape::Kind::kCylinder:
-      return std::abs(shape.axis.dot(patch.normal)) > kOnTop ? 0 : 1 / shape.radius_m;
+      return {from.normalized(), 1 / shape.radius_m};
+    case Shape::Kind::kCylinder: {
+      const float along = shape.axis.dot(patch.normal);
+      if (std::abs(along) > kOnTop) return {along > 0 ? shape.axis : -shape.axis, 0};
+      return {(from - shape.axis * shape.axis.dot(from)).normalized(), 1 / shape.radius_m};
+    }
     case Shape::Kind::kRevolution:
     case Shape::Kind::kOther:
       break;
   }
-  return patch.curvature_per_m;
+  return {patch.normal, patch.curvature_per_m};
 }
 
-// That of a noisy patch is not sure.
-float MostCurvature(const DetectedObject& object, const SuctionGripper& cup) {
-  const bool is_known =
-      object.shape.kind != Shape::Kind::kOther && object.shape.kind != Shape::Kind::kRevolution;
-  return is_known ? cup.max_curvature_per_m : 2 * cup.max_curvature_per_m;
+// Of the solid that the object is taken for, which is surer than that of a noisy patch, where the
+// two agree; else that of the patch.
+Surface SurfaceAt(const DetectedObject& object, const SuctionPatch& patch) {
+  constexpr float kAgree = 0.9F;  // cosine: 26 degrees
+  const Surface surface = SurfaceOf(object, patch);
+  return surface.normal.dot(patch.normal) > kAgree ? surface
+                                                   : Surface{patch.normal, patch.curvature_per_m};
 }
+
+// A lip follows more than the largest curvature where that is still even to it.
+constexpr float kMostCurvature = 2.2F;  // times the largest
 
 bool IsEven(const SuctionPatch& patch, const SuctionGripper& cup, float noise_m) {
   constexpr float kLeastCovered = 0.6F;
@@ -113,7 +134,7 @@ std::vector<ScoredGrasp> FindSuctionGrasps(const GraspScene& scene, const Detect
   constexpr float kNoise_m = 0.001F, kNoisePerM = 0.002F;  // of depth, per square metre
   const auto& cup = std::get<SuctionGripper>(gripper.hand);
   const Eigen::Vector3f approach = -grid.frame.rotation.col(2);
-  const GraspTerms of_object = TermsOfObject(object);
+  const GraspTerms of_object = TermsOfObject(scene, object);
   std::vector<ScoredGrasp> grasps;
   for (const cv::Point& pixel : PixelsToTry(scene, object)) {
     InterruptionPoint();
@@ -123,9 +144,10 @@ std::vector<ScoredGrasp> FindSuctionGrasps(const GraspScene& scene, const Detect
       continue;
     }
     const float noise = kNoise_m + kNoisePerM * patch->center.z() * patch->center.z();
-    const float cosine = -patch->normal.dot(approach);
-    const float curvature = CurvatureAt(object, *patch);
-    if (!IsEven(*patch, cup, noise) || curvature > MostCurvature(object, cup)) {
+    const Surface surface = SurfaceAt(object, *patch);
+    const Eigen::Vector3f& normal = surface.normal;
+    const float cosine = -normal.dot(approach), curvature = surface.curvature_per_m;
+    if (!IsEven(*patch, cup, noise) || curvature > kMostCurvature * cup.max_curvature_per_m) {
       failures.Add(NoGrasp::Reason::kNoSeal);
       continue;
     }
@@ -133,13 +155,13 @@ std::vector<ScoredGrasp> FindSuctionGrasps(const GraspScene& scene, const Detect
       failures.Add(NoGrasp::Reason::kSloped);
       continue;
     }
-    const float gap = TubeGap(grid, *patch, cup.diameter_m / 2);
+    const float gap = TubeGap(grid, patch->center, normal, cup.diameter_m / 2);
     if (gap < 0) {
       failures.Add(NoGrasp::Reason::kNeighbor);
       continue;
     }
     const Eigen::Vector3f to_middle = object.box.center - patch->center;
-    const float off_center = (to_middle - patch->normal * to_middle.dot(patch->normal)).norm();
+    const float off_center = (to_middle - normal * to_middle.dot(normal)).norm();
     ScoredGrasp scored;
     scored.family = GraspFamily::kSuction;
     scored.terms = of_object;
@@ -151,16 +173,18 @@ std::vector<ScoredGrasp> FindSuctionGrasps(const GraspScene& scene, const Detect
     t[kTermCovered] = patch->covered;
     t[kTermTubeGap] = kCentimetres * gap;
     t[kTermPoints] = std::min(2.0F, static_cast<float>(patch->num_points) / 100);
+    t[kTermDisagrees] = normal.cross(patch->normal).norm();
     Grasp& grasp = scored.grasp;
     grasp.kind = Grasp::Kind::kSuction;
     grasp.gripper = index;
     grasp.tool_center_point = patch->center;
-    grasp.approach = -patch->normal;
-    grasp.closing = patch->normal.unitOrthogonal();
+    grasp.approach = -normal;
+    grasp.closing = normal.unitOrthogonal();
     grasp.clearance_m = gap;
     grasp.unevenness_m = patch->unevenness_m;
     grasp.off_center_m = off_center;
     grasp.usable_diameter_m = UsableDiameter(scene, object, pixel, cup, noise);
+    t[kTermUsable] = std::min(2.0F, kCentimetres * (grasp.usable_diameter_m - cup.diameter_m) / 2);
     grasps.push_back(scored);
   }
   return grasps;

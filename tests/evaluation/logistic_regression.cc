@@ -6,13 +6,12 @@
 namespace fovea::evaluation {
 namespace {
 
-constexpr double kPenalty = 1e-5;
 constexpr int kSteps = 50;
 
 }  // namespace
 
 LogisticModel FitLogistic(const Eigen::MatrixXd& rows, const Eigen::VectorXd& is_true,
-                          const Eigen::VectorXd& row_weights) {
+                          const Eigen::VectorXd& row_weights, double penalty) {
   const Eigen::RowVectorXd mean = rows.colwise().mean();
   const Eigen::MatrixXd centered = rows.rowwise() - mean;
   const Eigen::RowVectorXd deviation =
@@ -26,9 +25,9 @@ LogisticModel FitLogistic(const Eigen::MatrixXd& rows, const Eigen::VectorXd& is
     const Eigen::ArrayXd p = 1 / (1 + (-(x * beta)).array().exp());
     const Eigen::VectorXd curvature = share.array() * p * (1 - p);
     Eigen::MatrixXd hessian = x.transpose() * curvature.asDiagonal() * x;
-    hessian.diagonal().array() += kPenalty;
+    hessian.diagonal().array() += penalty;
     const Eigen::VectorXd gradient =
-        x.transpose() * (share.array() * (is_true.array() - p)).matrix() - kPenalty * beta;
+        x.transpose() * (share.array() * (is_true.array() - p)).matrix() - penalty * beta;
     beta += hessian.ldlt().solve(gradient);
   }
   const Eigen::VectorXd weights = beta.head(rows.cols()).array() / deviation.transpose().array();

@@ -16,10 +16,10 @@ struct LogisticModel {
 };
 
 // The model that gives `is_true` (0 or 1) the highest likelihood, each row counted with its weight;
-// a penalty of 0.00001 · |weights|² on columns scaled to variance 1 keeps it finite. Newton's
-// method. Expects at least one row.
+// `penalty` / 2 · |weights|² on columns scaled to variance 1, beside the mean loss of a row, keeps
+// it finite. Newton's method. Expects at least one row.
 LogisticModel FitLogistic(const Eigen::MatrixXd& rows, const Eigen::VectorXd& is_true,
-                          const Eigen::VectorXd& row_weights);
+                          const Eigen::VectorXd& row_weights, double penalty = 1e-5);
 
 // Mean of −ln p(right class), weighted.
 double LogLoss(const Eigen::VectorXd& log_odds, const Eigen::VectorXd& is_true,

@@ -90,6 +90,21 @@ TEST(PlanGrasps, ABallIsTakenBelowItsUpperQuarter) {
   EXPECT_GT(below_middle, -0.016F);  // where its sides are as steep as friction asks
 }
 
+TEST(PlanGrasps, ABallWiderThanTheHandIsNotTakenByItsTop) {
+  // Where 85 mm reach around it, its sides are steeper than friction holds.
+  const auto objects =
+      Plan({Thing(ShapeKind::kSphere, {0.11, 0.11, 0.11}, {0, 0}, 0)}, {Jaw(0.085F)});
+  EXPECT_TRUE(objects[0].grasps.empty());
+}
+
+TEST(PlanGrasps, ACupFollowsALargeBallTowardsItsMiddle) {
+  const auto objects = Plan({Thing(ShapeKind::kSphere, {0.12, 0.12, 0.12}, {0, 0}, 0)}, {Cup()});
+  ASSERT_FALSE(objects[0].grasps.empty());
+  const Grasp& grasp = objects[0].grasps[0];
+  const Eigen::Vector3f to_middle = objects[0].box.center - grasp.tool_center_point;
+  EXPECT_GT(grasp.approach.dot(to_middle.normalized()), 0.999F);
+}
+
 TEST(PlanGrasps, ACupLiesOnTheFlatTopOfABoxAndOnNothingUneven) {
   const auto objects = Plan({Thing(ShapeKind::kBox, {0.12, 0.1, 0.08}, {-0.1, 0}, 0),
                              Thing(ShapeKind::kSphere, {0.05, 0.05, 0.05}, {0.1, 0}, 0)},

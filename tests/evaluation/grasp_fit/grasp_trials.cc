@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
+#include <utility>
 
 #include "tests/evaluation/generated/generated_run.h"
 #include "tests/evaluation/grasp_check/check_grasp.h"
 #include "tests/evaluation/grasp_check/physical_scene.h"
 #include "tests/evaluation/grasp_figures/grasp_run.h"
 #include "tests/evaluation/logistic_regression.h"
+#include "tests/evaluation/term_columns.h"
 
 namespace fovea::evaluation {
 namespace {
@@ -53,6 +54,41 @@ void TryIn(const GeneratedScene& scene, const std::vector<Gripper>& grippers,
   }
 }
 
+// With knots where the term's values are, and what the slopes are multiplied by in each trial.
+GraspFunction FitFamily(const std::vector<GraspTrial>& trials, std::size_t family) {
+  constexpr double kPenalty = 1e-3;
+  const auto count = static_cast<Eigen::Index>(trials.size());
+  GraspFunction function;
+  for (std::size_t t = 0; t < kNumGraspTerms; ++t) {
+    std::vector<double> values;
+    for (const GraspTrial& trial : trials) values.push_back(static_cast<double>(trial.terms[t]));
+    function.functions[t] = WithKnotsAt(std::move(values));
+  }
+  Eigen::MatrixXd rows(count, static_cast<Eigen::Index>(kNumGraspTerms) * kColumnsOfTerm);
+  Eigen::VectorXd succeeds(count), weights(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const GraspTrial& trial = trials[static_cast<std::size_t>(i)];
+    for (std::size_t t = 0; t < kNumGraspTerms; ++t) {
+      rows.block<1, kColumnsOfTerm>(i, static_cast<Eigen::Index>(t) * kColumnsOfTerm) =
+          ColumnsOf(function.functions[t], static_cast<double>(trial.terms[t]));
+    }
+    succeeds[i] = trial.succeeds ? 1 : 0;
+    weights[i] = trial.weight;
+  }
+  const LogisticModel fitted = FitLogistic(rows, succeeds, weights, kPenalty);
+  fmt::print("family {}: {} trials, {:.1f} % succeed, log loss {:.3f}\n", family, count,
+             100 * succeeds.dot(weights) / weights.sum(),
+             LogLoss(fitted.LogOdds(rows), succeeds, weights));
+  function.bias = fitted.bias;
+  for (std::size_t t = 0; t < kNumGraspTerms; ++t) {
+    for (std::size_t k = 0; k < TermFunction::kNumKnots + 1; ++k) {
+      function.functions[t].slopes[k] =
+          fitted.weights[static_cast<Eigen::Index>(t * kColumnsOfTerm + k)];
+    }
+  }
+  return function;
+}
+
 }  // namespace
 
 GraspTrials TryGrasps(const GeneratedFlags& flags, const GraspModel& model) {
@@ -74,49 +110,31 @@ GraspTrials TryGrasps(const GeneratedFlags& flags, const GraspModel& model) {
 GraspModel FitGraspModel(const GraspTrials& trials) {
   GraspModel model;
   for (std::size_t f = 0; f < kNumGraspFamilies; ++f) {
-    const auto count = static_cast<Eigen::Index>(trials[f].size());
-    if (count == 0) continue;
-    Eigen::MatrixXd rows(count, static_cast<Eigen::Index>(kNumGraspTerms));
-    Eigen::VectorXd succeeds(count), weights(count);
-    for (Eigen::Index i = 0; i < count; ++i) {
-      const GraspTrial& trial = trials[f][static_cast<std::size_t>(i)];
-      for (std::size_t t = 0; t < kNumGraspTerms; ++t) {
-        rows(i, static_cast<Eigen::Index>(t)) = static_cast<double>(trial.terms[t]);
-      }
-      succeeds[i] = trial.succeeds ? 1 : 0;
-      weights[i] = trial.weight;
-    }
-    const LogisticModel fitted = FitLogistic(rows, succeeds, weights);
-    fmt::print("family {}: {} trials, {:.1f} % succeed, log loss {:.3f}\n", f, count,
-               100 * succeeds.dot(weights) / weights.sum(),
-               LogLoss(fitted.LogOdds(rows), succeeds, weights));
-    model.families[f].bias = fitted.bias;
-    for (std::size_t t = 0; t < kNumGraspTerms; ++t) {
-      model.families[f].weights[t] = fitted.weights[static_cast<Eigen::Index>(t)];
-    }
+    if (!trials[f].empty()) model.families[f] = FitFamily(trials[f], f);
   }
   return model;
 }
 
 std::string ToSource(const GraspModel& model) {
+  constexpr std::array<const char*, kNumGraspFamilies> kNames = {"across", "rim", "handle",
+                                                                 "suction"};
   std::string text =
       "// Made by `fovea-eval grasp-model`; see docs/quality.md.\n"
       "#include \"core/grasping/grasp_model.h\"\n\nnamespace fovea {\n\n"
       "const GraspModel& FittedGraspModel() {\n"
-      "  // One row a family: across, rim, handle, suction.\n"
+      "  constexpr double kNone = TermFunction::kNoKnot;\n"
+      "  // A line a term, in the order of grasp_terms.h.\n"
+      "  // clang-format off\n"
       "  static const GraspModel kModel = {{{\n";
-  for (const GraspFunction& function : model.families) {
-    text += fmt::format("      {{{:.4f},\n       {{", function.bias);
-    for (std::size_t t = 0; t < kNumGraspTerms; ++t) {
-      text += fmt::format("{}{:.4f}",
-                          t == 0       ? ""
-                          : t % 8 == 0 ? ",\n        "
-                                       : ", ",
-                          function.weights[t]);
+  for (std::size_t f = 0; f < kNumGraspFamilies; ++f) {
+    const GraspFunction& function = model.families[f];
+    text += fmt::format("      {{{:.5g}, {{{{  // {}\n", function.bias, kNames[f]);
+    for (const TermFunction& of_term : function.functions) {
+      text += fmt::format("          {},\n", SourceOf(of_term));
     }
-    text += "}},\n";
+    text += "      }}},\n";
   }
-  return text + "  }}};\n  return kModel;\n}\n\n}  // namespace fovea\n";
+  return text + "  }}};\n  // clang-format on\n  return kModel;\n}\n\n}  // namespace fovea\n";
 }
 
 }  // namespace fovea::evaluation
