@@ -26,7 +26,6 @@
 #include "core/segmentation/alpha_expansion.h"
 #include "core/segmentation/contraction.h"
 #include "core/segmentation/labels.h"
-#include "core/segmentation/mean_color.h"
 #include "core/stage_clock.h"
 #include "core/types/helpers.h"
 #include "core/types/interruption.h"
@@ -159,26 +158,23 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& op
   const std::vector<Seed> above =
       SeedsAbove(scene.supports, salient.seeds, options.support, salient.removed);
   counts.seeds_on_support = salient.seeds.size() - above.size();
-  std::vector<Seed> seeds;
-  std::vector<MeanColor> colors;
-  RunTogether(
-      {[&] { seeds = CoverWithSeeds(scene.grid, scene.is_background, above, options.cover); },
-       [&] { colors = ColorsOfVoxels(scene.grid, scene.is_background, frame.color_rgb); }});
+  const std::vector<Seed> seeds =
+      CoverWithSeeds(scene.grid, scene.is_background, above, options.cover);
   counts.num_seeds = seeds.size();
   counts.num_voxels = scene.grid.voxels.size();
   FoundObjects found(scene.grid.voxels.size());
   const auto look_at = [&](const std::vector<char>& is_background) {
     clock.Begin("energy");
     const PottsEnergy energy =
-        BuildEnergy(scene.grid, scene.points, colors, is_background, seeds, options.mrf);
+        BuildEnergy(scene.grid, scene.points, scene.colors, is_background, seeds, options.mrf);
     clock.Begin("graph_cut");
     const std::vector<int> labels = LabelVoxels(energy, options.mrf);
     clock.Begin("refinement");
     // Section 3.3: segments that look alike are one object.
-    found.Add(labels,
-              Refine({scene.grid, labels, scene.points, frame.color_rgb, colors, frame.intrinsics,
-                      -scene.gravity.direction, scene.supports, scene.standing, scene.on_wall},
-                     options));
+    found.Add(labels, Refine({scene.grid, labels, scene.points, frame.color_rgb, scene.colors,
+                              frame.intrinsics, -scene.gravity.direction, scene.supports,
+                              scene.standing, scene.on_wall},
+                             options));
   };
   const cv::Mat saliency = MeanSaliency(salience.color, salience.depth);
   for (const std::vector<char>& outside : PortionsInTime(scene, saliency, budget)) {
@@ -204,7 +200,7 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& op
               salient.removed,
               options.mrf.data.gamma_per_m2,
               scene.grid,
-              colors,
+              scene.colors,
               found.labels,
               found.segments,
               LabelsOfChosen(found.tree, found.tree.LikelyNodes(), found.segments),

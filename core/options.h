@@ -20,6 +20,7 @@
 #include "core/scene/gravity.h"
 #include "core/scene/region.h"
 #include "core/scene/support_surface.h"
+#include "core/scene/flat_things.h"
 #include "core/scene/walls.h"
 #include "core/seeds/covering_seeds.h"
 #include "core/seeds/saliency_seeds.h"
@@ -53,6 +54,7 @@ struct DetectorOptions {
   GravityOptions gravity;
   SupportOptions support;
   VoxelOptions voxels;
+  FlatThingOptions flat_things;
   WallOptions walls;
   CoverOptions cover;
   MrfOptions mrf;

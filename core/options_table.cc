@@ -170,6 +170,9 @@ const std::vector<OptionEntry>& OptionTable() {
       OfPaper("voxels.neighbor_axes", 1, 3, "1, 2, 3: 6, 18 or 26 neighbours",
               [](P& o) { return &o.voxels.neighbor_axes; }),
 
+      OfDefault("flat_things.min_contrast", 0, 255,
+                "colour by which flat things differ from what they lie on; 0: no search; paper: 0",
+                [](O& o) { return &o.flat_things.min_contrast; }),
       OfDefault("walls.min_extent_m", 0, 10,
                 "upright planes at least this long are wall; metres; 0: no search; paper: 0",
                 [](O& o) { return &o.walls.min_extent_m; }),

@@ -2,11 +2,21 @@
 
 #include "core/depth/normals.h"
 #include "core/scene/background.h"
+#include "core/scene/flat_things.h"
 #include "core/scene/missing_depth.h"
 #include "core/scene/walls.h"
 
 namespace fovea {
 namespace {
+
+void AddFlatThings(const std::vector<char>& is_flat_thing, const CameraIntrinsics& intrinsics,
+                   const RegionOptions& region, SceneGeometry& scene) {
+  for (std::size_t v = 0; v < is_flat_thing.size(); ++v) {
+    if (is_flat_thing[v] != 0 && IsInRegion(scene.grid.voxels[v].mean, intrinsics, region)) {
+      scene.is_background[v] = 0;
+    }
+  }
+}
 
 void AddWalls(const std::vector<char>& on_wall, std::vector<char>& is_background) {
   for (std::size_t v = 0; v < on_wall.size(); ++v) is_background[v] |= on_wall[v];
@@ -33,6 +43,10 @@ SceneGeometry FindGeometry(const RgbdFrame& frame, const cv::Mat& depth_m, const
   scene.grid = BuildVoxelGrid(scene.points, normals, options.voxels);
   scene.is_background =
       FindBackground(scene.grid, scene.supports, options.support, frame.intrinsics, options.region);
+  scene.colors = ColorsOfVoxels(scene.grid, frame.color_rgb);
+  AddFlatThings(FindFlatThings(scene.grid, scene.colors, scene.is_background, scene.supports,
+                               options.support, options.flat_things),
+                frame.intrinsics, options.region, scene);
   scene.on_wall = FindWalls(scene.grid, -scene.gravity.direction, scene.supports, options.support,
                             options.walls);
   AddWalls(scene.on_wall, scene.is_background);

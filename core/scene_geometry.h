@@ -7,6 +7,7 @@
 #include "core/options.h"
 #include "core/scene/gravity.h"
 #include "core/scene/support_surface.h"
+#include "core/segmentation/mean_color.h"
 #include "core/segmentation/voxel_grid.h"
 #include "core/stage_clock.h"
 #include "core/types/rgbd_frame.h"
@@ -20,6 +21,7 @@ struct SceneGeometry {
   cv::Mat standing;  // CV_8UC1, not 0 where a surface stands in
   VoxelGrid grid;
   // One entry a voxel.
+  std::vector<MeanColor> colors;
   std::vector<char> is_background;
   std::vector<char> on_wall;
 };

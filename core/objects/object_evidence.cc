@@ -35,6 +35,7 @@ Placement PlacementOf(const Voxel& voxel, const Eigen::Vector3f& up,
     placement.rise =
         placement.highest_m / (support.LargestShare() * SupportTolerance(voxel.mean.z(), options));
   }
+  placement.num_flat = IsOnSupport(supports, voxel.mean, options) ? 1 : 0;
   placement.num_covered = IsCovered(supports, voxel.mean, options) ? 1 : 0;
   return placement;
 }
@@ -136,6 +137,7 @@ class Summation {
 
 void Placement::Add(const Placement& other) {
   num_above += other.num_above;
+  num_flat += other.num_flat;
   num_covered += other.num_covered;
   lowest_m = std::min(lowest_m, other.lowest_m);
   highest_m = std::max(highest_m, other.highest_m);

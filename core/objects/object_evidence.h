@@ -17,6 +17,7 @@ namespace fovea {
 // Where voxels are in relation to the surfaces that things stand on; sums and extremes.
 struct Placement {
   int num_above = 0;    // voxels with a support below them
+  int num_flat = 0;     // voxels that no height tells from a support
   int num_covered = 0;  // voxels that a support covers from above
   // Above the support below: the lowest and the highest voxel in metres, and the highest one as a
   // multiple of what may be noise there.

@@ -60,6 +60,7 @@ void SetShape(const ObjectEvidence& evidence, const auto& set) {
   set(ObjectTerm::kSolidity, ClampedLog(part.area_m2 / std::max(area_of_extents, 1e-5), 0.01));
   set(ObjectTerm::kDistance, std::clamp(part.z_sum_m / part.num_voxels, 0.0, kMaxDistance_m));
   set(ObjectTerm::kCovered, evidence.placement.num_covered / part.num_voxels);
+  set(ObjectTerm::kFlat, evidence.placement.num_flat / part.num_voxels);
   set(ObjectTerm::kFacingUp, evidence.placement.num_level / part.num_voxels);
 }
 
@@ -116,6 +117,7 @@ std::string_view NameOf(ObjectTerm term) {
                 "how much of its extent is solid",
                 "its distance",
                 "how much of it lies under a support",
+                "how much of it is no higher than its support",
                 "how much of it faces up",
                 "how much of its upper border is hidden or goes on",
                 "it goes on above",

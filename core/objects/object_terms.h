@@ -20,6 +20,7 @@ enum class ObjectTerm {
   kSolidity,       // of the area to that of the extents
   kDistance,       // metres
   kCovered,        // share that lies under a support: legs, floors under tables
+  kFlat,           // share of the voxels that no height tells from a support
   kFacingUp,       // share of the voxels
   kClosed,         // share of the upper border behind or beyond which it may go on
   kGoesOn,         // 1 where that is much

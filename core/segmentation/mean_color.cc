@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <opencv2/imgproc.hpp>
 
-#include "core/segmentation/labels.h"
 #include "core/types/interruption.h"
 #include "core/types/lab.h"
 
@@ -43,28 +42,17 @@ class ColorTable {
   std::array<double, 256> lightness_, chroma_scale_;
 };
 
-cv::Rect BoundsOfForeground(const VoxelGrid& grid, const std::vector<char>& is_background) {
-  std::vector<int> foreground;
-  foreground.reserve(is_background.size());
-  for (const char background : is_background) foreground.push_back(background == 0 ? 1 : 0);
-  return cv::boundingRect(LabelImage(grid, foreground) != 0);
-}
-
 }  // namespace
 
-std::vector<MeanColor> ColorsOfVoxels(const VoxelGrid& grid, const std::vector<char>& is_background,
-                                      const cv::Mat& color_rgb) {
+std::vector<MeanColor> ColorsOfVoxels(const VoxelGrid& grid, const cv::Mat& color_rgb) {
   std::vector<MeanColor> colors(grid.voxels.size());
-  const cv::Rect bounds = BoundsOfForeground(grid, is_background);
-  if (bounds.empty()) return colors;
   static const ColorTable table;
-  const cv::Mat lab = LabOf(color_rgb(bounds));
+  const cv::Mat lab = LabOf(color_rgb);
   InterruptionPoint();
-  const cv::Mat voxel_of_pixel = grid.voxel_of_pixel(bounds);
   std::size_t num_colorful = 0;
   for (int row = 0; row < lab.rows; ++row) {
     InterruptionPoint();
-    const int* voxel = voxel_of_pixel.ptr<int>(row);
+    const int* voxel = grid.voxel_of_pixel.ptr<int>(row);
     const cv::Vec3b* pixel = lab.ptr<cv::Vec3b>(row);
     for (int col = 0; col < lab.cols; ++col) {
       const Eigen::Vector3d color = table.Of(pixel[col]);

@@ -27,15 +27,11 @@ struct MeanColor {
   }
   // Distance of the means.
   double DistanceTo(const MeanColor& other) const { return (Mean() - other.Mean()).norm(); }
-
- private:
   Eigen::Vector3d Mean() const { return sum / (num_pixels > 0 ? num_pixels : 1); }
 };
 
-// One entry a voxel; empty for voxels outside of the bounding rectangle of all that is not
-// `is_background` (one entry a voxel). `color_rgb`: CV_8UC3 of the frame. Where that rectangle is
-// grey, colours are taken farther apart, for the differences in hue that are not there.
-std::vector<MeanColor> ColorsOfVoxels(const VoxelGrid& grid, const std::vector<char>& is_background,
-                                      const cv::Mat& color_rgb);
+// One entry a voxel. `color_rgb`: CV_8UC3 of the frame. Where it is grey, colours are taken farther
+// apart, for the differences in hue that are not there.
+std::vector<MeanColor> ColorsOfVoxels(const VoxelGrid& grid, const cv::Mat& color_rgb);
 
 }  // namespace fovea
