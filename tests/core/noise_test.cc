@@ -11,6 +11,7 @@
 #include "core/detector.h"
 #include "core/objects/labelled_scene.h"
 #include "core/refinement.h"
+#include "core/scene/flat_things.h"
 #include "core/seeds/salient_positions.h"
 #include "core/segmentation/alpha_expansion.h"
 #include "core/segmentation/contraction.h"
@@ -85,20 +86,22 @@ TEST(Noise, CanBeStoppedInEachStage) {
     supports = FindSupports(points, normals, down, options.support);
   });
   VoxelGrid grid;
+  std::vector<MeanColor> colors;
   std::vector<char> on_wall;
   const std::size_t num_salient = seeds.size();
   ExpectToStop("voxels", 4 * kRows, [&] {
     grid = BuildVoxelGrid(points, normals, options.voxels);
     const std::vector<char> nowhere(grid.voxels.size(), 0);
+    const std::vector<char> everywhere(grid.voxels.size(), 1);
+    colors = ColorsOfVoxels(grid, frame.color_rgb);
+    FindFlatThings(grid, colors, everywhere, supports, options.support, options.flat_things);
     on_wall = FindWalls(grid, -down, supports, options.support, options.walls);
     seeds.resize(num_salient);
     seeds = CoverWithSeeds(grid, nowhere, seeds, options.cover);
   });
   const std::vector<char> is_background(grid.voxels.size(), 0);
-  std::vector<MeanColor> colors;
   PottsEnergy energy;
   ExpectToStop("energy", 4 * kRows, [&] {
-    colors = ColorsOfVoxels(grid, is_background, frame.color_rgb);
     energy = BuildEnergy(grid, points, colors, is_background, seeds, options.mrf);
   });
   std::vector<int> labels;

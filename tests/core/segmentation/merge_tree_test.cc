@@ -38,7 +38,7 @@ struct Scene {
       const float x = voxel.mean.x();
       labels.push_back(x < 0.2F ? 1 : x < 0.4F ? 2 : x < 0.65F ? 3 : 4);
     }
-    colors = ColorsOfVoxels(grid, std::vector<char>(labels.size(), 0), color);
+    colors = ColorsOfVoxels(grid, color);
   }
 
   MergeTree Tree(double min_log_odds, const FindSeparate& find_separate) const {

@@ -56,8 +56,7 @@ Scene MakeScene(int rows, int cols, const std::function<Pixel(int row, int col)>
 }
 
 std::vector<int> Merge(const Scene& scene, const OcclusionMergeOptions& options) {
-  const std::vector<char> no_background(scene.labels.size(), 0);
-  const auto colors = ColorsOfVoxels(scene.grid, no_background, scene.color);
+  const auto colors = ColorsOfVoxels(scene.grid, scene.color);
   return MergeOccluded(scene.grid, scene.labels, scene.points, colors, kIntrinsics, kUp, options);
 }
 
