@@ -47,7 +47,7 @@ struct Table {
   std::vector<char> Find(const FlatThingOptions& options = {}) const {
     Support support;
     support.surface.normal = -Eigen::Vector3f::UnitZ();
-    support.surface.d = 1;
+    support.surface.offset_m = 1;
     return FindFlatThings(grid, ColorsOfVoxels(grid, color_rgb), is_background, {support},
                           kTolerance, options);
   }
