@@ -42,8 +42,8 @@ TEST(WholeFrames, BottlesAndACartonOnAFloor) {
   frame.intrinsics = kKinect;
   const Detections found = Detect(frame, OptionsOfProfile("default"));
   ASSERT_EQ(found.objects.size(), 4U);
-  // A green bottle is reported in two halves, as at any focal length around, and of a white one only
-  // the lower half with its dark label.
+  // A green bottle is reported in two halves, as at any focal length around, and of a white one
+  // only the lower half with its dark label.
   const std::vector<double> heights_m = {0.24, 0.12, 0.12, 0.12}, above_m = {0, 0, 0.09, 0};
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(found.objects[i].box.size_m.z(), heights_m[i], 0.05);

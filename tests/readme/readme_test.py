@@ -55,7 +55,11 @@ def address(folder: Path) -> Iterator[str]:
     assert server.wait() == 0
 
 
-@pytest.mark.parametrize("command", [line for line in commands() if "/fovea detect" in line])
+# One needs a recording from elsewhere, and pipes it into another program.
+DETECT = [line for line in commands() if "/fovea detect" in line and "|" not in line]
+
+
+@pytest.mark.parametrize("command", DETECT)
 def test_detect(command: str, folder: Path, address: str) -> None:
     begun = time.time() - 1
     run = shlex.split(command.replace("127.0.0.1:50051", address))
