@@ -7,54 +7,54 @@ const ObjectModel& FittedObjectModel() {
   constexpr double kNone = TermFunction::kNoKnot;
   static const ObjectModel model{
       // clang-format off
-      .bias = -1.367,
+      .bias = -1.3257,
       .functions = {{
-          {{-10.32, -7.3718, -5.2117, -4.2342, -3.4722}, {0.91875, 0.54514, 1.9143, -1.5975, 1.3435, -2.2273}},  // its visible area
-          {{-5.1884, -2.8297, -2.0093, -1.5666, -1.0464}, {1.0894, 0.28076, -1.6494, -1.0709, -1.5259, -2.7459}},  // its largest extent
-          {{-3.8611, -2.7633, -1.8967, -1.3173, kNone}, {0.22521, -0.17624, -0.92196, 0.038801, 2.3281, 0}},  // its height
-          {{-1.8029, -0.88009, -0.47945, -0.20182, -0.059836}, {0.93226, -0.42664, 0.24924, 2.3656, -7.7476, 12.98}},  // how slender it is
-          {{-1.1344, -0.60008, -0.25529, 0.046458, 0.89484}, {0.19813, -0.060891, 1.8317, -2.0709, -1.5513, 2.4835}},  // how much of its extent is solid
-          {{0.747, 1.0312, 1.3822, 1.9161, 2.4946}, {-0.11432, -2.3543, -1.9463, 1.3504, 1.2522, 2.0581}},  // its distance
-          {{1, kNone, kNone, kNone, kNone}, {-2.7213, 0, 0, 0, 0, 0}},  // how much of it lies under a support
-          {{0.057143, 1, kNone, kNone, kNone}, {-3.5024, 3.8757, 0, 0, 0, 0}},  // how much of it is no higher than its support
-          {{0.032609, 0.4, 0.98844, kNone, kNone}, {5.6777, -2.3827, -4.1079, -1.5784, 0, 0}},  // how much of it faces up
-          {{0.82353, kNone, kNone, kNone, kNone}, {-3.614, -14.663, 0, 0, 0, 0}},  // how much of its upper border is hidden or goes on
-          {{kNone, kNone, kNone, kNone, kNone}, {0.89606, 0, 0, 0, 0, 0}},  // it goes on above
-          {{0.17021, kNone, kNone, kNone, kNone}, {-5.4417, 10.274, 0, 0, 0, 0}},  // how much of it ends with the image
-          {{kNone, kNone, kNone, kNone, kNone}, {-1.8846, 0, 0, 0, 0, 0}},  // it ends with the image
-          {{0.0033557, 0.13376, kNone, kNone, kNone}, {-2.168, -5.8053, 6.1968, 0, 0, 0}},  // beyond much of its border nothing is measured
-          {{0.25, 0.42017, 0.55556, 0.73, kNone}, {5.6217, -10.115, -2.6257, 6.2806, -6.6038, 0}},  // what is farther away beyond its border
-          {{0.12833, kNone, kNone, kNone, kNone}, {-7.7143, 2.6539, 0, 0, 0, 0}},  // what is in front of it
-          {{0.12, 0.33491, 0.5, kNone, kNone}, {-1.7846, -1.8122, -3.9768, 10.025, 0, 0}},  // another segment is in front of it
-          {{0.0053381, kNone, kNone, kNone, kNone}, {0.65606, 0.041972, 0, 0, 0, 0}},  // what rises beside it
-          {{0.041812, 0.14286, 0.35714, kNone, kNone}, {2.3881, -2.5372, -3.0328, 2.2838, 0, 0}},  // what is level with it
-          {{0.010471, 0.125, 0.26496, 0.5, 0.71739}, {-1.717, -1.3619, -2.4457, 2.8533, -12.738, -4.1645}},  // another segment touches it
-          {{0.30769, 0.8, 1, kNone, kNone}, {1.0133, 0.61587, -6.5791, 0, 0, 0}},  // whether it stands on something
-          {{kNone, kNone, kNone, kNone, kNone}, {-0.78031, 0, 0, 0, 0, 0}},  // it is a single segment
-          {{1.0986, 1.7918, kNone, kNone, kNone}, {-0.61369, -0.58435, 1.5162, 0, 0, 0}},  // how many segments it consists of
-          {{0, 5.96, 6, kNone, kNone}, {-0.083871, 0.028108, -14.16, 0, 0, 0}},  // how well its parts belong together
-          {{2.6199, 5.96, 6, kNone, kNone}, {-0.59725, -0.29147, -39.075, 0, 0, 0}},  // how well it belongs to something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {0.54581, 0, 0, 0, 0, 0}},  // its parts belong together and nothing else does
-          {{2.4849, 3.4566, 4.0437, kNone, kNone}, {1.925, -1.1466, 0.36527, 1.7499, 0, 0}},  // how its colour differs from the background
-          {{0.17623, 0.35976, 0.53659, kNone, kNone}, {-8.3935, 3.9619, 2.8748, 1.7955, 0, 0}},  // how much of its border touches the background
-          {{kNone, kNone, kNone, kNone, kNone}, {-0.60508, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-0.63563, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-2.6385, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-3.9615, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-0.60492, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {0.92404, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-2.5548, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-0.0050485, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-1.1157, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {0.075882, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-1.9709, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {0.75635, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-0.22428, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-1.0952, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {9.0687, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-1.2493, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{-10.322, -7.3751, -5.2141, -4.2338, -3.469}, {0.89517, 0.53604, 1.8888, -1.5438, 1.274, -2.1591}},  // its visible area
+          {{-5.1914, -2.8319, -2.0107, -1.5658, -1.0455}, {1.0779, 0.2978, -1.5269, -1.2103, -1.6117, -2.6486}},  // its largest extent
+          {{-3.8615, -2.7667, -1.8993, -1.3203, kNone}, {0.29212, -0.14672, -1.1438, 0.40511, 2.11, 0}},  // its height
+          {{-1.8113, -0.88004, -0.47862, -0.20157, -0.05914}, {0.94867, -0.50389, 0.41139, 2.1723, -6.7913, 6.2073}},  // how slender it is
+          {{-1.1324, -0.59798, -0.25446, 0.048485, 0.893}, {0.15838, 0.038778, 1.8006, -2.1106, -1.5511, 2.4662}},  // how much of its extent is solid
+          {{0.747, 1.0315, 1.3815, 1.915, 2.4863}, {-0.10019, -2.3985, -1.9621, 1.4528, 1.2097, 1.5495}},  // its distance
+          {{1, kNone, kNone, kNone, kNone}, {-2.7026, 0, 0, 0, 0, 0}},  // how much of it lies under a support
+          {{0.056911, 1, kNone, kNone, kNone}, {-3.4575, 3.7158, 0, 0, 0, 0}},  // how much of it is no higher than its support
+          {{0.032864, 0.4, 0.98921, kNone, kNone}, {5.4711, -2.0922, -4.1092, 7.4613, 0, 0}},  // how much of it faces up
+          {{0.82353, kNone, kNone, kNone, kNone}, {-3.6456, -13.768, 0, 0, 0, 0}},  // how much of its upper border is hidden or goes on
+          {{kNone, kNone, kNone, kNone, kNone}, {0.86999, 0, 0, 0, 0, 0}},  // it goes on above
+          {{0.17068, kNone, kNone, kNone, kNone}, {-5.1909, 9.8719, 0, 0, 0, 0}},  // how much of it ends with the image
+          {{kNone, kNone, kNone, kNone, kNone}, {-1.8913, 0, 0, 0, 0, 0}},  // it ends with the image
+          {{0.0032573, 0.13578, kNone, kNone, kNone}, {-2.2232, -5.6836, 6.0675, 0, 0, 0}},  // beyond much of its border nothing is measured
+          {{0.25, 0.42, 0.55597, 0.73028, kNone}, {5.4252, -10.212, -1.8058, 5.6724, -6.1715, 0}},  // what is farther away beyond its border
+          {{0.13115, kNone, kNone, kNone, kNone}, {-7.2962, 1.8159, 0, 0, 0, 0}},  // what is in front of it
+          {{0.11947, 0.33333, 0.5, kNone, kNone}, {-1.1173, -3.0176, -2.4075, 8.5073, 0, 0}},  // another segment is in front of it
+          {{0.005, kNone, kNone, kNone, kNone}, {0.63151, 0.36729, 0, 0, 0, 0}},  // what rises beside it
+          {{0.041667, 0.14286, 0.35714, kNone, kNone}, {2.1295, -2.891, -1.8614, 1.8078, 0, 0}},  // what is level with it
+          {{0.010453, 0.125, 0.26471, 0.5, 0.71667}, {-1.8584, -1.6083, -2.2305, 3.2752, -12.986, -4.3275}},  // another segment touches it
+          {{0.31034, 0.8, 1, kNone, kNone}, {1.0225, 0.56022, -5.9447, 0, 0, 0}},  // whether it stands on something
+          {{kNone, kNone, kNone, kNone, kNone}, {-0.81987, 0, 0, 0, 0, 0}},  // it is a single segment
+          {{1.0986, 1.7918, kNone, kNone, kNone}, {-0.72353, -0.3994, 1.4031, 0, 0, 0}},  // how many segments it consists of
+          {{0, 5.9482, 6, kNone, kNone}, {-0.0927, 0.043524, -12.487, 0, 0, 0}},  // how well its parts belong together
+          {{2.596, 5.9483, 6, kNone, kNone}, {-0.62606, -0.17428, -35.238, 0, 0, 0}},  // how well it belongs to something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {0.48221, 0, 0, 0, 0, 0}},  // its parts belong together and nothing else does
+          {{2.4849, 3.4565, 4.0444, kNone, kNone}, {1.895, -1.047, 0.17768, 1.741, 0, 0}},  // how its colour differs from the background
+          {{0.17647, 0.35948, 0.53365, kNone, kNone}, {-8.3514, 4.0533, 2.3644, 1.852, 0, 0}},  // how much of its border touches the background
+          {{kNone, kNone, kNone, kNone, kNone}, {-0.72716, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-0.53013, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-2.8704, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-3.6517, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-0.66042, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {0.98279, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-2.3915, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-0.0050621, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-1.3637, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {0.084167, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-2.0258, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {1.0259, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-0.19117, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-1.073, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {8.9439, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-0.96008, 0, 0, 0, 0, 0}},  // how it meets something next to it
       }},
-      .usual = {3.609, -3.144, -1.204, -0.5823, 0.1988, -1.073, -0.002894, -0.06089, 0.7255, -0.02891, 0.006926, -0.01144, -0.05619, -0.1418, -0.2043, -0.01542, -0.2632, 0.0005118, 0.003014, -0.2745, 0.4809, -0.2474, -0.5062, -0.1819, 2.114, 0.3989, 5.792, -1.409, -0.205, -0.05111, -0.5545, -0.2214, 1.027, 0.4115, -0.4971, 0.02444, -0.04596, -0.1372, -0.1508, 0.1159, 0.07184, 0.4302, 0.1703, -0.02972}
+      .usual = {3.622, -2.988, -1.407, -0.6501, 0.2746, -1.071, -0.002872, -0.06233, 0.7407, -0.02907, 0.006723, -0.01085, -0.05637, -0.1428, -0.2437, -0.01472, -0.2491, 0.0006838, -0.01624, -0.2916, 0.4931, -0.2602, -0.5706, -0.1722, 2.237, 0.3504, 5.73, -1.407, -0.2482, -0.04261, -0.6095, -0.2059, 1.129, 0.4412, -0.4684, 0.0245, -0.05559, -0.1514, -0.1573, 0.1591, 0.06121, 0.4245, 0.1674, -0.02335}
       // clang-format on
   };
   return model;
