@@ -61,4 +61,3 @@ const ObjectModel& FittedObjectModel() {
 }
 
 }  // namespace fovea
-
