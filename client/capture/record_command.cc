@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -82,17 +83,20 @@ void AwaitWritten(RecordingFile& file) {
   }
 }
 
-// Beside the recording, so that a replay uses them, too.
-void SaveIntrinsicsOf(const Camera& camera, const RecordFlags& flags) {
-  const std::string path = IntrinsicsPathOf(flags.path);
+std::optional<ChosenIntrinsics> IntrinsicsOf(const Camera& camera, const RecordFlags& flags) {
   try {
-    const ChosenIntrinsics chosen =
-        ChooseIntrinsics(flags.intrinsics, camera.StatedFieldOfView(), camera.size());
-    SaveIntrinsics(path, chosen.values, camera.size());
-    std::cerr << "intrinsics: " << Describe(chosen) << ", in " << path << '\n';
+    return ChooseIntrinsics(flags.intrinsics, camera.StatedFieldOfView(), camera.size());
   } catch (const NoIntrinsics& error) {
-    std::cerr << "note: " << error.what() << "; no " << path << " is written\n";
+    std::cerr << "note: " << error.what() << "; none are kept beside the recording\n";
+    return std::nullopt;
   }
+}
+
+// Beside the recording, so that a replay uses them, too.
+void Save(const ChosenIntrinsics& chosen, const Camera& camera, const std::string& recording) {
+  const std::string path = IntrinsicsPathOf(recording);
+  SaveIntrinsics(path, chosen.values, camera.size());
+  std::cerr << "intrinsics: " << Describe(chosen) << ", in " << path << '\n';
 }
 
 }  // namespace
@@ -104,11 +108,12 @@ int RunRecord(const RecordFlags& flags) {
   }
   const OpenNiRuntime runtime;
   Camera camera(CameraOptionsOf(flags.camera), std::cerr);
-  SaveIntrinsicsOf(camera, flags);
+  const std::optional<ChosenIntrinsics> intrinsics = IntrinsicsOf(camera, flags);
   RecordingFile file(flags.path);
   std::exception_ptr error;
   {
     const Recording recording(flags.path, camera.BothStreams());
+    if (intrinsics) Save(*intrinsics, camera, flags.path);
     std::cout << "recording " << camera.Uri() << " to " << flags.path << "; Ctrl-C ends it"
               << std::endl;
     try {
