@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <optional>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -58,6 +57,10 @@ class Recording {
 void CheckPath(const std::string& path) {
   if (!IsRecording(path)) throw std::invalid_argument(path + ": a recording's name ends in .oni");
   if (std::filesystem::exists(path)) throw std::runtime_error(path + " is there already");
+  const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+  if (!std::filesystem::is_directory(folder)) {
+    throw std::runtime_error("cannot record to " + path + ": no folder " + folder.string());
+  }
 }
 
 // Until the limits. OpenNI2 writes in a thread of its own, which begins a little later, so only
@@ -83,20 +86,17 @@ void AwaitWritten(RecordingFile& file) {
   }
 }
 
-std::optional<ChosenIntrinsics> IntrinsicsOf(const Camera& camera, const RecordFlags& flags) {
-  try {
-    return ChooseIntrinsics(flags.intrinsics, camera.StatedFieldOfView(), camera.size());
-  } catch (const NoIntrinsics& error) {
-    std::cerr << "note: " << error.what() << "; none are kept beside the recording\n";
-    return std::nullopt;
-  }
-}
-
 // Beside the recording, so that a replay uses them, too.
-void Save(const ChosenIntrinsics& chosen, const Camera& camera, const std::string& recording) {
-  const std::string path = IntrinsicsPathOf(recording);
-  SaveIntrinsics(path, chosen.values, camera.size());
-  std::cerr << "intrinsics: " << Describe(chosen) << ", in " << path << '\n';
+void SaveIntrinsicsOf(const Camera& camera, const RecordFlags& flags) {
+  const std::string path = IntrinsicsPathOf(flags.path);
+  try {
+    const ChosenIntrinsics chosen =
+        ChooseIntrinsics(flags.intrinsics, camera.StatedFieldOfView(), camera.size());
+    SaveIntrinsics(path, chosen.values, camera.size());
+    std::cerr << "intrinsics: " << Describe(chosen) << ", in " << path << '\n';
+  } catch (const NoIntrinsics& error) {
+    std::cerr << "note: " << error.what() << "; no " << path << " is written\n";
+  }
 }
 
 }  // namespace
@@ -108,12 +108,11 @@ int RunRecord(const RecordFlags& flags) {
   }
   const OpenNiRuntime runtime;
   Camera camera(CameraOptionsOf(flags.camera), std::cerr);
-  const std::optional<ChosenIntrinsics> intrinsics = IntrinsicsOf(camera, flags);
+  SaveIntrinsicsOf(camera, flags);
   RecordingFile file(flags.path);
   std::exception_ptr error;
   {
     const Recording recording(flags.path, camera.BothStreams());
-    if (intrinsics) Save(*intrinsics, camera, flags.path);
     std::cout << "recording " << camera.Uri() << " to " << flags.path << "; Ctrl-C ends it"
               << std::endl;
     try {
