@@ -27,7 +27,6 @@
 #include "core/segmentation/contraction.h"
 #include "core/segmentation/labels.h"
 #include "core/stage_clock.h"
-#include "core/types/helpers.h"
 #include "core/types/interruption.h"
 #include "core/types/time_budget.h"
 

@@ -138,6 +138,8 @@ std::vector<char> FindFlatThings(const VoxelGrid& grid, const std::vector<MeanCo
   if (options.min_contrast <= 0 || supports.empty()) return things;
   const OnSupports on =
       FindStandingOut(grid, colors, is_background, supports, tolerance, options.min_contrast);
+  if (std::find(on.stands_out.begin(), on.stands_out.end(), 1) == on.stands_out.end())
+    return things;
   const std::vector<int> parts = PartsOf(grid, WithoutEdges(grid, is_background, on.stands_out));
   const std::map<int, Thing> measured = Measure(grid, parts, on);
   for (std::size_t v = 0; v < parts.size(); ++v) {
