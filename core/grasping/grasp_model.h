@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/grasping/grasp_terms.h"
-#include "core/objects/object_model.h"
+#include "core/types/term_function.h"
 
 namespace fovea {
 

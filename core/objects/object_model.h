@@ -5,18 +5,9 @@
 #include <vector>
 
 #include "core/objects/object_terms.h"
+#include "core/types/term_function.h"
 
 namespace fovea {
-
-// A straight line through 0 whose slope changes at knots.
-struct TermFunction {
-  static constexpr std::size_t kNumKnots = 5;
-  static constexpr double kNoKnot = 1e9;
-  std::array<double, kNumKnots> knots{kNoKnot, kNoKnot, kNoKnot, kNoKnot, kNoKnot};
-  std::array<double, kNumKnots + 1> slopes{};  // the first, and what each knot adds to it
-
-  double Of(double term) const;
-};
 
 // The log weight of a node of the tree of merges: how much likelier it is one object than that it
 // is background and all that it consists of too (core/objects/object_choice.h).

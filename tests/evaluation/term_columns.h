@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/objects/object_model.h"
+#include "core/types/term_function.h"
 
 namespace fovea::evaluation {
 

@@ -6,27 +6,23 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <utility>
 
 #include "core/objects/object_choice.h"
+#include "tests/evaluation/term_columns.h"
 
 namespace fovea::evaluation {
 namespace {
 
-constexpr std::array<double, TermFunction::kNumKnots> kQuantiles = {0.2, 0.4, 0.6, 0.8, 0.93};
-constexpr std::size_t kPerTerm = TermFunction::kNumKnots + 1;
+constexpr std::size_t kPerTerm = kColumnsOfTerm;
 constexpr std::size_t kNumSlopes = kNumObjectTerms * kPerTerm;
 
 // What the slopes are multiplied by.
 Eigen::RowVectorXd RowOf(const ObjectTerms& terms, const ObjectModel& knots) {
   Eigen::RowVectorXd row(kNumSlopes);
   for (std::size_t t = 0; t < kNumObjectTerms; ++t) {
-    const auto first = static_cast<Eigen::Index>(t * kPerTerm);
-    row[first] = terms[t];
-    for (std::size_t k = 0; k < TermFunction::kNumKnots; ++k) {
-      row[first + 1 + static_cast<Eigen::Index>(k)] =
-          std::max(0.0, terms[t] - knots.functions[t].knots[k]);
-    }
+    row.segment<kColumnsOfTerm>(static_cast<Eigen::Index>(t * kPerTerm)) =
+        ColumnsOf(knots.functions[t], terms[t]);
   }
   return row;
 }
@@ -167,15 +163,7 @@ ObjectModel ModelWithKnots(const std::vector<TreeSample>& samples) {
     for (const TreeSample& sample : samples) {
       for (const ObjectTerms& terms : sample.terms) values.push_back(terms[t]);
     }
-    std::sort(values.begin(), values.end());
-    if (std::set<double>(values.begin(), values.end()).size() <= 2) continue;
-    std::size_t k = 0;
-    for (const double quantile : kQuantiles) {
-      const double place = quantile * static_cast<double>(values.size() - 1);
-      const double value = values[static_cast<std::size_t>(place)];
-      const double last = k == 0 ? values.front() : model.functions[t].knots[k - 1];
-      if (value > last) model.functions[t].knots[k++] = value;
-    }
+    model.functions[t] = WithKnotsAt(std::move(values));
   }
   return model;
 }
@@ -231,16 +219,11 @@ std::string ToSource(const ObjectModel& model) {
       "  static const ObjectModel model{\n      // clang-format off\n";
   text += fmt::format("      .bias = {:.5g},\n      .functions = {{{{\n", model.bias);
   for (std::size_t t = 0; t < kNumObjectTerms; ++t) {
-    const TermFunction& f = model.functions[t];
-    std::vector<std::string> knots;
-    for (const double knot : f.knots) {
-      knots.push_back(knot < TermFunction::kNoKnot ? fmt::format("{:.5g}", knot) : "kNone");
-    }
-    text += fmt::format("          {{{{{}}}, {{{:.5g}}}}},  // {}\n", fmt::join(knots, ", "),
-                        fmt::join(f.slopes, ", "), NameOf(static_cast<ObjectTerm>(t)));
+    text += fmt::format("          {},  // {}\n", SourceOf(model.functions[t]),
+                        NameOf(static_cast<ObjectTerm>(t)));
   }
   text += fmt::format("      }}}},\n      .usual = {{{:.4g}}}", fmt::join(model.usual, ", "));
-  return text + "\n      // clang-format on\n  };\n  return model;\n}\n\n}  // namespace fovea\n";
+  return text + "\n      // clang-format on\n  };\n  return model;\n}\n\n}  // namespace fovea";
 }
 
 }  // namespace fovea::evaluation
