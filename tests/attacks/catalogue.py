@@ -8,10 +8,10 @@ import time
 from dataclasses import replace
 
 import callers  # noqa: F401  each enters its attacks into the catalogue
-import compression  # noqa: F401
+import compression
 import connecting  # noqa: F401
 import floods  # noqa: F401
-import frames  # noqa: F401
+import frames
 import readers  # noqa: F401
 import uploads  # noqa: F401
 import watching  # noqa: F401
@@ -19,6 +19,10 @@ from target import CATALOGUE, Tally, Target
 
 
 def be_an_attacker() -> None:
+    """Before its time begins: what it sends is made while it still gets processors."""
+    for encoding in ("gzip", "deflate"):
+        compression.bomb(encoding)
+    frames.extreme_bodies()
     # An attacker has a machine of its own: here it has the processors that the server leaves free.
     os.nice(19)
     most = resource.getrlimit(resource.RLIMIT_NOFILE)[1]

