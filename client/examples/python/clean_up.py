@@ -26,7 +26,7 @@ tried: list[fovea.Grasp] = []
 def chance(grasp: fovea.Grasp) -> float:
     """Half as much for each time that it was tried: what is still there did not hold."""
     apart = [np.linalg.norm(grasp.tool_center_point - each.tool_center_point) for each in tried]
-    return grasp.probability / 2 ** sum(bool(distance < 0.03) for distance in apart)
+    return grasp.probability * 0.5 ** sum(bool(distance < 0.03) for distance in apart)
 
 
 def tell(**decision: Any) -> None:

@@ -41,4 +41,4 @@ def _open(path: str | os.PathLike[str]) -> Any:
         from PIL import Image
     except ImportError:
         raise MissingPackage("png", "python3-pil") from None
-    return Image.open(path)
+    return Image.open(os.fspath(path))
