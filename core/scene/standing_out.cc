@@ -1,10 +1,10 @@
 #include "core/scene/standing_out.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
-#include <unordered_map>
+#include <map>
 
 #include "core/types/interruption.h"
 
@@ -28,28 +28,23 @@ std::vector<int> VoxelsOn(const Support& support, const VoxelGrid& grid,
   return on;
 }
 
-std::int64_t BinOf(const Eigen::Vector3d& color) {
-  constexpr std::int64_t kBins = 1 << 20;  // of an axis, half of them of negative values
-  const Eigen::Vector3i bin = (color / kBin).array().floor().cast<int>();
-  return ((bin.x() + kBins / 2) * kBins + bin.y() + kBins / 2) * kBins + bin.z() + kBins / 2;
-}
-
-// The colours that much of what is seen of a support has, in no order.
+// The colours that much of what is seen of a support has.
 std::vector<Eigen::Vector3d> UsualColors(const VoxelGrid& grid, const std::vector<int>& on,
                                          const std::vector<MeanColor>& colors) {
   struct Sum {
     Eigen::Vector3d color = Eigen::Vector3d::Zero();
     double area = 0;
   };
-  std::unordered_map<std::int64_t, Sum> bins;
+  std::map<std::array<int, 3>, Sum> bins;
   double total = 0;
   LongLoop loop;
   for (const int v : on) {
     loop.Turn();
     const Eigen::Vector3d color = colors[v].Mean();
+    const Eigen::Vector3i bin = (color / kBin).array().floor().cast<int>();
     const double z = grid.voxels[v].mean.z();
     const double area = grid.voxels[v].num_points * z * z;
-    Sum& sum = bins[BinOf(color)];
+    Sum& sum = bins[{bin.x(), bin.y(), bin.z()}];
     sum.color += area * color;
     sum.area += area;
     total += area;
@@ -64,7 +59,7 @@ std::vector<Eigen::Vector3d> UsualColors(const VoxelGrid& grid, const std::vecto
 bool IsOther(const Eigen::Vector3d& color, const std::vector<Eigen::Vector3d>& usual,
              double min_contrast) {
   return !usual.empty() && std::all_of(usual.begin(), usual.end(), [&](const auto& one) {
-    return (color - one).squaredNorm() > min_contrast * min_contrast;
+    return (color - one).norm() > min_contrast;
   });
 }
 
