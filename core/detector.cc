@@ -170,10 +170,10 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& op
     const std::vector<int> labels = LabelVoxels(energy, options.mrf);
     clock.Begin("refinement");
     // Section 3.3: segments that look alike are one object.
-    found.Add(labels, Refine({scene.grid, labels, scene.points, frame.color_rgb, scene.colors,
-                              frame.intrinsics, -scene.gravity.direction, scene.supports,
-                              scene.standing, scene.on_wall},
-                             options));
+    found.Add(labels,
+              Refine({scene.grid, labels, scene.points, scene.lab, scene.colors, frame.intrinsics,
+                      -scene.gravity.direction, scene.supports, scene.standing, scene.on_wall},
+                     options));
   };
   const cv::Mat saliency = MeanSaliency(salience.color, salience.depth);
   for (const std::vector<char>& outside : PortionsInTime(scene, saliency, budget)) {

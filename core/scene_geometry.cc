@@ -5,6 +5,7 @@
 #include "core/scene/flat_things.h"
 #include "core/scene/missing_depth.h"
 #include "core/scene/walls.h"
+#include "core/types/lab.h"
 
 namespace fovea {
 namespace {
@@ -43,7 +44,8 @@ SceneGeometry FindGeometry(const RgbdFrame& frame, const cv::Mat& depth_m, const
   scene.grid = BuildVoxelGrid(scene.points, normals, options.voxels);
   scene.is_background =
       FindBackground(scene.grid, scene.supports, options.support, frame.intrinsics, options.region);
-  scene.colors = ColorsOfVoxels(scene.grid, frame.color_rgb);
+  scene.lab = LabOf(frame.color_rgb);
+  scene.colors = ColorsOfVoxels(scene.grid, scene.lab);
   AddFlatThings(FindFlatThings(scene.grid, scene.colors, scene.is_background, scene.supports,
                                options.support, options.flat_things),
                 frame.intrinsics, options.region, scene);

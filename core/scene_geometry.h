@@ -19,6 +19,7 @@ struct SceneGeometry {
   std::vector<Support> supports;
   cv::Mat points;    // CV_32FC3 of all pixels, NaN = none; with what stands in for missing depth
   cv::Mat standing;  // CV_8UC1, not 0 where a surface stands in
+  cv::Mat lab;       // CV_8UC3, as of LabOf
   VoxelGrid grid;
   // One entry a voxel.
   std::vector<MeanColor> colors;

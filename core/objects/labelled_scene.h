@@ -16,7 +16,7 @@ struct LabelledScene {
   const VoxelGrid& grid;
   const std::vector<int>& labels;        // one entry a voxel, 0 = background
   const cv::Mat& points;                 // CV_32FC3 in the camera frame, NaN = none
-  const cv::Mat& color_rgb;              // CV_8UC3
+  const cv::Mat& lab;                    // CV_8UC3, as of LabOf
   const std::vector<MeanColor>& colors;  // one entry a voxel
   const CameraIntrinsics& intrinsics;
   Eigen::Vector3f up;  // unit vector

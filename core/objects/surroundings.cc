@@ -95,10 +95,9 @@ bool IsLevelBackground(Beyond beyond) {
 // Differences of colour across borders, which themselves are blurred.
 class Contrast {
  public:
-  Contrast(const cv::Mat& labels, const cv::Mat& color_rgb)
+  Contrast(const cv::Mat& labels, const cv::Mat& lab)
       : labels_(labels), inside_px_(ScaledPx(kInsidePx, labels.cols, 1)) {
-    cv::blur(color_rgb, lab_, {kBlurPx, kBlurPx});
-    cv::cvtColor(lab_, lab_, cv::COLOR_RGB2Lab);
+    cv::blur(lab, lab_, {kBlurPx, kBlurPx});
   }
 
   // From a little inside of the border at `pixel`, which faces `side`, to a pixel beyond it; units
@@ -153,7 +152,7 @@ std::vector<Surroundings> FindSurroundings(const LabelledScene& scene, const cv:
   std::vector<Surroundings> surroundings(1);
   const cv::Mat on_wall = LabelImage(scene.grid, {scene.on_wall.begin(), scene.on_wall.end()});
   const Search search(labels, scene.points, on_wall, scene.up);
-  const Contrast contrast(labels, scene.color_rgb);
+  const Contrast contrast(labels, scene.lab);
   for (int row = 0; row < labels.rows; ++row) {
     InterruptionPoint();
     const auto* label = labels.ptr<std::uint16_t>(row);

@@ -43,34 +43,39 @@ Labelling CheapestLabels(const PottsEnergy& energy) {
   return start;
 }
 
-// One move: every node that `alpha` offers itself to either keeps its label or takes alpha.
-// `variable_of` is scratch: -1 for every node, before and after.
+// One move at a time: every node that a label offers itself to either keeps its label or takes that
+// one.
 class Expansion {
  public:
-  Expansion(const PottsEnergy& energy, const Links& links, const Labelling& current, int alpha,
-            std::vector<int>& variable_of)
-      : links_(links), current_(current), alpha_(alpha), variable_of_(variable_of) {
-    for (const PottsEnergy::Choice& choice : energy.choices[alpha]) {
-      if (current.labels[choice.node] == alpha) continue;
+  Expansion(const PottsEnergy& potts, const Links& links, const Labelling& current)
+      : potts_(potts), links_(links), current_(current), variable_of_(potts.num_nodes, -1) {}
+
+  // The moves that lower the energy. Until the next call.
+  const std::vector<PottsEnergy::Choice>& Solve(int alpha) {
+    moves_.clear();
+    energy_.costs.clear();
+    energy_.pairs.clear();
+    for (const PottsEnergy::Choice& choice : potts_.choices[alpha]) {
+      if (current_.labels[choice.node] == alpha) continue;
       variable_of_[choice.node] = static_cast<int>(moves_.size());
       moves_.push_back(choice);
     }
-    for (std::size_t i = 0; i < moves_.size(); ++i) AddMove(static_cast<int>(i));
+    for (std::size_t i = 0; i < moves_.size(); ++i) AddMove(static_cast<int>(i), alpha);
     for (const PottsEnergy::Choice& move : moves_) variable_of_[move.node] = -1;
-  }
-
-  // The moves that lower the energy.
-  std::vector<PottsEnergy::Choice> Solve() const {
-    const std::vector<char> is_taken = Minimize(energy_);
-    std::vector<PottsEnergy::Choice> taken;
-    for (std::size_t i = 0; i < moves_.size(); ++i) {
-      if (is_taken[i] != 0) taken.push_back(moves_[i]);
-    }
-    return taken;
+    KeepTaken(minimizer_.Minimize(energy_));
+    return moves_;
   }
 
  private:
-  void AddMove(int a) {
+  void KeepTaken(const std::vector<char>& is_taken) {
+    std::size_t num_taken = 0;
+    for (std::size_t i = 0; i < moves_.size(); ++i) {
+      if (is_taken[i] != 0) moves_[num_taken++] = moves_[i];
+    }
+    moves_.resize(num_taken);
+  }
+
+  void AddMove(int a, int alpha) {
     const int node = moves_[a].node;
     float keep_cost = current_.costs[node];
     float take_cost = moves_[a].cost;
@@ -79,7 +84,7 @@ class Expansion {
       const bool differ = current_.labels[node] != current_.labels[link.node];
       if (b < 0) {  // the neighbour stays as it is
         if (differ) keep_cost += link.weight;
-        if (current_.labels[link.node] != alpha_) take_cost += link.weight;
+        if (current_.labels[link.node] != alpha) take_cost += link.weight;
       } else if (a < b && !differ) {
         energy_.pairs.push_back({a, b, link.weight, link.weight});
       } else if (a < b) {
@@ -91,12 +96,13 @@ class Expansion {
     energy_.costs.push_back(take_cost - keep_cost);
   }
 
+  const PottsEnergy& potts_;
   const Links& links_;
   const Labelling& current_;
-  int alpha_;
-  std::vector<int>& variable_of_;
+  std::vector<int> variable_of_;  // of moves_, of each node; -1 between calls
   std::vector<PottsEnergy::Choice> moves_;
   BinaryEnergy energy_;
+  BinaryMinimizer minimizer_;
 };
 
 // Whether each label is some node's.
@@ -113,7 +119,7 @@ class Sweeps {
       : energy_(energy),
         links_(LinksOf(energy)),
         current_(std::move(start)),
-        scratch_(energy.num_nodes, -1) {}
+        expansion_(energy, links_, current_) {}
 
   // All labels, or those that some node has; whether that changed anything.
   bool Run(bool only_owners) {
@@ -132,8 +138,7 @@ class Sweeps {
  private:
   bool Expand(int alpha) {
     InterruptionPoint();
-    const std::vector<PottsEnergy::Choice> moves =
-        Expansion(energy_, links_, current_, alpha, scratch_).Solve();
+    const std::vector<PottsEnergy::Choice>& moves = expansion_.Solve(alpha);
     for (const PottsEnergy::Choice& move : moves) {
       current_.labels[move.node] = alpha;
       current_.costs[move.node] = move.cost;
@@ -144,7 +149,7 @@ class Sweeps {
   const PottsEnergy& energy_;
   Links links_;
   Labelling current_;
-  std::vector<int> scratch_;
+  Expansion expansion_;
 };
 
 }  // namespace

@@ -12,15 +12,14 @@
 #include "core/types/interruption.h"
 
 namespace fovea {
-namespace {
 
-class GainFlow {
+class BinaryMinimizer::GainFlow {
  public:
-  explicit GainFlow(const BinaryEnergy& energy)
-      : nodes_(energy.costs.size()),
-        out_of_reach_(static_cast<int>(nodes_.size()) + 1),
-        first_active_(nodes_.size() + 1),
-        num_at_height_(nodes_.size() + 1) {
+  void Begin(const BinaryEnergy& energy) {
+    nodes_.assign(energy.costs.size(), {});
+    out_of_reach_ = static_cast<int>(nodes_.size()) + 1;
+    first_active_.assign(nodes_.size() + 1, -1);
+    num_at_height_.assign(nodes_.size() + 1, 0);
     for (std::size_t v = 0; v < nodes_.size(); ++v) {
       nodes_[v].gain = std::max(0.0F, -energy.costs[v]);
       nodes_[v].loss = std::max(0.0F, energy.costs[v]);
@@ -44,9 +43,11 @@ class GainFlow {
     }
   }
 
-  std::vector<char> WhereGainIsLeft() const {
-    std::vector<char> left(nodes_.size(), 0);
-    std::vector<int> reached;
+  const std::vector<char>& WhereGainIsLeft() {
+    std::vector<char>& left = left_;
+    std::vector<int>& reached = found_;
+    left.assign(nodes_.size(), 0);
+    reached.clear();
     const auto reach = [&](int v) {
       if (left[v] != 0) return;
       left[v] = 1;
@@ -113,7 +114,8 @@ class GainFlow {
   // Makes every height exact, by a breadth-first search.
   void RelabelAll() {
     InterruptionPoint();
-    std::vector<int> found;
+    std::vector<int>& found = found_;
+    found.clear();
     for (int v = 0; v < static_cast<int>(nodes_.size()); ++v) {
       nodes_[v].arc = nodes_[v].first_arc;
       nodes_[v].height = nodes_[v].loss > 0 ? 1 : out_of_reach_;
@@ -193,19 +195,26 @@ class GainFlow {
 
   std::vector<Node> nodes_;
   std::vector<Arc> arcs_;
-  const int out_of_reach_;          // one more than any height
+  int out_of_reach_ = 0;            // one more than any height
   std::vector<int> first_active_;   // of the nodes with gain of each height; -1 = none
   std::vector<int> num_at_height_;  // how many nodes
   int highest_ = 0;                 // height with active nodes
   int num_relabels_ = 0;            // since the last RelabelAll
+  std::vector<int> found_;          // scratch
+  std::vector<char> left_;
 };
 
-}  // namespace
+BinaryMinimizer::BinaryMinimizer() : flow_(std::make_unique<GainFlow>()) {}
+BinaryMinimizer::~BinaryMinimizer() = default;
+
+const std::vector<char>& BinaryMinimizer::Minimize(const BinaryEnergy& energy) {
+  flow_->Begin(energy);
+  flow_->Run();
+  return flow_->WhereGainIsLeft();
+}
 
 std::vector<char> Minimize(const BinaryEnergy& energy) {
-  GainFlow flow(energy);
-  flow.Run();
-  return flow.WhereGainIsLeft();
+  return BinaryMinimizer().Minimize(energy);
 }
 
 }  // namespace fovea

@@ -1,6 +1,7 @@
 // Minimisation of an energy of yes-no decisions, by an exact minimum cut.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 namespace fovea {
@@ -20,7 +21,20 @@ struct BinaryEnergy {
   std::vector<Pair> pairs;
 };
 
-// One entry a node, 1 = taken: the least energy with the fewest nodes taken.
+// Keeps its memory from one energy to the next.
+class BinaryMinimizer {
+ public:
+  BinaryMinimizer();
+  ~BinaryMinimizer();
+
+  // One entry a node, 1 = taken: the least energy with the fewest nodes taken. Until the next call.
+  const std::vector<char>& Minimize(const BinaryEnergy& energy);
+
+ private:
+  class GainFlow;
+  std::unique_ptr<GainFlow> flow_;
+};
+
 std::vector<char> Minimize(const BinaryEnergy& energy);
 
 }  // namespace fovea

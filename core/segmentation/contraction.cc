@@ -54,34 +54,45 @@ Clusters FindClusters(const PottsEnergy& energy, int max_size, float min_weight)
   return clusters;
 }
 
-// Of the nodes of a cluster that a label offers itself to.
-struct Sum {
-  float cost = 0;
-  int num_nodes = 0;
-};
+class ChoicesOfClusters {
+ public:
+  explicit ChoicesOfClusters(const Clusters& clusters)
+      : clusters_(clusters), sums_(clusters.sizes.size()) {}
 
-// What a label costs the clusters all of whose nodes it offers itself to, clusters ascending: of
-// such a cluster the first node is met first, and those number the clusters. `sums` is scratch: one
-// empty entry a cluster, before and after.
-std::vector<PottsEnergy::Choice> JoinChoices(const std::vector<PottsEnergy::Choice>& choices,
-                                             const Clusters& clusters, std::vector<Sum>& sums) {
-  std::vector<int> met;
-  for (const PottsEnergy::Choice& choice : choices) {
-    const int cluster = clusters.of_node[choice.node];
-    if (sums[cluster].num_nodes++ == 0) met.push_back(cluster);
-    sums[cluster].cost += choice.cost;
+  // What a label costs the clusters all of whose nodes it offers itself to, clusters ascending: of
+  // such a cluster the first node is met first, and those number the clusters.
+  std::vector<PottsEnergy::Choice> Join(const std::vector<PottsEnergy::Choice>& choices) {
+    met_.clear();
+    for (const PottsEnergy::Choice& choice : choices) {
+      const int cluster = clusters_.of_node[choice.node];
+      if (sums_[cluster].num_nodes++ == 0) met_.push_back(cluster);
+      sums_[cluster].cost += choice.cost;
+    }
+    std::vector<PottsEnergy::Choice> joined;
+    joined.reserve(met_.size());
+    for (const int cluster : met_) {
+      const Sum sum = std::exchange(sums_[cluster], {});
+      if (sum.num_nodes == clusters_.sizes[cluster]) joined.push_back({cluster, sum.cost});
+    }
+    return joined;
   }
-  std::vector<PottsEnergy::Choice> joined;
-  for (const int cluster : met) {
-    const Sum sum = std::exchange(sums[cluster], {});
-    if (sum.num_nodes == clusters.sizes[cluster]) joined.push_back({cluster, sum.cost});
-  }
-  return joined;
-}
+
+ private:
+  // Of the nodes of a cluster that a label offers itself to.
+  struct Sum {
+    float cost = 0;
+    int num_nodes = 0;
+  };
+
+  const Clusters& clusters_;
+  std::vector<Sum> sums_;  // empty between calls
+  std::vector<int> met_;
+};
 
 std::vector<PottsEnergy::Edge> JoinEdges(const std::vector<PottsEnergy::Edge>& edges,
                                          const Clusters& clusters) {
   std::vector<PottsEnergy::Edge> joined;
+  joined.reserve(edges.size());
   for (const PottsEnergy::Edge& edge : edges) {
     const auto [a, b] = std::minmax(clusters.of_node[edge.a], clusters.of_node[edge.b]);
     if (a != b) joined.push_back({a, b, edge.weight});
@@ -108,10 +119,11 @@ Contraction Contract(const PottsEnergy& energy, int max_size, float min_weight) 
   Clusters clusters = FindClusters(energy, max_size, min_weight);
   Contraction contraction;
   contraction.energy.num_nodes = static_cast<int>(clusters.sizes.size());
-  std::vector<Sum> sums(clusters.sizes.size());
+  contraction.energy.choices.reserve(energy.choices.size());
+  ChoicesOfClusters joined(clusters);
   for (const std::vector<PottsEnergy::Choice>& choices : energy.choices) {
     InterruptionPoint();
-    contraction.energy.choices.push_back(JoinChoices(choices, clusters, sums));
+    contraction.energy.choices.push_back(joined.Join(choices));
   }
   contraction.energy.edges = JoinEdges(energy.edges, clusters);
   contraction.cluster_of_node = std::move(clusters.of_node);

@@ -33,25 +33,40 @@ float ChoiceReach(const DataTermOptions& options) {
 
 // Eq. 2 and 5 in closed form: the mean of γ‖x − x₀‖² over a voxel's points is
 // γ(‖mean − x₀‖² + variance).
-// Here `near` are of the foreground, ascending, and `means` theirs.
-std::vector<PottsEnergy::Choice> ChoicesOfSeed(const Foreground& foreground,
-                                               const std::vector<float>& variance,
-                                               const std::vector<int>& near, const Positions& means,
-                                               const Seed& seed, const DataTermOptions& options) {
-  const float max_cost = MaxCost(options);
-  const float max_squared_distance = static_cast<float>(options.reach_m * options.reach_m);
-  const Eigen::ArrayXf squared_distances = SquaredDistances(means, seed.position);
-  std::vector<PottsEnergy::Choice> choices;
-  for (std::size_t i = 0; i < near.size(); ++i) {
-    const float squared_distance = squared_distances[static_cast<Eigen::Index>(i)];
-    if (squared_distance > max_squared_distance) continue;
-    const int v = foreground.voxels[near[i]];
-    const double squared = squared_distance + variance[v];
-    const auto cost = static_cast<float>(options.gamma_per_m2 * squared);
-    if (cost < max_cost) choices.push_back({v, cost});
+class ChoicesOfSeeds {
+ public:
+  ChoicesOfSeeds(const Foreground& foreground, const std::vector<float>& variance,
+                 const DataTermOptions& options)
+      : foreground_(foreground),
+        variance_(variance),
+        max_cost_(MaxCost(options)),
+        max_squared_distance_(static_cast<float>(options.reach_m * options.reach_m)),
+        gamma_per_m2_(options.gamma_per_m2) {}
+
+  // Here `near` are of the foreground, ascending, and `means` theirs.
+  std::vector<PottsEnergy::Choice> Of(const Seed& seed, const std::vector<int>& near,
+                                      const Positions& means) {
+    squared_distances_ = SquaredDistances(means, seed.position);
+    choices_.clear();
+    for (std::size_t i = 0; i < near.size(); ++i) {
+      const float squared_distance = squared_distances_[static_cast<Eigen::Index>(i)];
+      if (squared_distance > max_squared_distance_) continue;
+      const int v = foreground_.voxels[near[i]];
+      const double squared = squared_distance + variance_[v];
+      const auto cost = static_cast<float>(gamma_per_m2_ * squared);
+      if (cost < max_cost_) choices_.push_back({v, cost});
+    }
+    return choices_;
   }
-  return choices;
-}
+
+ private:
+  const Foreground& foreground_;
+  const std::vector<float>& variance_;
+  const float max_cost_, max_squared_distance_;
+  const double gamma_per_m2_;
+  Eigen::ArrayXf squared_distances_;  // kept for their memory
+  std::vector<PottsEnergy::Choice> choices_;
+};
 
 }  // namespace
 
@@ -65,16 +80,17 @@ std::vector<std::vector<PottsEnergy::Choice>> DataTerm(const VoxelGrid& grid, co
       CollectStatistics(grid, points, is_background, foreground, on_support, seeds, options);
   std::vector<std::vector<PottsEnergy::Choice>> choices(seeds.size() + 1);
   InterruptionPoint();
+  choices[0].reserve(grid.voxels.size());
   for (int v = 0; v < static_cast<int>(grid.voxels.size()); ++v) {
     choices[0].push_back({v, statistics.background_cost[v]});
   }
+  ChoicesOfSeeds of_seeds(foreground, statistics.variance, options);
   std::size_t num_choices = 0;
   const auto add_choices = [&](const std::vector<int>& members, const std::vector<int>& near) {
     const Positions means = Chosen(foreground.means, near);
     for (const int i : members) {
       InterruptionPoint();
-      choices[i + 1] =
-          ChoicesOfSeed(foreground, statistics.variance, near, means, seeds[i], options);
+      choices[i + 1] = of_seeds.Of(seeds[i], near, means);
       num_choices += choices[i + 1].size();
       RequireFewChoices(num_choices);
     }

@@ -30,8 +30,8 @@ struct MeanColor {
   Eigen::Vector3d Mean() const { return sum / (num_pixels > 0 ? num_pixels : 1); }
 };
 
-// One entry a voxel. `color_rgb`: CV_8UC3 of the frame. Where it is grey, colours are taken farther
-// apart, for the differences in hue that are not there.
-std::vector<MeanColor> ColorsOfVoxels(const VoxelGrid& grid, const cv::Mat& color_rgb);
+// One entry a voxel. `lab`: CV_8UC3 of the frame, as of LabOf. Where it is grey, colours are taken
+// farther apart, for the differences in hue that are not there.
+std::vector<MeanColor> ColorsOfVoxels(const VoxelGrid& grid, const cv::Mat& lab);
 
 }  // namespace fovea

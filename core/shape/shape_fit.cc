@@ -55,7 +55,7 @@ void AddOutline(const std::vector<OutlinePoint>& outline, const CameraIntrinsics
     SetPoint(seen.directions, row, frame.rotation.transpose() * ray);
     seen.is_own_end[row] = point.is_own_end ? 1 : 0;
   }
-  seen.outline_noise_m = Eigen::ArrayXf::Constant(
+  seen.outline_noise_m = SeenArray::Constant(
       static_cast<Eigen::Index>(count),
       kOutlineNoise_px * depth_m / static_cast<float>(intrinsics.fx_px) + kOutlineNoise_m);
 }

@@ -6,45 +6,43 @@
 namespace fovea {
 namespace {
 
-using Eigen::ArrayXf;
-
 constexpr float kMinSize_m = 0.002F;
 
 // Of what is the product of two shapes, from the distances to both.
-ArrayXf DistanceOfProduct(const ArrayXf& a, const ArrayXf& b) {
+SeenArray DistanceOfProduct(const SeenArray& a, const SeenArray& b) {
   return (a.max(0.0F).square() + b.max(0.0F).square()).sqrt() + a.max(b).min(0.0F);
 }
 
 // To the layer between the plane and `height_m`.
-ArrayXf DistanceOfLayer(const ArrayXf& h, float height_m) {
+SeenArray DistanceOfLayer(const SeenArray& h, float height_m) {
   return (h - height_m / 2).abs() - height_m / 2;
 }
 
-ArrayXf AlongAxis(const Solid& solid, const LevelPoints& p) {
+SeenArray AlongAxis(const Solid& solid, const LevelPoints& p) {
   return solid.along.x() * (p.x - solid.center.x()) + solid.along.y() * (p.y - solid.center.y());
 }
 
-ArrayXf AcrossAxis(const Solid& solid, const LevelPoints& p) {
+SeenArray AcrossAxis(const Solid& solid, const LevelPoints& p) {
   return solid.along.x() * (p.y - solid.center.y()) - solid.along.y() * (p.x - solid.center.x());
 }
 
-ArrayXf FromAxis(const Solid& solid, const LevelPoints& p) {
+SeenArray FromAxis(const Solid& solid, const LevelPoints& p) {
   return ((p.x - solid.center.x()).square() + (p.y - solid.center.y()).square()).sqrt();
 }
 
 // From the nearest of the faces at -half and half that the camera sees, negative before it; far
 // inside where it sees none.
-ArrayXf BehindSeenFace(const ArrayXf& place, float half, float camera) {
-  if (std::abs(camera) <= half) return ArrayXf::Constant(place.size(), -1);
-  return (camera > 0 ? place : ArrayXf(-place)) - half;
+SeenArray BehindSeenFace(const SeenArray& place, float half, float camera) {
+  if (std::abs(camera) <= half) return SeenArray::Constant(place.size(), -1);
+  return (camera > 0 ? place : SeenArray(-place)) - half;
 }
 
 void DistancesOfBox(const Solid& solid, const LevelPoints& p, const Eigen::Vector3f* camera,
-                    ArrayXf& distances) {
-  const ArrayXf along = AlongAxis(solid, p), across = AcrossAxis(solid, p);
-  const ArrayXf u = along.abs() - solid.half_length_m;
-  const ArrayXf v = across.abs() - solid.half_width_m;
-  const ArrayXf w = DistanceOfLayer(p.h, solid.height_m);
+                    SeenArray& distances) {
+  const SeenArray along = AlongAxis(solid, p), across = AcrossAxis(solid, p);
+  const SeenArray u = along.abs() - solid.half_length_m;
+  const SeenArray v = across.abs() - solid.half_width_m;
+  const SeenArray w = DistanceOfLayer(p.h, solid.height_m);
   distances = (u.max(0.0F).square() + v.max(0.0F).square() + w.max(0.0F).square()).sqrt();
   if (camera == nullptr) {
     distances += u.max(v).max(w).min(0.0F);
@@ -60,20 +58,20 @@ void DistancesOfBox(const Solid& solid, const LevelPoints& p, const Eigen::Vecto
                    .min(0.0F);
 }
 
-void DistancesOfFrustum(const Solid& solid, const LevelPoints& p, ArrayXf& distances) {
+void DistancesOfFrustum(const Solid& solid, const LevelPoints& p, SeenArray& distances) {
   const float widens = (solid.radius_m - solid.bottom_radius_m) / solid.height_m;
-  const ArrayXf radii = solid.bottom_radius_m + widens * p.h.max(0.0F).min(solid.height_m);
-  const ArrayXf wall = (FromAxis(solid, p) - radii) / std::sqrt(1 + widens * widens);
+  const SeenArray radii = solid.bottom_radius_m + widens * p.h.max(0.0F).min(solid.height_m);
+  const SeenArray wall = (FromAxis(solid, p) - radii) / std::sqrt(1 + widens * widens);
   distances = DistanceOfProduct(wall, DistanceOfLayer(p.h, solid.height_m));
 }
 
-void DistancesOfLyingCylinder(const Solid& solid, const LevelPoints& p, ArrayXf& distances) {
-  const ArrayXf wall =
+void DistancesOfLyingCylinder(const Solid& solid, const LevelPoints& p, SeenArray& distances) {
+  const SeenArray wall =
       (AcrossAxis(solid, p).square() + (p.h - solid.radius_m).square()).sqrt() - solid.radius_m;
   distances = DistanceOfProduct(wall, AlongAxis(solid, p).abs() - solid.half_length_m);
 }
 
-void DistancesOfSphere(const Solid& solid, const LevelPoints& p, ArrayXf& distances) {
+void DistancesOfSphere(const Solid& solid, const LevelPoints& p, SeenArray& distances) {
   distances = ((p.x - solid.center.x()).square() + (p.y - solid.center.y()).square() +
                (p.h - solid.radius_m).square())
                   .sqrt() -
@@ -125,7 +123,7 @@ bool HasTurn(Solid::Kind kind) {
   return kind == Solid::Kind::kBox || kind == Solid::Kind::kLyingCylinder;
 }
 
-Solid Moved(const Solid& solid, const Eigen::VectorXf& step) {
+Solid Moved(const Solid& solid, const ParameterVector& step) {
   Solid moved = solid;
   moved.center += step.head<2>();
   Eigen::Index next = 2;
@@ -157,7 +155,7 @@ Solid Moved(const Solid& solid, const Eigen::VectorXf& step) {
   return moved;
 }
 
-void SignedDistances(const Solid& solid, const LevelPoints& points, ArrayXf& distances,
+void SignedDistances(const Solid& solid, const LevelPoints& points, SeenArray& distances,
                      const Eigen::Vector3f* camera) {
   switch (solid.kind) {
     case Solid::Kind::kBox:

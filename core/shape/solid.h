@@ -4,13 +4,28 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <stdexcept>
 
 namespace fovea {
 
-struct LevelPoints {
-  Eigen::ArrayXf x, y, h;
+// Numbers of what was seen of one object, and of what a solid of one has as parameters: few, so
+// that they need no memory of their own.
+inline constexpr int kMaxSeen = 256, kMaxParameters = 6;
+using SeenArray = Eigen::Array<float, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxSeen, 1>;
+using ParameterVector = Eigen::Matrix<float, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxParameters, 1>;
+using ParameterMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
+                                      kMaxParameters, kMaxParameters>;
 
-  explicit LevelPoints(Eigen::Index size = 0) : x(size), y(size), h(size) {}
+struct LevelPoints {
+  SeenArray x, y, h;
+
+  // Throws std::length_error for more than kMaxSeen.
+  explicit LevelPoints(Eigen::Index size = 0) {
+    if (size > kMaxSeen) throw std::length_error("points of a solid: more than kMaxSeen");
+    x.resize(size);
+    y.resize(size);
+    h.resize(size);
+  }
   Eigen::Index size() const { return x.size(); }
 };
 
@@ -37,12 +52,12 @@ bool HasTurn(Solid::Kind kind);
 inline constexpr int kTurnParameter = 2;
 
 // Changed by a step in these numbers. A turn is in radians, for small ones. Sizes stay above 2 mm.
-Solid Moved(const Solid& solid, const Eigen::VectorXf& step);
+Solid Moved(const Solid& solid, const ParameterVector& step);
 
 // Distances from the surface, negative inside; of frusta to first order in how far the wall leans.
 // With a camera, inside of a box the distance is that from the faces that the camera sees: what is
 // measured has come through none of the others.
-void SignedDistances(const Solid& solid, const LevelPoints& points, Eigen::ArrayXf& distances,
+void SignedDistances(const Solid& solid, const LevelPoints& points, SeenArray& distances,
                      const Eigen::Vector3f* camera = nullptr);
 
 }  // namespace fovea

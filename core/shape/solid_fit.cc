@@ -10,8 +10,6 @@
 namespace fovea {
 namespace {
 
-using Eigen::ArrayXf;
-
 // From wide to narrow: points that are far off pull at first.
 constexpr std::array<float, 3> kScales = {4, 2, 1};
 constexpr int kStepsPerScale = 3;
@@ -20,8 +18,8 @@ constexpr int kMinRimParts = 4;
 constexpr float kRimHeight_m = 0.01F, kInnerShare = 0.9F;
 constexpr float kMostGrowth = 1.6F, kRoom_m = 0.02F;
 
-float MeanCost(const ArrayXf& residuals, float scale) {
-  const ArrayXf squared = (residuals / scale).square();
+float MeanCost(const SeenArray& residuals, float scale) {
+  const SeenArray squared = (residuals / scale).square();
   return (squared / (1 + squared)).mean();
 }
 
@@ -33,16 +31,16 @@ bool IsNear(const Solid& solid, const Solid& start) {
          (solid.center - start.center).norm() <= room;
 }
 
-float CostOf(const ArrayXf& residuals, const Solid& solid, float scale) {
+float CostOf(const SeenArray& residuals, const Solid& solid, float scale) {
   const float thinness = Thinness(solid);
   return MeanCost(residuals, scale) + thinness * thinness;
 }
 
-Eigen::VectorXf Step(SolidResiduals& residuals, const Solid& solid, const ArrayXf& at, float scale,
-                     float damping) {
+ParameterVector Step(SolidResiduals& residuals, const Solid& solid, const SeenArray& at,
+                     float scale, float damping) {
   NormalEquations equations = Linearize(residuals, solid, at, scale);
   AddThinness(solid, static_cast<float>(at.size()) * scale * scale, equations);
-  Eigen::MatrixXf& normal = equations.normal;
+  ParameterMatrix& normal = equations.normal;
   normal.diagonal().array() += damping * (normal.diagonal().array() + normal.diagonal().mean());
   return normal.ldlt().solve(-equations.gradient);
 }
@@ -63,8 +61,8 @@ int SeenRimParts(const LevelPoints& p, const Solid& solid) {
   return static_cast<int>(std::count(is_seen.begin(), is_seen.end(), true));
 }
 
-float ResidualOf(const SeenObject& seen, const Solid& solid, const ArrayXf& residuals) {
-  ArrayXf distances;
+float ResidualOf(const SeenObject& seen, const Solid& solid, const SeenArray& residuals) {
+  SeenArray distances;
   SignedDistances(solid, seen.points, distances);
   constexpr float kExplained = 3;  // standard deviations
   const auto is_explained =
@@ -79,12 +77,12 @@ FittedSolid FitSolid(const SeenObject& seen, const Solid& start) {
   FittedSolid fitted{start};
   float damping = 1e-2F;
   for (const float scale : kScales) {
-    ArrayXf at = residuals.Of(fitted.solid);
+    SeenArray at = residuals.Of(fitted.solid);
     float cost = CostOf(at, fitted.solid, scale);
     for (int step = 0; step < kStepsPerScale; ++step) {
-      const Eigen::VectorXf change = Step(residuals, fitted.solid, at, scale, damping);
+      const ParameterVector change = Step(residuals, fitted.solid, at, scale, damping);
       const Solid moved = change.allFinite() ? Moved(fitted.solid, change) : fitted.solid;
-      const ArrayXf after = residuals.Of(moved);
+      const SeenArray after = residuals.Of(moved);
       const float new_cost = CostOf(after, moved, scale);
       if (new_cost < cost && IsNear(moved, start)) {
         fitted.solid = moved;
@@ -97,11 +95,11 @@ FittedSolid FitSolid(const SeenObject& seen, const Solid& start) {
       }
     }
   }
-  const ArrayXf at = residuals.Of(fitted.solid);
+  const SeenArray at = residuals.Of(fitted.solid);
   fitted.cost = MeanCost(at, 1);
   const Solid::Kind kind = fitted.solid.kind;
   if (kind == Solid::Kind::kFrustum || kind == Solid::Kind::kUprightCylinder) {
-    const ArrayXf is_below = IsBelowRim(seen, fitted.solid);
+    const SeenArray is_below = IsBelowRim(seen, fitted.solid);
     const bool has_rim = SeenRimParts(seen.points, fitted.solid) >= kMinRimParts;
     if (is_below.size() > 0 && has_rim) fitted.hollow_share = is_below.mean();
     if (is_below.size() > 0 && !has_rim && kind == Solid::Kind::kFrustum) {

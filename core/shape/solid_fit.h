@@ -9,12 +9,12 @@ namespace fovea {
 
 // What was seen of an object, in the level frame that its solid is in.
 struct SeenObject {
-  LevelPoints points;      // on its surface
-  Eigen::ArrayXf noise_m;  // standard deviation of each, along its normal
+  LevelPoints points;  // on its surface
+  SeenArray noise_m;   // standard deviation of each, along its normal
   Eigen::Vector3f camera = Eigen::Vector3f::Zero();
   LevelPoints directions;  // from the camera: rays through its outline, of any length
-  Eigen::ArrayXf outline_noise_m;
-  Eigen::ArrayXf is_own_end;  // 1 where the object ends there; 0 where it may go on behind
+  SeenArray outline_noise_m;
+  SeenArray is_own_end;  // 1 where the object ends there; 0 where it may go on behind
 };
 
 struct FittedSolid {

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace fovea {
 namespace {
-
-using Eigen::ArrayXf;
 
 constexpr float kDifference = 1e-4F;  // metres and radians, for derivatives
 // A point inside of a hollow frustum costs as much as one 0.7 standard deviations off.
@@ -24,27 +23,34 @@ float Thinness(const Solid& solid) {
   return width < likely ? kWeight * (likely - width) / likely : 0;
 }
 
-ArrayXf IsBelowRim(const SeenObject& seen, const Solid& solid) {
+SeenArray IsBelowRim(const SeenObject& seen, const Solid& solid) {
   constexpr float kSurely = 2.5F;  // standard deviations
   const LevelPoints& p = seen.points;
   const float inner_m = kInnerShare * solid.radius_m;
   const Eigen::Vector3f& camera = seen.camera;
-  if (camera.z() <= solid.height_m) return ArrayXf::Zero(p.size());
+  if (camera.z() <= solid.height_m) return SeenArray::Zero(p.size());
   // Where the lines of sight pass the height of the top.
-  const ArrayXf share = (camera.z() - solid.height_m) / (camera.z() - p.h).max(kRim_m);
-  const ArrayXf x = camera.x() + share * (p.x - camera.x()) - solid.center.x();
-  const ArrayXf y = camera.y() + share * (p.y - camera.y()) - solid.center.y();
-  const ArrayXf below = solid.height_m - p.h - (kSurely * seen.noise_m).max(kRim_m);
+  const SeenArray share = (camera.z() - solid.height_m) / (camera.z() - p.h).max(kRim_m);
+  const SeenArray x = camera.x() + share * (p.x - camera.x()) - solid.center.x();
+  const SeenArray y = camera.y() + share * (p.y - camera.y()) - solid.center.y();
+  const SeenArray below = solid.height_m - p.h - (kSurely * seen.noise_m).max(kRim_m);
   return (x.square() + y.square() < inner_m * inner_m && below > 0).cast<float>();
 }
 
-const ArrayXf& SolidResiduals::Of(const Solid& solid) {
+SolidResiduals::SolidResiduals(const SeenObject& seen)
+    : seen_(seen), on_rays_(seen.directions.size()), is_hollow_(seen.points.size()) {
+  if (seen.points.size() + seen.directions.size() > kMaxSeen) {
+    throw std::length_error("points and rays of an object: more than kMaxSeen");
+  }
+}
+
+const SeenArray& SolidResiduals::Of(const Solid& solid) {
   FindNearest(solid);
   MarkHollow(solid);
   return AtNearest(solid);
 }
 
-const ArrayXf& SolidResiduals::AtNearest(const Solid& solid) {
+const SeenArray& SolidResiduals::AtNearest(const Solid& solid) {
   const Eigen::Index num_points = seen_.points.size(), num_rays = on_rays_.size();
   all_.resize(num_points + num_rays);
   SignedDistances(solid, seen_.points, distances_, &seen_.camera);
@@ -55,7 +61,7 @@ const ArrayXf& SolidResiduals::AtNearest(const Solid& solid) {
   return all_;
 }
 
-void SolidResiduals::PutOnRays(const ArrayXf& places) {
+void SolidResiduals::PutOnRays(const SeenArray& places) {
   on_rays_.x = seen_.camera.x() + seen_.directions.x * places;
   on_rays_.y = seen_.camera.y() + seen_.directions.y * places;
   on_rays_.h = seen_.camera.z() + seen_.directions.h * places;
@@ -67,9 +73,9 @@ void SolidResiduals::FindNearest(const Solid& solid) {
   const Eigen::Vector3f size = solid.Size();
   const Eigen::Vector3f middle(solid.center.x(), solid.center.y(), size.z() / 2);
   const Eigen::Vector3f to = middle - seen_.camera;
-  const ArrayXf squared =
+  const SeenArray squared =
       seen_.directions.x.square() + seen_.directions.y.square() + seen_.directions.h.square();
-  ArrayXf reach = size.norm() / squared.sqrt();
+  SeenArray reach = size.norm() / squared.sqrt();
   if (places_.size() == 0) {
     places_ =
         (seen_.directions.x * to.x() + seen_.directions.y * to.y() + seen_.directions.h * to.z()) /
@@ -79,8 +85,8 @@ void SolidResiduals::FindNearest(const Solid& solid) {
   }
   constexpr int kSections = 9;
   constexpr float kGolden = 0.381966F;
-  ArrayXf low = places_ - reach, high = places_ + reach;
-  ArrayXf a = low + kGolden * (high - low), b = high - kGolden * (high - low), at_a, at_b, at_new;
+  SeenArray low = places_ - reach, high = places_ + reach;
+  SeenArray a = low + kGolden * (high - low), b = high - kGolden * (high - low), at_a, at_b, at_new;
   PutOnRays(a);
   SignedDistances(solid, on_rays_, at_a);
   PutOnRays(b);
@@ -116,25 +122,27 @@ void SolidResiduals::MarkHollow(const Solid& solid) {
   }
 }
 
-NormalEquations Linearize(SolidResiduals& residuals, const Solid& solid, const ArrayXf& at,
+NormalEquations Linearize(SolidResiduals& residuals, const Solid& solid, const SeenArray& at,
                           float scale) {
   const int count = NumParameters(solid.kind);
-  Eigen::MatrixXf derivatives(at.size(), count);
+  using Derivatives = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
+                                    kMaxSeen, kMaxParameters>;
+  Derivatives derivatives(at.size(), count);
   for (int k = 0; k < count; ++k) {
-    const Eigen::VectorXf step = Eigen::VectorXf::Unit(count, k) * kDifference;
+    const ParameterVector step = ParameterVector::Unit(count, k) * kDifference;
     derivatives.col(k) = (residuals.AtNearest(Moved(solid, step)) - at) / kDifference;
   }
-  const ArrayXf weights = (1 + (at / scale).square()).square().inverse();
-  const Eigen::MatrixXf weighted = derivatives.array().colwise() * weights;
+  const SeenArray weights = (1 + (at / scale).square()).square().inverse();
+  const Derivatives weighted = derivatives.array().colwise() * weights;
   return {weighted.transpose() * derivatives, weighted.transpose() * at.matrix()};
 }
 
 void AddThinness(const Solid& solid, float weight, NormalEquations& equations) {
   const auto count = static_cast<int>(equations.gradient.size());
   const float thinness = Thinness(solid);
-  Eigen::VectorXf thinner(count);
+  ParameterVector thinner(count);
   for (int k = 0; k < count; ++k) {
-    const Solid moved = Moved(solid, Eigen::VectorXf::Unit(count, k) * kDifference);
+    const Solid moved = Moved(solid, ParameterVector::Unit(count, k) * kDifference);
     thinner[k] = (Thinness(moved) - thinness) / kDifference;
   }
   equations.normal += weight * thinner * thinner.transpose();

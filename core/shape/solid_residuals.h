@@ -13,41 +13,41 @@ namespace fovea {
 float Thinness(const Solid& solid);
 
 // 1 for the points of a hollow: seen through the top of an upright round solid, and below it.
-Eigen::ArrayXf IsBelowRim(const SeenObject& seen, const Solid& solid);
+SeenArray IsBelowRim(const SeenObject& seen, const Solid& solid);
 
 // Distances, in standard deviations, of the points and of the rays, and where each ray is nearest.
 class SolidResiduals {
  public:
-  // Refers to `seen`, which must outlive it.
-  explicit SolidResiduals(const SeenObject& seen)
-      : seen_(seen), on_rays_(seen.directions.size()), is_hollow_(seen.points.size()) {}
+  // Refers to `seen`, which must outlive it. Throws std::length_error for more than kMaxSeen points
+  // and rays.
+  explicit SolidResiduals(const SeenObject& seen);
 
   // With the places along the rays that are nearest to this solid.
-  const Eigen::ArrayXf& Of(const Solid& solid);
+  const SeenArray& Of(const Solid& solid);
 
   // With those of the last call of Of().
-  const Eigen::ArrayXf& AtNearest(const Solid& solid);
+  const SeenArray& AtNearest(const Solid& solid);
 
  private:
-  void PutOnRays(const Eigen::ArrayXf& places);
+  void PutOnRays(const SeenArray& places);
   void FindNearest(const Solid& solid);
   void MarkHollow(const Solid& solid);
 
   const SeenObject& seen_;
   LevelPoints on_rays_;
-  Eigen::ArrayXf places_;  // along the rays, of what is nearest to the solid
-  Eigen::ArrayXf is_hollow_, distances_, all_;
+  SeenArray places_;  // along the rays, of what is nearest to the solid
+  SeenArray is_hollow_, distances_, all_;
 };
 
 // The robust cost of the residuals around a solid, to second order in its parameters (as Moved
 // takes them), for residuals of which those above `scale` standard deviations count less and less.
 struct NormalEquations {
-  Eigen::MatrixXf normal;
-  Eigen::VectorXf gradient;
+  ParameterMatrix normal;
+  ParameterVector gradient;
 };
 
 // `at`: the residuals of the solid.
-NormalEquations Linearize(SolidResiduals& residuals, const Solid& solid, const Eigen::ArrayXf& at,
+NormalEquations Linearize(SolidResiduals& residuals, const Solid& solid, const SeenArray& at,
                           float scale);
 
 // As if a solid that is too thin were `weight` residuals more.

@@ -9,6 +9,7 @@ namespace fovea {
 namespace {
 
 using Vector7f = Eigen::Matrix<float, 7, 1>;
+using BoxDerivatives = Eigen::Matrix<float, 7, Eigen::Dynamic, Eigen::ColMajor, 7, kMaxParameters>;
 
 // Where neither points nor outline say anything: standard deviations of places and sizes as shares
 // of the largest size, and of a turn.
@@ -27,12 +28,12 @@ Eigen::Matrix<float, 6, 1> BoxAround(const Solid& solid) {
 }
 
 // Of middle, turn and sizes by the solid's numbers.
-Eigen::Matrix<float, 7, Eigen::Dynamic> Derivatives(const Solid& solid) {
+BoxDerivatives Derivatives(const Solid& solid) {
   constexpr float kDifference = 1e-3F;  // metres; of a function that is linear
   const int count = NumParameters(solid.kind);
-  Eigen::Matrix<float, 7, Eigen::Dynamic> derivatives(7, count);
+  BoxDerivatives derivatives(7, count);
   for (int k = 0; k < count; ++k) {
-    const Solid moved = Moved(solid, Eigen::VectorXf::Unit(count, k) * kDifference);
+    const Solid moved = Moved(solid, ParameterVector::Unit(count, k) * kDifference);
     const Eigen::Matrix<float, 6, 1> change = (BoxAround(moved) - BoxAround(solid)) / kDifference;
     const float turn = HasTurn(solid.kind) && k == kTurnParameter ? 1 : 0;
     derivatives.col(k) << change.head<3>(), turn, change.tail<3>();
@@ -40,10 +41,10 @@ Eigen::Matrix<float, 7, Eigen::Dynamic> Derivatives(const Solid& solid) {
   return derivatives;
 }
 
-Eigen::MatrixXf ParameterCovariance(const SeenObject& seen, const Solid& solid) {
+ParameterMatrix ParameterCovariance(const SeenObject& seen, const Solid& solid) {
   SolidResiduals residuals(seen);
-  const Eigen::ArrayXf at = residuals.Of(solid);
-  Eigen::MatrixXf normal = Linearize(residuals, solid, at, 1).normal;
+  const SeenArray at = residuals.Of(solid);
+  ParameterMatrix normal = Linearize(residuals, solid, at, 1).normal;
   const float vague_m = kVagueShare * solid.Size().maxCoeff();
   for (Eigen::Index k = 0; k < normal.rows(); ++k) {
     const bool is_turn = HasTurn(solid.kind) && k == kTurnParameter;
@@ -63,7 +64,7 @@ BoxUncertainty UncertaintyOf(const SeenObject& seen, const Solid& solid, float c
   common << Eigen::Vector3f::Constant(kCommonOfMiddle_m), 0,
       Eigen::Vector3f::Constant(kCommonOfSize_m);
   stretch *= 1 + cost;  // of what a solid explains less, it says less
-  const Eigen::Matrix<float, 7, Eigen::Dynamic> stretched = stretch.asDiagonal() * derivatives;
+  const BoxDerivatives stretched = stretch.asDiagonal() * derivatives;
   Eigen::Matrix<float, 7, 7> covariance =
       stretched * ParameterCovariance(seen, solid) * stretched.transpose();
   covariance.diagonal() += common.cwiseAbs2();

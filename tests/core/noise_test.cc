@@ -17,6 +17,7 @@
 #include "core/segmentation/contraction.h"
 #include "core/segmentation/labels.h"
 #include "core/types/interruption.h"
+#include "core/types/lab.h"
 #include "core/types/too_complex.h"
 
 namespace fovea {
@@ -86,6 +87,7 @@ TEST(Noise, CanBeStoppedInEachStage) {
     supports = FindSupports(points, normals, down, options.support);
   });
   VoxelGrid grid;
+  const cv::Mat lab = LabOf(frame.color_rgb);
   std::vector<MeanColor> colors;
   std::vector<char> on_wall;
   const std::size_t num_salient = seeds.size();
@@ -93,7 +95,7 @@ TEST(Noise, CanBeStoppedInEachStage) {
     grid = BuildVoxelGrid(points, normals, options.voxels);
     const std::vector<char> nowhere(grid.voxels.size(), 0);
     const std::vector<char> everywhere(grid.voxels.size(), 1);
-    colors = ColorsOfVoxels(grid, frame.color_rgb);
+    colors = ColorsOfVoxels(grid, lab);
     FindFlatThings(grid, colors, everywhere, supports, options.support, options.flat_things);
     on_wall = FindWalls(grid, -down, supports, options.support, options.walls);
     seeds.resize(num_salient);
@@ -110,7 +112,7 @@ TEST(Noise, CanBeStoppedInEachStage) {
     labels = Expand(contraction, MinimizeByAlphaExpansion(contraction.energy, 1));
   });
   const cv::Mat standing = cv::Mat::zeros(depth.size(), CV_8UC1);
-  const LabelledScene scene{grid,  labels,   points,   frame.color_rgb, colors, frame.intrinsics,
+  const LabelledScene scene{grid,  labels,   points,   lab,    colors, frame.intrinsics,
                             -down, supports, standing, on_wall};
   ExpectToStop("refinement", 40 * kRows, [&] { Refine(scene, options); });
 }

@@ -75,7 +75,7 @@ TEST(Surroundings, ContrastIsToBackgroundAtTheSameDistance) {
   TestScene alike(1), other(1);
   alike.Put(kThing, 1, 1);
   other.Put(kThing, 1, 1);
-  other.color(kThing).setTo(cv::Scalar(200, 30, 30));
+  other.lab(kThing).setTo(cv::Scalar(109, 190, 170));
   const LabelledScene first = alike.Labelled(), second = other.Labelled();
   EXPECT_EQ(FindSurroundings(first, alike.labels).at(1).counts.contrast, 0);
   EXPECT_GT(FindSurroundings(second, other.labels).at(1).counts.contrast, 100 * 30);

@@ -10,7 +10,7 @@ namespace fovea {
 
 struct TestScene {
   explicit TestScene(float background_m)
-      : points(120, 200, CV_32FC3), color(120, 200, CV_8UC3, cv::Scalar(100, 100, 100)) {
+      : points(120, 200, CV_32FC3), lab(120, 200, CV_8UC3, cv::Scalar(108, 128, 128)) {
     labels = cv::Mat::zeros(120, 200, CV_16UC1);
     Put({0, 0, 200, 120}, background_m, 0);
   }
@@ -47,11 +47,11 @@ struct TestScene {
     }
     colors.assign(grid.voxels.size(), {});
     if (standing.empty()) standing = cv::Mat::zeros(labels.size(), CV_8UC1);
-    return {grid,     segments, points, color, colors, intrinsics, {0.0F, -1.0F, 0.0F},
+    return {grid,     segments, points, lab, colors, intrinsics, {0.0F, -1.0F, 0.0F},
             supports, standing, on_wall};
   }
 
-  cv::Mat points, color, labels, standing;
+  cv::Mat points, lab, labels, standing;
   cv::Rect wall;
   CameraIntrinsics intrinsics{100, 100, 100, 60};
   VoxelGrid grid;

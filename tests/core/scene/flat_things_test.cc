@@ -8,6 +8,8 @@
 #include <opencv2/core.hpp>
 #include <set>
 
+#include "core/types/lab.h"
+
 namespace fovea {
 namespace {
 
@@ -48,7 +50,7 @@ struct Table {
     Support support;
     support.surface.normal = -Eigen::Vector3f::UnitZ();
     support.surface.offset_m = 1;
-    return FindFlatThings(grid, ColorsOfVoxels(grid, color_rgb), is_background, {support},
+    return FindFlatThings(grid, ColorsOfVoxels(grid, LabOf(color_rgb)), is_background, {support},
                           kTolerance, options);
   }
 

@@ -6,6 +6,8 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "core/types/lab.h"
+
 namespace fovea {
 namespace {
 
@@ -20,7 +22,7 @@ double Distance(const cv::Vec3b& left, const cv::Vec3b& right, const cv::Vec3b& 
   grid.voxel_of_pixel.colRange(20, 40) = 1;
   color_rgb(cv::Rect(20, 0, 20, 3)).setTo(light);
   grid.voxel_of_pixel(cv::Rect(20, 0, 20, 3)) = 2;
-  const std::vector<MeanColor> colors = ColorsOfVoxels(grid, color_rgb);
+  const std::vector<MeanColor> colors = ColorsOfVoxels(grid, LabOf(color_rgb));
   return colors[0].DistanceTo(colors[1]);
 }
 

@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 
 #include "core/segmentation/labels.h"
+#include "core/types/lab.h"
 
 namespace fovea {
 namespace {
@@ -38,7 +39,7 @@ struct Scene {
       const float x = voxel.mean.x();
       labels.push_back(x < 0.2F ? 1 : x < 0.4F ? 2 : x < 0.65F ? 3 : 4);
     }
-    colors = ColorsOfVoxels(grid, color);
+    colors = ColorsOfVoxels(grid, LabOf(color));
   }
 
   MergeTree Tree(double min_log_odds, const FindSeparate& find_separate) const {

@@ -8,6 +8,8 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "core/types/lab.h"
+
 namespace fovea {
 namespace {
 
@@ -56,7 +58,7 @@ Scene MakeScene(int rows, int cols, const std::function<Pixel(int row, int col)>
 }
 
 std::vector<int> Merge(const Scene& scene, const OcclusionMergeOptions& options) {
-  const auto colors = ColorsOfVoxels(scene.grid, scene.color);
+  const auto colors = ColorsOfVoxels(scene.grid, LabOf(scene.color));
   return MergeOccluded(scene.grid, scene.labels, scene.points, colors, kIntrinsics, kUp, options);
 }
 

@@ -21,9 +21,9 @@ LevelPoints Points(std::initializer_list<Eigen::Vector3f> list) {
   return points;
 }
 
-Eigen::ArrayXf Distances(const Solid& solid, std::initializer_list<Eigen::Vector3f> list,
-                         const Eigen::Vector3f* camera = nullptr) {
-  Eigen::ArrayXf distances;
+SeenArray Distances(const Solid& solid, std::initializer_list<Eigen::Vector3f> list,
+                    const Eigen::Vector3f* camera = nullptr) {
+  SeenArray distances;
   SignedDistances(solid, Points(list), distances, camera);
   return distances;
 }
@@ -39,7 +39,7 @@ Solid Box() {
 }
 
 TEST(Solid, DistancesFromABoxAreThoseOfItsFacesEdgesAndCorners) {
-  const Eigen::ArrayXf d =
+  const SeenArray d =
       Distances(Box(), {{1, 2, 0.4F}, {1.2F, 2, 0.1F}, {1.13F, 2.24F, 0.1F}, {1.08F, 2, 0.15F}});
   EXPECT_NEAR(d[0], 0.1F, 1e-6F);
   EXPECT_NEAR(d[1], 0.1F, 1e-6F);
@@ -49,7 +49,7 @@ TEST(Solid, DistancesFromABoxAreThoseOfItsFacesEdgesAndCorners) {
 
 TEST(Solid, InsideOfABoxTheCameraCountsFromTheFacesThatItSees) {
   const Eigen::Vector3f camera(-3, 2, 0.1F);  // level with it, on the side of small x
-  const Eigen::ArrayXf d = Distances(Box(), {{1.08F, 2, 0.15F}, {0.93F, 2, 0.15F}}, &camera);
+  const SeenArray d = Distances(Box(), {{1.08F, 2, 0.15F}, {0.93F, 2, 0.15F}}, &camera);
   EXPECT_NEAR(d[0], -0.18F, 1e-6F);
   EXPECT_NEAR(d[1], -0.03F, 1e-6F);
 }
@@ -73,7 +73,7 @@ TEST(Solid, DistancesFromRoundSolids) {
 }
 
 TEST(Solid, MovesByWhatDescribesIt) {
-  Eigen::VectorXf step(NumParameters(Solid::Kind::kBox));
+  ParameterVector step(NumParameters(Solid::Kind::kBox));
   step << 0.1F, 0, 0.01F, 0.02F, -1, 0.04F;
   const Solid moved = Moved(Box(), step);
   EXPECT_NEAR(moved.center.x(), 1.1F, 1e-6F);

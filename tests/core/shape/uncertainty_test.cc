@@ -35,7 +35,7 @@ SeenObject SeenFrom(float camera_h, float noise_m, bool with_top) {
     seen.points.y[i] = is_top ? 0.12F * across - 0.06F : -0.06F;
     seen.points.h[i] = is_top ? 0.15F : 0.15F * across;
   }
-  seen.noise_m = Eigen::ArrayXf::Constant(count, noise_m);
+  seen.noise_m = SeenArray::Constant(count, noise_m);
   return seen;
 }
 
