@@ -4,6 +4,8 @@
 #include <string_view>
 #include <utility>
 
+#include "client/rvl.h"
+
 namespace fovea::client {
 namespace {
 
@@ -49,6 +51,17 @@ v1::DepthImage MakeDepthImage(const std::uint16_t* units, std::uint32_t width, s
                               double unit_m) {
   v1::DepthImage image =
       MakeRawDepth(units, sizeof *units, width, height, v1::DEPTH_ENCODING_16UC1);
+  image.set_unit_m(unit_m);
+  return image;
+}
+
+v1::DepthImage MakeRvlDepthImage(const std::uint16_t* units, std::uint32_t width,
+                                 std::uint32_t height, double unit_m) {
+  v1::DepthImage image;
+  image.set_encoding(v1::DEPTH_ENCODING_16UC1_RVL);
+  image.set_width(width);
+  image.set_height(height);
+  image.set_data(EncodeRvl(units, std::size_t{width} * height));
   image.set_unit_m(unit_m);
   return image;
 }

@@ -21,6 +21,10 @@ v1::ColorImage MakeColorImage(std::string file);
 v1::DepthImage MakeDepthImage(const std::uint16_t* units, std::uint32_t width, std::uint32_t height,
                               double unit_m = 0.001);
 
+// The same without loss in a sixth of the bytes, for less than a millisecond on either side.
+v1::DepthImage MakeRvlDepthImage(const std::uint16_t* units, std::uint32_t width,
+                                 std::uint32_t height, double unit_m = 0.001);
+
 // width * height values in metres, NaN or <= 0 = not measured.
 v1::DepthImage MakeDepthImage(const float* meters, std::uint32_t width, std::uint32_t height);
 

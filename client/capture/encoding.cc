@@ -72,20 +72,19 @@ v1::ColorImage Encoder::EncodeColor(const cv::Mat& color) {
 
 v1::DepthImage Encoder::EncodeDepth(const cv::Mat& depth, double unit_m) {
   constexpr int kFastest = 1;
-  const std::size_t num_bytes = depth.total() * depth.elemSize();
-  std::string packed(ZSTD_compressBound(num_bytes), '\0');
+  v1::DepthImage image =
+      client::MakeRvlDepthImage(depth.ptr<std::uint16_t>(), static_cast<std::uint32_t>(depth.cols),
+                                static_cast<std::uint32_t>(depth.rows), unit_m);
+  const std::string& codes = image.data();
+  std::string packed(ZSTD_compressBound(codes.size()), '\0');
   const std::size_t size = ZSTD_compressCCtx(codecs_->zstd.get(), packed.data(), packed.size(),
-                                             depth.data, num_bytes, kFastest);
+                                             codes.data(), codes.size(), kFastest);
   if (ZSTD_isError(size) != 0) {
     throw std::runtime_error(std::string("zstd: ") + ZSTD_getErrorName(size));
   }
   packed.resize(size);
-  v1::DepthImage image;
-  image.set_encoding(v1::DEPTH_ENCODING_16UC1_ZSTD);
-  image.set_width(static_cast<std::uint32_t>(depth.cols));
-  image.set_height(static_cast<std::uint32_t>(depth.rows));
+  image.set_encoding(v1::DEPTH_ENCODING_16UC1_RVL_ZSTD);
   image.set_data(std::move(packed));
-  image.set_unit_m(unit_m);
   return image;
 }
 

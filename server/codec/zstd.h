@@ -11,4 +11,7 @@ namespace fovea::server {
 // Throws std::invalid_argument otherwise.
 std::string DecompressZstd(std::string_view data, std::size_t num_bytes);
 
+// The same for as many bytes as the frame says that it holds, at most `max_bytes`.
+std::string DecompressZstdUpTo(std::string_view data, std::size_t max_bytes);
+
 }  // namespace fovea::server

@@ -7,6 +7,7 @@
 #include "server/codec/jpeg.h"
 #include "server/codec/png.h"
 #include "server/codec/raw.h"
+#include "server/codec/rvl.h"
 #include "server/codec/size_limits.h"
 #include "server/codec/zstd.h"
 #include "server/conversion/field_error.h"
@@ -58,6 +59,16 @@ cv::Mat ZstdDepth(const v1::DepthImage& depth, std::uint64_t max_pixels, int typ
   return RowsOf(kDepth, bytes, depth.width(), depth.height(), type, kind);
 }
 
+cv::Mat RvlDepth(const v1::DepthImage& depth, std::uint64_t max_pixels, bool is_packed) {
+  RequireSize(kDepth, depth.width(), depth.height(), max_pixels);
+  return InField(kDepth + ".data", [&] {
+    const auto width = static_cast<int>(depth.width()), height = static_cast<int>(depth.height());
+    if (!is_packed) return DecodeRvl(depth.data(), width, height);
+    const std::size_t max_bytes = MaxRvlBytes(std::size_t{depth.width()} * depth.height());
+    return DecodeRvl(DecompressZstdUpTo(depth.data(), max_bytes), width, height);
+  });
+}
+
 double UnitOf(const v1::DepthImage& depth) {
   const double unit_m = depth.unit_m();
   RequireField(std::isfinite(unit_m) && unit_m >= 0 && unit_m <= 1, kDepth + ".unit_m",
@@ -104,10 +115,14 @@ cv::Mat DepthFromProto(const v1::DepthImage& depth, std::uint64_t max_pixels) {
       return MetersFrom16U(ZstdDepth(depth, max_pixels, CV_16UC1, "16UC1"), unit_m);
     case v1::DEPTH_ENCODING_32FC1_ZSTD:
       return MetersFrom32F(ZstdDepth(depth, max_pixels, CV_32FC1, "32FC1"));
+    case v1::DEPTH_ENCODING_16UC1_RVL:
+      return MetersFrom16U(RvlDepth(depth, max_pixels, /*is_packed=*/false), unit_m);
+    case v1::DEPTH_ENCODING_16UC1_RVL_ZSTD:
+      return MetersFrom16U(RvlDepth(depth, max_pixels, /*is_packed=*/true), unit_m);
     default:
-      FailField(kDepth + ".encoding",
-                std::to_string(depth.encoding()) +
-                    " is not one of 16UC1, 32FC1, 16UC1_PNG, 16UC1_ZSTD, 32FC1_ZSTD");
+      FailField(kDepth + ".encoding", std::to_string(depth.encoding()) +
+                                          " is not one of 16UC1, 32FC1, 16UC1_PNG, 16UC1_ZSTD, "
+                                          "32FC1_ZSTD, 16UC1_RVL, 16UC1_RVL_ZSTD");
   }
 }
 

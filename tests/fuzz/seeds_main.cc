@@ -33,6 +33,8 @@ void WriteRequests(const fs::path& folder) {
   *request.mutable_frame()->mutable_depth_intrinsics() = request.frame().intrinsics();
   request.mutable_frame()->mutable_color_from_depth()->mutable_position()->set_x(0.025);
   request.mutable_frame()->mutable_color_from_depth()->mutable_orientation()->set_w(1);
+  *request.mutable_frame()->mutable_depth() = DepthMessage(
+      fovea::v1::DEPTH_ENCODING_16UC1_RVL_ZSTD, ZstdOf(RvlOf(TestDepth())), kWidth, kHeight);
   Write(folder, "unregistered", request.SerializeAsString());
   *request.mutable_frame()->mutable_intrinsics()->mutable_distortion() =
       fovea::client::MakeLensDistortion("plumb_bob", {-0.1, 0.02, 0.001, 0.002, 0});
@@ -66,6 +68,7 @@ int main(int argc, char** argv) {
   const std::string wanted{static_cast<char>(kDepthBytes & 0xFF),
                            static_cast<char>(kDepthBytes >> 8)};
   Write(corpus / "zstd", "depth", wanted + ZstdOf(BytesOf(TestDepth())));
+  Write(corpus / "rvl", "depth", RvlOf(TestDepth()));
   WriteRequests(corpus / "request");
   return 0;
 }

@@ -149,6 +149,7 @@ std::vector<BadInput> BadColors() {
 
 std::vector<BadInput> BadDepths() {
   const std::string units = BytesOf(TestDepth()), png = PngOf(TestDepth()), zstd = ZstdOf(units);
+  const std::string rvl = RvlOf(TestDepth());
   const std::string bomb = ZstdOf(std::string(20'000'000, '\0'));
   const auto unknown = static_cast<v1::DepthEncoding>(99);
   v1::DepthImage nan_unit = DepthMessage(v1::DEPTH_ENCODING_16UC1, units, kWidth, kHeight);
@@ -191,6 +192,19 @@ std::vector<BadInput> BadDepths() {
       Depth("zstd_with_garbage",
             DepthMessage(v1::DEPTH_ENCODING_16UC1_ZSTD, zstd + "?", kWidth, kHeight),
             "frame.depth.data: has 1 bytes behind"),
+      Depth("rvl_without_size", DepthMessage(v1::DEPTH_ENCODING_16UC1_RVL, rvl),
+            "frame.depth.width: "),
+      Depth("rvl_of_more_pixels",
+            DepthMessage(v1::DEPTH_ENCODING_16UC1_RVL, rvl, kWidth, 2 * kHeight),
+            "frame.depth.data: the RVL codes end before the pixels do"),
+      Depth("rvl_of_fewer_pixels",
+            DepthMessage(v1::DEPTH_ENCODING_16UC1_RVL, rvl, kWidth, kHeight / 2),
+            "frame.depth.data: has "),
+      Depth("rvl_claims_100000x100000",
+            DepthMessage(v1::DEPTH_ENCODING_16UC1_RVL, rvl, 100'000, 100'000),
+            "frame.depth.width, height: "),
+      Depth("rvl_zstd_bomb", DepthMessage(v1::DEPTH_ENCODING_16UC1_RVL_ZSTD, bomb, kWidth, kHeight),
+            "frame.depth.data: the zstd frame holds 20000000 bytes, needed are at most 3080"),
   };
 }
 

@@ -11,6 +11,7 @@
 #include "server/codec/jpeg.h"
 #include "server/codec/png.h"
 #include "server/codec/raw.h"
+#include "server/codec/rvl.h"
 #include "server/codec/zstd.h"
 #include "tests/server/frames.h"
 
@@ -24,6 +25,7 @@ using testing::JpegOf;
 using testing::kDepthBytes;
 using testing::PngClaiming;
 using testing::PngOf;
+using testing::RvlOf;
 using testing::TestColor;
 using testing::TestDepth;
 using ::testing::ThrowsMessage;
@@ -131,6 +133,51 @@ TEST(Zstd, RefusesBombs) {
   EXPECT_THROW(DecompressZstd(bomb, kDepthBytes), std::invalid_argument);
 }
 
+TEST(Zstd, HoldsAtMostWhatIsWanted) {
+  const std::string bytes = BytesOf(TestDepth()), frame = ZstdOf(bytes);
+  EXPECT_EQ(DecompressZstdUpTo(frame, bytes.size()), bytes);
+  EXPECT_EQ(DecompressZstdUpTo(frame, 2 * bytes.size()), bytes);
+  EXPECT_THROW(DecompressZstdUpTo(frame, bytes.size() - 1), std::invalid_argument);
+}
+
+// Two pixels without depth, two with 5 and 4: 2, 2, 5 = 10 as two nibbles, -1 = 1.
+TEST(Rvl, HasTheCodesOfThePaper) {
+  const cv::Mat depth = (cv::Mat_<std::uint16_t>(1, 4) << 0, 0, 5, 4);
+  const std::string codes("\x00\x10\xA1\x22", 4);
+  EXPECT_EQ(RvlOf(depth), codes);
+  EXPECT_EQ(Difference(DecodeRvl(codes, 4, 1), depth), 0);
+}
+
+TEST(Rvl, DecodesExactly) {
+  cv::Mat extremes(24, 32, CV_16UC1, cv::Scalar(65535));
+  extremes.forEach<std::uint16_t>([](std::uint16_t& value, const int* at) {
+    if ((at[0] + at[1]) % 2 == 0) value = 1;
+  });
+  const cv::Mat nothing = cv::Mat::zeros(24, 32, CV_16UC1);
+  for (const cv::Mat& depth : {TestDepth(), extremes, nothing}) {
+    const std::string codes = RvlOf(depth);
+    EXPECT_LE(codes.size(), MaxRvlBytes(depth.total()));
+    EXPECT_EQ(Difference(DecodeRvl(codes, depth.cols, depth.rows), depth), 0);
+  }
+}
+
+TEST(Rvl, RefusesTruncatedCodesAndWhatFollows) {
+  const std::string codes = RvlOf(TestDepth());
+  const auto decode = [](std::string_view bytes) { DecodeRvl(bytes, 32, 24); };
+  ExpectEveryPrefixRefused(codes, decode);
+  EXPECT_THROW(decode(codes + std::string(4, '\0')), std::invalid_argument);
+}
+
+TEST(Rvl, RefusesRunsAndValuesOutOfRange) {
+  const std::string long_run("\x00\x00\x00\x50", 4);  // of 5 pixels
+  EXPECT_THAT([&] { DecodeRvl(long_run, 4, 1); },
+              ThrowsMessage<std::invalid_argument>("an RVL run of 5 pixels, 4 are left"));
+  const std::string negative("\x00\x00\x10\x01", 4);  // a run of one that is -1
+  EXPECT_THAT([&] { DecodeRvl(negative, 1, 1); },
+              ThrowsMessage<std::invalid_argument>("an RVL depth of -1"));
+  EXPECT_THROW(DecodeRvl(std::string(8, '\xFF'), 1, 1), std::invalid_argument);  // never ends
+}
+
 TEST(AnyDecoder, SurvivesRandomDamage) {
   const unsigned seed = std::random_device{}();
   SCOPED_TRACE("seed " + std::to_string(seed));
@@ -140,7 +187,8 @@ TEST(AnyDecoder, SurvivesRandomDamage) {
       {PngOf(TestColor()), [](const std::string& file) { DecodePngColor(file, kLimits); }},
       {PngOf(TestDepth()), [](const std::string& file) { DecodePngGray16(file, kLimits); }},
       {ZstdOf(BytesOf(TestDepth())),
-       [](const std::string& file) { DecompressZstd(file, kDepthBytes); }}};
+       [](const std::string& file) { DecompressZstd(file, kDepthBytes); }},
+      {RvlOf(TestDepth()), [](const std::string& file) { DecodeRvl(file, 32, 24); }}};
   for (const auto& [file, decode] : decoders) {
     for (int i = 0; i < 500; ++i) {
       std::string damaged = file;

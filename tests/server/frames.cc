@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "client/rvl.h"
+
 namespace fovea::testing {
 namespace {
 
@@ -91,6 +93,10 @@ std::string ZstdOf(const std::string& bytes) {
   std::string result(ZSTD_compressBound(bytes.size()), '\0');
   result.resize(ZSTD_compress(result.data(), result.size(), bytes.data(), bytes.size(), 1));
   return result;
+}
+
+std::string RvlOf(const cv::Mat& depth) {
+  return client::EncodeRvl(depth.ptr<std::uint16_t>(), depth.total());
 }
 
 v1::Frame TestFrame() {

@@ -20,6 +20,7 @@ std::string BytesOf(const cv::Mat& image);
 std::string PngOf(const cv::Mat& image);       // three channels: R first
 std::string JpegOf(const cv::Mat& image_rgb);  // quality 95
 std::string ZstdOf(const std::string& bytes);
+std::string RvlOf(const cv::Mat& depth);
 
 // RGB8 and 16UC1 with everything that a frame needs.
 v1::Frame TestFrame();

@@ -120,7 +120,9 @@ TEST(Detect, DecodesEveryEncodingToTheSameFrame) {
       DepthMessage(v1::DEPTH_ENCODING_32FC1, meters, kWidth, kHeight),
       DepthMessage(v1::DEPTH_ENCODING_16UC1_PNG, PngOf(TestDepth())),
       DepthMessage(v1::DEPTH_ENCODING_16UC1_ZSTD, ZstdOf(units), kWidth, kHeight),
-      DepthMessage(v1::DEPTH_ENCODING_32FC1_ZSTD, ZstdOf(meters), kWidth, kHeight)};
+      DepthMessage(v1::DEPTH_ENCODING_32FC1_ZSTD, ZstdOf(meters), kWidth, kHeight),
+      DepthMessage(v1::DEPTH_ENCODING_16UC1_RVL, RvlOf(TestDepth()), kWidth, kHeight),
+      DepthMessage(v1::DEPTH_ENCODING_16UC1_RVL_ZSTD, ZstdOf(RvlOf(TestDepth())), kWidth, kHeight)};
   for (const v1::ColorImage& color : colors) {
     for (const v1::DepthImage& depth : depths) {
       SCOPED_TRACE(v1::ColorEncoding_Name(color.encoding()) + " " +

@@ -1,0 +1,65 @@
+#include "client/rvl.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace fovea::client {
+namespace {
+
+// Numbers of three bits a nibble, the lowest first; the fourth bit says that more follow. Nibbles
+// fill little-endian words of 32 bits from the top.
+class Codes {
+ public:
+  explicit Codes(std::size_t expected_bytes) { bytes_.reserve(expected_bytes); }
+
+  void Add(std::uint32_t number) {
+    for (; number > 7; number >>= 3U) AddNibble(8U | (number & 7U));
+    AddNibble(number);
+  }
+
+  std::string Finish() && {
+    while (num_nibbles_ > 0) AddNibble(0);
+    return std::move(bytes_);
+  }
+
+ private:
+  void AddNibble(std::uint32_t nibble) {
+    word_ = word_ << 4U | nibble;
+    if (++num_nibbles_ < 8) return;
+    const char bytes[] = {static_cast<char>(word_), static_cast<char>(word_ >> 8U),
+                          static_cast<char>(word_ >> 16U), static_cast<char>(word_ >> 24U)};
+    bytes_.append(bytes, sizeof bytes);
+    num_nibbles_ = 0;
+  }
+
+  std::string bytes_;
+  std::uint32_t word_ = 0;
+  int num_nibbles_ = 0;
+};
+
+// 0, -1, 1, -2, … become 0, 1, 2, 3, ….
+std::uint32_t Unsigned(int step) {
+  return step < 0 ? 2 * static_cast<std::uint32_t>(-step) - 1
+                  : 2 * static_cast<std::uint32_t>(step);
+}
+
+}  // namespace
+
+std::string EncodeRvl(const std::uint16_t* depth, std::size_t num_pixels) {
+  Codes codes(num_pixels / 2);
+  const std::uint16_t* const end = depth + num_pixels;
+  int before = 0;
+  while (depth != end) {
+    const auto* measured = std::find_if(depth, end, [](std::uint16_t value) { return value != 0; });
+    codes.Add(static_cast<std::uint32_t>(measured - depth));
+    depth = std::find(measured, end, std::uint16_t{0});
+    codes.Add(static_cast<std::uint32_t>(depth - measured));
+    for (; measured != depth; ++measured) {
+      codes.Add(Unsigned(*measured - before));
+      before = *measured;
+    }
+  }
+  return std::move(codes).Finish();
+}
+
+}  // namespace fovea::client
