@@ -51,16 +51,23 @@ void AddLimitFlags(CLI::App& command, LimitFlags& flags) {
 }
 
 void AddCalibrationFlags(CLI::App& command, IntrinsicsFlags& flags) {
-  CLI::Option* file = command.add_option("--calibration", flags.calibration_path,
-                                         "ROS camera_info YAML, or JSON with fx, fy, cx, cy, "
-                                         "width, height; else --intrinsics, else what the camera "
-                                         "states");
+  CLI::Option* file =
+      command.add_option("--calibration", flags.calibration_path,
+                         "ROS camera_info, YAML or JSON, or JSON with fx, fy, cx, cy, "
+                         "width, height; else --intrinsics, else what the camera "
+                         "states");
   file->type_name("FILE")->group(kCalibration);
   command
       .add_option("--intrinsics", flags.numbers,
                   "Of the colour camera in pixels, for example 525,525,319.5,239.5")
       ->type_name("FX,FY,CX,CY")
       ->excludes(file)
+      ->group(kCalibration);
+  command
+      .add_option("--distortion", flags.distortion,
+                  "Of the lens, in place of the calibration's: plumb_bob, rational_polynomial or "
+                  "equidistant with OpenCV's coefficients, or none")
+      ->type_name("MODEL=K1,K2,...")
       ->group(kCalibration);
 }
 

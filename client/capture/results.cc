@@ -68,6 +68,7 @@ void Results::Take(const Result& result, Tally& tally) {
   if (response.has_error()) EndIfHopeless(response.error());
   if (response.has_error()) return;
   PrintNote(response.detections());
+  out_ << busy_watch_.Take(response.detections()) << std::flush;
   if (!Draws()) return;
 
   cv::Mat color;

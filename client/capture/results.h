@@ -3,6 +3,7 @@
 #include <iosfwd>
 #include <string>
 
+#include "client/capture/busy_watch.h"
 #include "client/capture/picture.h"
 #include "client/capture/tally.h"
 #include "client/capture/viewer.h"
@@ -42,6 +43,7 @@ class Results {
   Viewer* const viewer_;
   std::ostream& out_;
   bool saved_intrinsics_ = false;
+  BusyWatch busy_watch_;
   std::string last_note_;  // what was said last about few objects, without its numbers
 };
 

@@ -35,7 +35,7 @@ IntrinsicsFlags FlagsOrBeside(const StreamFlags& flags) {
       !flags.intrinsics.calibration_path.empty() || !flags.intrinsics.numbers.empty();
   if (given || !IsRecording(flags.camera.device)) return flags.intrinsics;
   const std::string path = IntrinsicsPathOf(flags.camera.device);
-  return {std::filesystem::exists(path) ? path : "", ""};
+  return {std::filesystem::exists(path) ? path : "", "", flags.intrinsics.distortion};
 }
 
 ChosenIntrinsics Choose(const StreamFlags& flags, const Camera& camera) {
