@@ -22,8 +22,8 @@ struct Result {
 class Results {
  public:
   // `save_folder` is made where it is missing; empty = no files. `viewer` may be null.
-  Results(std::string save_folder, const v1::CameraIntrinsics& intrinsics, Viewer* viewer,
-          std::ostream& out);
+  // `cameras`: a frame without images, with what all frames say of the cameras.
+  Results(std::string save_folder, v1::Frame cameras, Viewer* viewer, std::ostream& out);
 
   // Masks are needed for drawing only.
   void RequestFor(v1::DetectOptions* options) const;
@@ -39,7 +39,7 @@ class Results {
             const cv::Mat& overlay);
 
   const std::string save_folder_;
-  const v1::CameraIntrinsics intrinsics_;
+  const v1::Frame cameras_;
   Viewer* const viewer_;
   std::ostream& out_;
   bool saved_intrinsics_ = false;
