@@ -1,7 +1,7 @@
 # Everything comes from Debian packages; deploy/install_dependencies.sh names them.
 find_package(Threads REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
-find_package(OpenCV REQUIRED COMPONENTS core imgproc features2d imgcodecs saliency)
+find_package(OpenCV REQUIRED COMPONENTS core imgproc calib3d features2d imgcodecs saliency)
 find_package(Protobuf REQUIRED) # module mode, before gRPC: Debian ships no protobuf CMake config
 find_package(gRPC CONFIG REQUIRED)
 find_package(spdlog REQUIRED)

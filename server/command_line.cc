@@ -5,6 +5,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "flags/misspelling.h"
 #include "server/access/credentials.h"
 #include "server/access/gate_keeper.h"
 #include "server/config_file.h"
@@ -157,6 +158,40 @@ void AddFlags(CLI::App& app, ServerOptions& options) {
       ->capture_default_str();
 }
 
+// What is answered instead of serving.
+struct Questions {
+  bool list_options = false, check_config = false;
+  std::string show;
+};
+
+void AddQuestionFlags(CLI::App& app, Questions& questions) {
+  app.add_flag("--check-config", questions.check_config,
+               "Say whether flags and configuration file are valid, and exit")
+      ->configurable(false);
+  app.add_option("--show", questions.show,
+                 "Print the value that this flag has with the others and the file, and exit")
+      ->type_name("KEY")
+      ->configurable(false);
+  app.add_flag("--list-options", questions.list_options,
+               "Print every option of the method with its range, profiles and meaning, and exit")
+      ->configurable(false);
+}
+
+void Show(const std::string& key, const Settings& settings) {
+  const auto found = settings.find(key);
+  if (found == settings.end()) {
+    throw std::invalid_argument("--show: \"" + key + "\" is no key; --help lists the flags");
+  }
+  std::cout << found->second << '\n';
+}
+
+void CheckFiles(const ServerOptions& options) {
+  const Credentials credentials(options);
+  const GateKeeper gate_keeper(options.tokens);
+  std::cout << "the configuration is valid\n";
+  if (gate_keeper.RefusesEverybody()) std::cout << NoTokens(options) << '\n';
+}
+
 }  // namespace
 
 std::string NoTokens(const ServerOptions& options) {
@@ -171,13 +206,8 @@ std::optional<ServerOptions> ParseCommandLine(int argc, char** argv, Settings* s
   app.set_config("--config", "",
                  "File with any of these flags, one KEY = VALUE a line; flags given here win");
   app.config_formatter(std::make_shared<ConfigFile>(app));
-  bool list_options = false, check_config = false;
-  app.add_flag("--check-config", check_config,
-               "Say whether flags and configuration file are valid, and exit")
-      ->configurable(false);
-  app.add_flag("--list-options", list_options,
-               "Print every option of the method with its range, profiles and meaning, and exit")
-      ->configurable(false);
+  Questions questions;
+  AddQuestionFlags(app, questions);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& wants_text) {  // --help, --version
@@ -186,21 +216,18 @@ std::optional<ServerOptions> ParseCommandLine(int argc, char** argv, Settings* s
   } catch (const CLI::FileError& error) {
     throw std::invalid_argument("--config: " + std::string(error.what()));
   } catch (const CLI::ParseError& error) {
-    throw std::invalid_argument(std::string(error.what()) + " (--help lists the flags)");
+    throw std::invalid_argument(error.what() + flags::Misspelling(app, argc, argv) +
+                                " (--help lists the flags)");
   }
-  if (list_options) {
+  if (questions.list_options) {
     std::cout << OptionTable();
     return std::nullopt;
   }
   Validate(options);
   if (settings != nullptr) *settings = SettingsOf(app);
-  if (check_config) {
-    const Credentials credentials(options);
-    const GateKeeper gate_keeper(options.tokens);
-    std::cout << "the configuration is valid\n";
-    if (gate_keeper.RefusesEverybody()) std::cout << NoTokens(options) << '\n';
-    return std::nullopt;
-  }
+  if (!questions.show.empty()) Show(questions.show, SettingsOf(app));
+  if (questions.check_config) CheckFiles(options);
+  if (!questions.show.empty() || questions.check_config) return std::nullopt;
   return options;
 }
 

@@ -2,30 +2,16 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <utility>
+#include <vector>
 
 #include "core/options.h"
+#include "flags/suggestion.h"
 
 namespace fovea::server {
 namespace {
-
-// Levenshtein's: how many characters to insert, delete or replace.
-std::size_t EditDistance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = std::exchange(row[j + 1], std::min({row[j] + 1, row[j + 1] + 1, replaced}));
-    }
-  }
-  return row.back();
-}
 
 bool IsOptionOfTheMethod(const std::string& key) {
   const std::string group = key.substr(0, key.find('.') + 1);
@@ -57,14 +43,13 @@ std::string ConfigFile::Remedy(const std::string& key) const {
            "or "
            "hold for all by option = [\"NAME=NUMBER\"]";
   }
-  constexpr std::size_t kFewTypos = 2;
+  std::vector<std::string> keys;
   for (const CLI::Option* option : app_.get_options()) {
-    for (const std::string& name : option->get_lnames()) {
-      if (option->get_configurable() && EditDistance(name, key) <= kFewTypos) {
-        return "did you mean " + name + "?";
-      }
-    }
+    if (!option->get_configurable()) continue;
+    for (const std::string& name : option->get_lnames()) keys.push_back(name);
   }
+  const std::string meant = flags::Suggest(key, keys);
+  if (!meant.empty()) return "did you mean " + meant + "?";
   return "--help lists the flags, which are the keys";
 }
 

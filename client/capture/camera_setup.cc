@@ -62,10 +62,10 @@ std::string CommonModes(const Streams& streams) {
   return text.empty() ? "none" : text;
 }
 
-cv::Size ParseResolution(const std::string& text) {
+cv::Size ParseResolution(const std::string& text, const std::string& flag) {
   std::smatch parts;
   if (!std::regex_match(text, parts, std::regex("([0-9]{1,5})x([0-9]{1,5})"))) {
-    throw std::invalid_argument("--resolution: \"" + text + "\" is not WIDTHxHEIGHT");
+    throw std::invalid_argument(flag + ": \"" + text + "\" is not WIDTHxHEIGHT");
   }
   return {std::stoi(parts[1]), std::stoi(parts[2])};
 }

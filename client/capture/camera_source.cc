@@ -19,11 +19,8 @@ CameraLosses Sum(const CameraLosses& a, const CameraLosses& b) {
 
 CameraSource::CameraSource(const CameraOptions& options, std::chrono::milliseconds patience,
                            std::ostream& notes)
-    : options_(options),
-      patience_(patience),
-      notes_(notes),
-      camera_(std::make_unique<Camera>(options, notes)) {
-  options_.device = KindOf(camera_->Uri());
+    : options_(options), patience_(patience), notes_(notes), camera_(OpenCamera(options, notes)) {
+  options_.device = camera_->Name();
 }
 
 std::optional<Picture> CameraSource::Next() {
@@ -48,7 +45,7 @@ void CameraSource::Close() {
 
 void CameraSource::TryToReopen() {
   try {
-    camera_ = std::make_unique<Camera>(options_, notes_);
+    camera_ = OpenCamera(options_, notes_);
     ++num_reopened_;
     notes_ << "the camera " << camera_->Uri() << " is back" << std::endl;
   } catch (const CameraError& error) {

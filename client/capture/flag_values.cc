@@ -1,16 +1,38 @@
 // What the flags mean.
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "client/capture/flags.h"
+#include "client/capture/v4l2_camera.h"
 #include "client/cli/request.h"
 
 namespace fovea::capture {
+namespace {
+
+// Where depth is as its camera sees it, the server must know that camera.
+void CheckDepthCamera(const StreamFlags& flags, const SessionOptions& options) {
+  if (!IsV4l2(flags.camera.device)) {
+    if (!options.depth_camera) return;
+    throw std::invalid_argument(
+        "--depth-intrinsics is for --device v4l2:…: OpenNI2 registers depth");
+  }
+  if (options.depth_camera || flags.camera.allow_unregistered) return;
+  throw std::invalid_argument(
+      "v4l2 does not register depth to colour: give --depth-intrinsics and --color-from-depth (or "
+      "--allow-unregistered, where the camera does it)");
+}
+
+}  // namespace
 
 CameraOptions CameraOptionsOf(const CameraFlags& flags) {
   CameraOptions options;
   options.device = flags.device;
-  options.size = ParseResolution(flags.resolution);
+  options.size = ParseResolution(flags.resolution, "--resolution");
+  if (!flags.depth_resolution.empty()) {
+    options.depth_size = ParseResolution(flags.depth_resolution, "--depth-resolution");
+  }
+  options.depth_unit_m = flags.depth_unit_m;
   options.fps = flags.fps;
   options.allow_unregistered = flags.allow_unregistered;
   options.frame_timeout_s = flags.frame_timeout_s;
@@ -20,6 +42,8 @@ CameraOptions CameraOptionsOf(const CameraFlags& flags) {
 SessionOptions SessionOptionsOf(const StreamFlags& flags) {
   SessionOptions options;
   options.encoding = {ParseColorEncoding(flags.color_encoding), flags.jpeg_quality};
+  options.depth_camera = cli::ParseDepthCamera(flags.depth_intrinsics, flags.color_from_depth);
+  CheckDepthCamera(flags, options);
   options.gravity = cli::ParseGravity(flags.gravity);
   options.detection = cli::ParseOptions(flags.profile, flags.settings);
   options.max_frames = MaxFramesOf(flags.limits);

@@ -13,8 +13,11 @@ constexpr const char* kLimits = "When to stop";
 
 void AddCameraFlags(CLI::App& command, CameraFlags& flags) {
   command
-      .add_option("--device", flags.device, "URI of the camera, or FILE.oni; else the first one")
-      ->type_name("URI|FILE.oni")
+      .add_option(
+          "--device", flags.device,
+          "URI of the camera, FILE.oni, or v4l2:DEPTH,COLOR with video nodes of the kernel, "
+          "such as v4l2:/dev/video0,/dev/video4; else the first one of OpenNI2")
+      ->type_name("URI|FILE.oni|v4l2:NODES")
       ->group(kCamera);
   command.add_option("--resolution", flags.resolution, "Of colour and depth")
       ->type_name("WIDTHxHEIGHT")
@@ -29,6 +32,32 @@ void AddCameraFlags(CLI::App& command, CameraFlags& flags) {
       .add_flag("--allow-unregistered", flags.allow_unregistered,
                 "Go on where depth cannot be registered to colour")
       ->group(kCamera);
+}
+
+// Which OpenNI2 knows of its cameras.
+void AddV4l2Flags(CLI::App& command, StreamFlags& flags) {
+  const char* group = "Camera of v4l2";
+  command
+      .add_option("--depth-resolution", flags.camera.depth_resolution,
+                  "Of depth, where it is not that of colour")
+      ->type_name("WIDTHxHEIGHT")
+      ->group(group);
+  command.add_option("--depth-unit", flags.camera.depth_unit_m, "Metres per unit of depth")
+      ->type_name("METRES")
+      ->check(CLI::Range(1e-6, 1.0))
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--depth-intrinsics", flags.depth_intrinsics,
+                  "Of the depth camera: numbers in pixels, or a calibration file")
+      ->type_name("FX,FY,CX,CY|FILE")
+      ->group(group);
+  command
+      .add_option("--color-from-depth", flags.color_from_depth,
+                  "Position (metres) and orientation (unit quaternion) of the depth camera in the "
+                  "colour camera's frame; the server registers depth by both")
+      ->type_name("X,Y,Z,QX,QY,QZ,QW")
+      ->group(group);
 }
 
 void AddFrameTimeout(CLI::App& command, CameraFlags& flags) {
@@ -51,16 +80,23 @@ void AddLimitFlags(CLI::App& command, LimitFlags& flags) {
 }
 
 void AddCalibrationFlags(CLI::App& command, IntrinsicsFlags& flags) {
-  CLI::Option* file = command.add_option("--calibration", flags.calibration_path,
-                                         "ROS camera_info YAML, or JSON with fx, fy, cx, cy, "
-                                         "width, height; else --intrinsics, else what the camera "
-                                         "states");
+  CLI::Option* file =
+      command.add_option("--calibration", flags.calibration_path,
+                         "ROS camera_info, YAML or JSON, or JSON with fx, fy, cx, cy, "
+                         "width, height; else --intrinsics, else what the camera "
+                         "states");
   file->type_name("FILE")->group(kCalibration);
   command
       .add_option("--intrinsics", flags.numbers,
                   "Of the colour camera in pixels, for example 525,525,319.5,239.5")
       ->type_name("FX,FY,CX,CY")
       ->excludes(file)
+      ->group(kCalibration);
+  command
+      .add_option("--distortion", flags.distortion,
+                  "Of the lens, in place of the calibration's: plumb_bob, rational_polynomial or "
+                  "equidistant with OpenCV's coefficients, or none")
+      ->type_name("MODEL=K1,K2,...")
       ->group(kCalibration);
 }
 
@@ -114,6 +150,7 @@ void AddStreamFlags(CLI::App& command, StreamFlags& flags) {
 
 void AddLiveFlags(CLI::App& command, StreamFlags& flags) {
   AddCameraFlags(command, flags.camera);
+  AddV4l2Flags(command, flags);
   AddStreamFlags(command, flags);
   command
       .add_flag("--every-frame", flags.every_frame,

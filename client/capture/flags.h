@@ -13,10 +13,10 @@
 namespace fovea::capture {
 
 struct CameraFlags {
-  std::string device, resolution = "640x480";
+  std::string device, resolution = "640x480", depth_resolution;
   int fps = 30;
   bool allow_unregistered = false;
-  double frame_timeout_s = 5;
+  double frame_timeout_s = 5, depth_unit_m = 0.001;
 };
 
 struct LimitFlags {
@@ -29,6 +29,7 @@ struct StreamFlags {
   CameraFlags camera;
   LimitFlags limits;
   IntrinsicsFlags intrinsics;
+  std::string depth_intrinsics, color_from_depth;  // of v4l2
   std::string color_encoding = "jpeg", gravity, profile, save_folder;
   int jpeg_quality = 90;
   std::vector<std::string> settings;

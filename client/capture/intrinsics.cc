@@ -7,7 +7,9 @@
 #include <stdexcept>
 
 #include "client/cli/calibration_file.h"
+#include "client/cli/distortion.h"
 #include "client/cli/files.h"
+#include "client/cli/intrinsics_flag.h"
 #include "client/cli/parsing.h"
 #include "client/images.h"
 
@@ -24,8 +26,7 @@ ChosenIntrinsics FromFile(const std::string& path, const cv::Size& size) {
     throw std::runtime_error("calibration file " + path + ": it is for " + Text(c.width, c.height) +
                              ", the camera sends " + Text(size.width, size.height));
   }
-  return {client::MakeIntrinsics(c.fx, c.fy, c.cx, c.cy), "from the calibration file " + path,
-          c.distorted ? "the calibration has lens distortion, which is not corrected" : ""};
+  return {cli::IntrinsicsOf(c), "from the calibration file " + path, ""};
 }
 
 bool IsAngle(double rad) { return rad > 0 && rad < std::numbers::pi; }
@@ -39,8 +40,10 @@ v1::CameraIntrinsics FromFieldOfView(const FieldOfView& view, const cv::Size& si
                                 (size.width - 1) / 2.0, (size.height - 1) / 2.0);
 }
 
-ChosenIntrinsics ChooseIntrinsics(const IntrinsicsFlags& flags, const FieldOfView& view,
-                                  const cv::Size& size) {
+namespace {
+
+ChosenIntrinsics Choose(const IntrinsicsFlags& flags, const FieldOfView& view,
+                        const cv::Size& size) {
   if (!flags.calibration_path.empty()) return FromFile(flags.calibration_path, size);
   if (!flags.numbers.empty()) {
     const auto k = cli::ParseNumbers(flags.numbers, 4, "--intrinsics", "FX,FY,CX,CY");
@@ -54,13 +57,17 @@ ChosenIntrinsics ChooseIntrinsics(const IntrinsicsFlags& flags, const FieldOfVie
           "a calibration is more exact than the field of view: --calibration FILE"};
 }
 
+}  // namespace
+
+ChosenIntrinsics ChooseIntrinsics(const IntrinsicsFlags& flags, const FieldOfView& view,
+                                  const cv::Size& size) {
+  ChosenIntrinsics chosen = Choose(flags, view, size);
+  cli::SetDistortion(flags.distortion, &chosen.values);
+  return chosen;
+}
+
 void SaveIntrinsics(const std::string& path, const v1::CameraIntrinsics& k, const cv::Size& size) {
-  cli::WriteFile(path, cli::ToCalibrationJson({.fx = k.fx(),
-                                               .fy = k.fy(),
-                                               .cx = k.cx(),
-                                               .cy = k.cy(),
-                                               .width = size.width,
-                                               .height = size.height}));
+  cli::WriteFile(path, cli::ToCalibrationJson(cli::CalibrationOf(k, size)));
 }
 
 std::string IntrinsicsPathOf(const std::string& recording) {
@@ -72,7 +79,9 @@ std::string Describe(const ChosenIntrinsics& intrinsics) {
   char numbers[128];
   std::snprintf(numbers, sizeof numbers, "fx %.1f, fy %.1f, cx %.1f, cy %.1f, ", k.fx(), k.fy(),
                 k.cx(), k.cy());
-  return numbers + intrinsics.source;
+  const std::string lens =
+      k.has_distortion() ? cli::ModelName(k.distortion()) + " distortion, " : "";
+  return numbers + lens + intrinsics.source;
 }
 
 }  // namespace fovea::capture

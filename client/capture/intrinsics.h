@@ -11,7 +11,8 @@ namespace fovea::capture {
 // Where the intrinsics come from, best first; empty = not given.
 struct IntrinsicsFlags {
   std::string calibration_path;
-  std::string numbers;  // FX,FY,CX,CY
+  std::string numbers;     // FX,FY,CX,CY
+  std::string distortion;  // MODEL=K1,… or none, in place of the calibration's
 };
 
 // What the camera states about its colour stream; 0 where it states nothing.

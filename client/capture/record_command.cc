@@ -12,8 +12,10 @@
 #include <utility>
 
 #include "client/capture/camera_error.h"
+#include "client/capture/openni_camera.h"
 #include "client/capture/recording_file.h"
 #include "client/capture/stop_signal.h"
+#include "client/capture/v4l2_camera.h"
 
 namespace fovea::capture {
 namespace {
@@ -65,7 +67,7 @@ void CheckPath(const std::string& path) {
 
 // Until the limits. OpenNI2 writes in a thread of its own, which begins a little later, so only
 // what is in the file counts.
-void Watch(Camera& camera, const LimitFlags& limits, RecordingFile& file) {
+void Watch(OpenNiCamera& camera, const LimitFlags& limits, RecordingFile& file) {
   const auto end = EndOf(limits);
   const std::uint64_t max_frames = MaxFramesOf(limits);
   while (!StopAsked() && std::chrono::steady_clock::now() < end) {
@@ -106,8 +108,13 @@ int RunRecord(const RecordFlags& flags) {
   if (IsRecording(flags.camera.device)) {
     throw std::invalid_argument("--device: a recording is recorded already");
   }
+  if (IsV4l2(flags.camera.device)) {
+    throw std::invalid_argument(
+        "--device: only what OpenNI2 sees is recorded; fovea-capture --save keeps the frames of "
+        "v4l2");
+  }
   const OpenNiRuntime runtime;
-  Camera camera(CameraOptionsOf(flags.camera), std::cerr);
+  OpenNiCamera camera(CameraOptionsOf(flags.camera), std::cerr);
   SaveIntrinsicsOf(camera, flags);
   RecordingFile file(flags.path);
   std::exception_ptr error;

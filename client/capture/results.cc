@@ -48,9 +48,11 @@ void EndIfHopeless(const v1::FrameError& error) {
 
 }  // namespace
 
-Results::Results(std::string save_folder, const v1::CameraIntrinsics& intrinsics, Viewer* viewer,
-                 std::ostream& out)
-    : save_folder_(std::move(save_folder)), intrinsics_(intrinsics), viewer_(viewer), out_(out) {
+Results::Results(std::string save_folder, v1::Frame cameras, Viewer* viewer, std::ostream& out)
+    : save_folder_(std::move(save_folder)),
+      cameras_(std::move(cameras)),
+      viewer_(viewer),
+      out_(out) {
   if (!save_folder_.empty()) std::filesystem::create_directories(save_folder_);
   saved_intrinsics_ = save_folder_.empty();
 }
@@ -68,11 +70,12 @@ void Results::Take(const Result& result, Tally& tally) {
   if (response.has_error()) EndIfHopeless(response.error());
   if (response.has_error()) return;
   PrintNote(response.detections());
+  out_ << busy_watch_.Take(response.detections()) << std::flush;
   if (!Draws()) return;
 
   cv::Mat color;
   cv::cvtColor(result.picture.color, color, cv::COLOR_RGB2BGR);
-  const cv::Mat overlay = cli::DrawOverlay(color, intrinsics_, response.detections());
+  const cv::Mat overlay = cli::DrawOverlay(color, cameras_.intrinsics(), response.detections());
   if (!save_folder_.empty()) Save(result.picture, response.detections(), color, overlay);
   if (viewer_ != nullptr) viewer_->SetOverlay(overlay);
 }
@@ -91,15 +94,14 @@ void Results::PrintNote(const v1::Detections& detections) {
 void Results::Save(const Picture& picture, const v1::Detections& detections, const cv::Mat& color,
                    const cv::Mat& overlay) {
   if (!std::exchange(saved_intrinsics_, true)) {
-    SaveIntrinsics(save_folder_ + "/intrinsics.json", intrinsics_, color.size());
+    SaveIntrinsics(save_folder_ + "/intrinsics.json", cameras_.intrinsics(), color.size());
   }
   const std::string prefix = save_folder_ + "/" + FrameName(picture.number);
   cli::WriteImage(prefix + "_color.png", color);
   cli::WriteImage(prefix + "_depth.png", picture.depth);
   cli::WriteImage(prefix + "_overlay.jpg", overlay);
   cli::WriteImage(prefix + ".png", cli::LabelImage(detections));
-  v1::Frame frame;
-  *frame.mutable_intrinsics() = intrinsics_;
+  v1::Frame frame = cameras_;
   frame.mutable_depth()->set_unit_m(picture.depth_unit_m);
   cli::WriteFile(prefix + ".json", cli::ToJson(detections, frame));
 }

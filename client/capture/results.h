@@ -3,6 +3,7 @@
 #include <iosfwd>
 #include <string>
 
+#include "client/capture/busy_watch.h"
 #include "client/capture/picture.h"
 #include "client/capture/tally.h"
 #include "client/capture/viewer.h"
@@ -21,8 +22,8 @@ struct Result {
 class Results {
  public:
   // `save_folder` is made where it is missing; empty = no files. `viewer` may be null.
-  Results(std::string save_folder, const v1::CameraIntrinsics& intrinsics, Viewer* viewer,
-          std::ostream& out);
+  // `cameras`: a frame without images, with what all frames say of the cameras.
+  Results(std::string save_folder, v1::Frame cameras, Viewer* viewer, std::ostream& out);
 
   // Masks are needed for drawing only.
   void RequestFor(v1::DetectOptions* options) const;
@@ -38,10 +39,11 @@ class Results {
             const cv::Mat& overlay);
 
   const std::string save_folder_;
-  const v1::CameraIntrinsics intrinsics_;
+  const v1::Frame cameras_;
   Viewer* const viewer_;
   std::ostream& out_;
   bool saved_intrinsics_ = false;
+  BusyWatch busy_watch_;
   std::string last_note_;  // what was said last about few objects, without its numbers
 };
 

@@ -9,9 +9,16 @@ bool GoesOn(const SessionOptions& options, const Session& session) {
          std::chrono::steady_clock::now() < options.end && !session.source.AtEnd();
 }
 
+void SetCameras(const SessionOptions& options, v1::Frame* frame) {
+  *frame->mutable_intrinsics() = options.intrinsics;
+  if (!options.depth_camera) return;
+  *frame->mutable_depth_intrinsics() = options.depth_camera->intrinsics;
+  *frame->mutable_color_from_depth() = options.depth_camera->color_from_depth;
+}
+
 v1::Frame MakeFrame(const SessionOptions& options, const Picture& picture, Encoder& encoder) {
   v1::Frame frame = encoder.Encode(picture);
-  *frame.mutable_intrinsics() = options.intrinsics;
+  SetCameras(options, &frame);
   if (options.gravity) *frame.mutable_gravity() = *options.gravity;
   return frame;
 }

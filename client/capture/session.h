@@ -12,6 +12,7 @@
 #include "client/capture/results.h"
 #include "client/capture/tally.h"
 #include "client/capture/viewer.h"
+#include "client/cli/request.h"
 #include "client/client.h"
 
 namespace fovea::capture {
@@ -19,6 +20,7 @@ namespace fovea::capture {
 struct SessionOptions {
   EncodingOptions encoding;
   v1::CameraIntrinsics intrinsics;
+  std::optional<cli::DepthCamera> depth_camera;  // of depth that is not registered to colour
   std::optional<v1::Vector3> gravity;
   v1::DetectOptions detection;
   std::uint64_t max_frames = std::numeric_limits<std::uint64_t>::max();
@@ -47,6 +49,9 @@ void RunEveryFrame(const SessionOptions& options, const Session& session);
 
 // Whether to take another picture.
 bool GoesOn(const SessionOptions& options, const Session& session);
+
+// Intrinsics and, where depth is not registered, its camera.
+void SetCameras(const SessionOptions& options, v1::Frame* frame);
 
 // The request for a picture, with everything that all requests have in common.
 v1::Frame MakeFrame(const SessionOptions& options, const Picture& picture, Encoder& encoder);

@@ -7,7 +7,9 @@
 #include <optional>
 
 #include "client/capture/camera_error.h"
+#include "client/capture/devices.h"
 #include "client/capture/server_check.h"
+#include "client/capture/v4l2_camera.h"
 #include "client/cli/explain.h"
 
 namespace fovea::capture {
@@ -35,7 +37,7 @@ IntrinsicsFlags FlagsOrBeside(const StreamFlags& flags) {
       !flags.intrinsics.calibration_path.empty() || !flags.intrinsics.numbers.empty();
   if (given || !IsRecording(flags.camera.device)) return flags.intrinsics;
   const std::string path = IntrinsicsPathOf(flags.camera.device);
-  return {std::filesystem::exists(path) ? path : "", ""};
+  return {std::filesystem::exists(path) ? path : "", "", flags.intrinsics.distortion};
 }
 
 ChosenIntrinsics Choose(const StreamFlags& flags, const Camera& camera) {
@@ -73,11 +75,14 @@ int RunStream(const StreamFlags& flags) {
   std::optional<Viewer> viewer;
   if (flags.view) viewer.emplace();
   const client::Client client = ConnectTo(flags);
-  const OpenNiRuntime runtime;
+  std::optional<OpenNiRuntime> openni;
+  if (!IsV4l2(camera_options.device)) openni.emplace();
   CameraSource source(camera_options, options.patience, std::cerr);
   options.intrinsics = Choose(flags, source.CurrentCamera()).values;
   Viewer* const window = viewer ? &*viewer : nullptr;
-  Results results(flags.save_folder, options.intrinsics, window, std::cout);
+  v1::Frame cameras;
+  SetCameras(options, &cameras);
+  Results results(flags.save_folder, cameras, window, std::cout);
   Tally tally;
   const Session session{client, source, results, window, tally, std::cerr};
   std::exception_ptr error;

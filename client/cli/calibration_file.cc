@@ -8,20 +8,25 @@
 #include <stdexcept>
 #include <vector>
 
+#include "client/cli/distortion.h"
 #include "client/cli/files.h"
 #include "client/cli/parsing.h"
+#include "client/images.h"
 
 namespace fovea::cli {
 namespace {
 
-Calibration ParseJson(const std::string& text) {
-  const auto json = nlohmann::json::parse(text);
-  return {.fx = json.at("fx"),
-          .fy = json.at("fy"),
-          .cx = json.at("cx"),
-          .cy = json.at("cy"),
-          .width = json.at("width"),
-          .height = json.at("height")};
+Calibration ParseJson(const nlohmann::json& json) {
+  Calibration calibration{.fx = json.at("fx"),
+                          .fy = json.at("fy"),
+                          .cx = json.at("cx"),
+                          .cy = json.at("cy"),
+                          .width = json.at("width"),
+                          .height = json.at("height"),
+                          .distortion = {}};
+  calibration.distortion = MakeDistortion(json.value("distortion_model", ""),
+                                          json.value("distortion", std::vector<double>{}));
+  return calibration;
 }
 
 YAML::Node Field(const YAML::Node& node, const char* name) {
@@ -30,16 +35,24 @@ YAML::Node Field(const YAML::Node& node, const char* name) {
   return field;
 }
 
-bool IsDistorted(const YAML::Node& coefficients) {
-  if (!coefficients || coefficients.IsNull()) return false;
-  const auto values = coefficients.as<std::vector<double>>();
-  return std::any_of(values.begin(), values.end(), [](double value) { return value != 0; });
+// `coefficients` may be missing.
+std::optional<v1::LensDistortion> DistortionOf(const YAML::Node& yaml,
+                                               const YAML::Node& coefficients) {
+  if (!coefficients || coefficients.IsNull()) return std::nullopt;
+  const YAML::Node model = yaml["distortion_model"];
+  return MakeDistortion(model && !model.IsNull() ? model.as<std::string>() : "",
+                        coefficients.as<std::vector<double>>());
 }
 
 Calibration FromMatrix(const YAML::Node& node, const char* name) {
   const auto matrix = node.as<std::vector<double>>();
   if (matrix.size() != 9) throw std::runtime_error(std::string(name) + " must have 9 numbers");
-  return {.fx = matrix[0], .fy = matrix[4], .cx = matrix[2], .cy = matrix[5]};
+  Calibration calibration;
+  calibration.fx = matrix[0];
+  calibration.fy = matrix[4];
+  calibration.cx = matrix[2];
+  calibration.cy = matrix[5];
+  return calibration;
 }
 
 // A message; ROS 1 writes K and D.
@@ -48,7 +61,7 @@ Calibration ParseCameraInfo(const YAML::Node& yaml) {
   Calibration calibration = FromMatrix(Field(yaml, is_ros2 ? "k" : "K"), is_ros2 ? "k" : "K");
   calibration.width = Field(yaml, "width").as<int>();
   calibration.height = Field(yaml, "height").as<int>();
-  calibration.distorted = IsDistorted(yaml[is_ros2 ? "d" : "D"]);
+  calibration.distortion = DistortionOf(yaml, yaml[is_ros2 ? "d" : "D"]);
   return calibration;
 }
 
@@ -60,7 +73,7 @@ Calibration ParseRos(const std::string& text) {
   calibration.width = Field(yaml, "image_width").as<int>();
   calibration.height = Field(yaml, "image_height").as<int>();
   if (const YAML::Node distortion = yaml["distortion_coefficients"]) {
-    calibration.distorted = IsDistorted(Field(distortion, "data"));
+    calibration.distortion = DistortionOf(yaml, Field(distortion, "data"));
   }
   return calibration;
 }
@@ -68,7 +81,7 @@ Calibration ParseRos(const std::string& text) {
 Calibration ParseLine(const std::string& text) {
   const std::string line = text.substr(0, text.find_last_not_of(" \t\r\n") + 1);
   const auto k = ParseNumbers(line, 4, "it", "FX,FY,CX,CY");
-  return {.fx = k[0], .fy = k[1], .cx = k[2], .cy = k[3]};
+  return CalibrationOf(client::MakeIntrinsics(k[0], k[1], k[2], k[3]), {});
 }
 
 void Check(const Calibration& c) {
@@ -86,12 +99,33 @@ void CheckSize(const Calibration& c) {
 Calibration Parse(const std::string& text) {
   const char first = text[std::min(text.find_first_not_of(" \t\r\n"), text.size() - 1)];
   if ((first >= '0' && first <= '9') || first == '.') return ParseLine(text);
-  const Calibration calibration = first == '{' ? ParseJson(text) : ParseRos(text);
+  const auto json = first == '{' ? nlohmann::json::parse(text) : nlohmann::json();
+  const bool is_ours = json.is_object() && !json.contains("k") && !json.contains("K");
+  // JSON is YAML, too.
+  const Calibration calibration = is_ours ? ParseJson(json) : ParseRos(text);
   CheckSize(calibration);
   return calibration;
 }
 
 }  // namespace
+
+v1::CameraIntrinsics IntrinsicsOf(const Calibration& c) {
+  v1::CameraIntrinsics intrinsics = client::MakeIntrinsics(c.fx, c.fy, c.cx, c.cy);
+  if (c.distortion) *intrinsics.mutable_distortion() = *c.distortion;
+  return intrinsics;
+}
+
+Calibration CalibrationOf(const v1::CameraIntrinsics& k, const cv::Size& size) {
+  Calibration calibration{.fx = k.fx(),
+                          .fy = k.fy(),
+                          .cx = k.cx(),
+                          .cy = k.cy(),
+                          .width = size.width,
+                          .height = size.height,
+                          .distortion = {}};
+  if (k.has_distortion()) calibration.distortion = k.distortion();
+  return calibration;
+}
 
 Calibration ReadCalibration(const std::string& path) {
   const std::string text = ReadFile(path);
@@ -107,6 +141,11 @@ Calibration ReadCalibration(const std::string& path) {
 std::string ToCalibrationJson(const Calibration& c) {
   nlohmann::ordered_json json{{"fx", c.fx}, {"fy", c.fy}, {"cx", c.cx}, {"cy", c.cy}};
   if (c.width > 0) json.update({{"width", c.width}, {"height", c.height}});
+  if (c.distortion) {
+    const auto& numbers = c.distortion->coefficients();
+    json["distortion_model"] = ModelName(*c.distortion);
+    json["distortion"] = std::vector<double>(numbers.begin(), numbers.end());
+  }
   return json.dump(1) + "\n";
 }
 

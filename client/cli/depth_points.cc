@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "client/cli/geometry.h"
+#include "client/cli/lens.h"
 
 namespace fovea::cli {
 namespace {
@@ -15,42 +16,50 @@ namespace {
 // A point this much farther away than another one beside it is hidden behind that.
 constexpr double kHiddenBehind = 1.05;
 
-cv::Vec3d PointOf(int x, int y, double z, const v1::CameraIntrinsics& k) {
-  return {(x - k.cx()) / k.fx() * z, (y - k.cy()) / k.fy() * z, z};
-}
+cv::Vec3d PointOf(const cv::Vec2d& ray, double z) { return {ray[0] * z, ray[1] * z, z}; }
 
 std::vector<DepthPoint> RegisteredPoints(const cv::Mat& depth, const FrameSettings& settings) {
+  const cv::Mat rays = RaysOf(settings.intrinsics, depth.size());
   std::vector<DepthPoint> points;
   for (int y = 0; y < depth.rows; ++y) {
     for (int x = 0; x < depth.cols; ++x) {
       const double z = depth.at<std::uint16_t>(y, x) * settings.depth_unit_m;
-      if (z != 0) points.push_back({PointOf(x, y, z, settings.intrinsics), {x, y}});
+      if (z != 0) points.push_back({PointOf(rays.at<cv::Vec2d>(y, x), z), {x, y}});
     }
   }
   return points;
 }
 
-// Those in the colour image, hidden or not.
-std::vector<DepthPoint> ProjectedPoints(const cv::Mat& depth, const FrameSettings& settings,
-                                        const cv::Size& color_size) {
-  const v1::CameraIntrinsics& k = settings.intrinsics;
+// In the frame of the colour camera and before it.
+std::vector<cv::Vec3d> PositionsInColor(const cv::Mat& depth, const FrameSettings& settings) {
+  constexpr double kNearest_m = 0.01;
   const v1::Pose& pose = settings.depth_camera->color_from_depth;
   const cv::Matx33d rotation = RotationOf(pose.orientation());
   const cv::Vec3d translation = ToVec(pose.position());
-  const cv::Rect2d image(-0.5, -0.5, color_size.width, color_size.height);
-  std::vector<DepthPoint> points;
+  const cv::Mat rays = RaysOf(settings.depth_camera->intrinsics, depth.size());
+  std::vector<cv::Vec3d> positions;
   for (int y = 0; y < depth.rows; ++y) {
     for (int x = 0; x < depth.cols; ++x) {
       const double z = depth.at<std::uint16_t>(y, x) * settings.depth_unit_m;
-      const cv::Vec3d p =
-          rotation * PointOf(x, y, z, settings.depth_camera->intrinsics) + translation;
-      if (z == 0 || !(p[2] > 0.01)) continue;
-      const cv::Point2d pixel(k.fx() * p[0] / p[2] + k.cx(), k.fy() * p[1] / p[2] + k.cy());
-      if (!image.contains(pixel)) continue;
-      points.push_back({p,
-                        {std::clamp(cvRound(pixel.x), 0, color_size.width - 1),
-                         std::clamp(cvRound(pixel.y), 0, color_size.height - 1)}});
+      const cv::Vec3d p = rotation * PointOf(rays.at<cv::Vec2d>(y, x), z) + translation;
+      if (z != 0 && p[2] > kNearest_m) positions.push_back(p);
     }
+  }
+  return positions;
+}
+
+// Those in the colour image, hidden or not.
+std::vector<DepthPoint> ProjectedPoints(const cv::Mat& depth, const FrameSettings& settings,
+                                        const cv::Size& color_size) {
+  const cv::Rect2d image(-0.5, -0.5, color_size.width, color_size.height);
+  const std::vector<cv::Vec3d> positions = PositionsInColor(depth, settings);
+  const std::vector<cv::Point2d> pixels = PixelsOf(positions, settings.intrinsics, color_size);
+  std::vector<DepthPoint> points;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    if (!image.contains(pixels[i])) continue;
+    points.push_back({positions[i],
+                      {std::clamp(cvRound(pixels[i].x), 0, color_size.width - 1),
+                       std::clamp(cvRound(pixels[i].y), 0, color_size.height - 1)}});
   }
   return points;
 }

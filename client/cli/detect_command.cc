@@ -35,10 +35,12 @@ void SetIntrinsics(const DetectFlags& flags, FrameSettings* settings) {
           "file");
   const GivenIntrinsics given =
       ReadIntrinsics(beside.empty() ? flags.intrinsics : beside, "--intrinsics");
-  if (given.distorted) {
-    std::cerr << "note: " << given.path << " has lens distortion, which is not corrected\n";
-  }
   settings->intrinsics = given.values;
+  SetDistortion(flags.distortion, &settings->intrinsics);
+  if (flags.distortion.empty() && given.values.has_distortion()) {
+    std::cerr << "note: lens distortion from " << given.path
+              << " (--distortion none where images are rectified)\n";
+  }
   settings->intrinsics_path = given.path;
   settings->size = given.size;
 }

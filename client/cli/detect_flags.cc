@@ -26,8 +26,14 @@ void AddCameraFlags(CLI::App& command, DetectFlags& flags) {
   AddFlag(
       command, "--intrinsics", flags.intrinsics, "FX,FY,CX,CY|FILE",
       "Of the colour camera in pixels, for example 525,525,319.5,239.5, or a calibration: ROS "
-      "camera_info YAML, or JSON with fx, fy, cx, cy, width, height; required unless the folder "
+      "camera_info, YAML or JSON, or JSON with fx, fy, cx, cy, width, height; required unless the "
+      "folder "
       "of --input holds intrinsics.json, camera_info.yaml or intrinsics.txt");
+  AddFlag(
+      command, "--distortion", flags.distortion, "MODEL=K1,K2,...",
+      "Of the colour camera's lens, in place of the calibration's: plumb_bob (4 or 5 numbers, "
+      "OpenCV's order), rational_polynomial (8) or equidistant (4, a fisheye); none = images are "
+      "rectified");
   AddFlag(command, "--depth-intrinsics", flags.depth_intrinsics, "FX,FY,CX,CY|FILE",
           "Of the depth camera in pixels of the depth image, where depth is not registered to "
           "colour");

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "client/cli/calibration_file.h"
+#include "client/cli/distortion.h"
 #include "client/cli/parsing.h"
 #include "client/images.h"
 
@@ -15,10 +16,17 @@ GivenIntrinsics ReadIntrinsics(const std::string& text, const std::string& flag)
   std::error_code error;
   if (fs::exists(text, error)) {
     const Calibration c = ReadCalibration(text);
-    return {client::MakeIntrinsics(c.fx, c.fy, c.cx, c.cy), text, {c.width, c.height}, c.distorted};
+    return {IntrinsicsOf(c), text, {c.width, c.height}};
   }
   const auto k = ParseNumbers(text, 4, flag, "FX,FY,CX,CY, and not a file that is there");
-  return {client::MakeIntrinsics(k[0], k[1], k[2], k[3]), {}, {}, false};
+  return {client::MakeIntrinsics(k[0], k[1], k[2], k[3]), {}, {}};
+}
+
+void SetDistortion(const std::string& flag, v1::CameraIntrinsics* intrinsics) {
+  if (flag.empty()) return;
+  const auto distortion = ParseDistortion(flag);
+  intrinsics->clear_distortion();
+  if (distortion) *intrinsics->mutable_distortion() = *distortion;
 }
 
 std::string CalibrationIn(const std::string& folder) {

@@ -9,14 +9,17 @@ namespace fovea::cli {
 
 struct GivenIntrinsics {
   v1::CameraIntrinsics values;
-  std::string path;        // of the file; empty = given as numbers
-  cv::Size size;           // of the images that they are for; empty = not said
-  bool distorted = false;  // the lens is, which is not corrected
+  std::string path;  // of the file; empty = given as numbers
+  cv::Size size;     // of the images that they are for; empty = not said
 };
 
 // What a flag says: FX,FY,CX,CY, or the path of a calibration file. Throws std::exception that
 // names the flag or the file.
 GivenIntrinsics ReadIntrinsics(const std::string& text, const std::string& flag);
+
+// What --distortion says takes the place of what a calibration says; "" leaves that. Throws
+// std::invalid_argument that names the flag.
+void SetDistortion(const std::string& flag, v1::CameraIntrinsics* intrinsics);
 
 // The calibration that lies in a folder of frames: intrinsics.json, camera_info.yaml or
 // intrinsics.txt; empty where there is none.

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "client/cli/lens.h"
 #include "client/cli/overlay/drawing.h"
 #include "client/cli/overlay/extras.h"
 #include "client/cli/overlay/palette.h"
@@ -46,15 +47,16 @@ cv::Point PixelOf(const Seed& seed, const cv::Size& frame) {
 }
 
 // exp(−γ‖x − x₀‖²) of every point, CV_32FC1; 0 where there is no depth.
-cv::Mat Probability(const cv::Mat& depth_m, const v1::CameraIntrinsics& k, const v1::Vector3& seed,
+// `rays`: of the pixels of depth_m.
+cv::Mat Probability(const cv::Mat& depth_m, const cv::Mat& rays, const v1::Vector3& seed,
                     double gamma_per_m2) {
   cv::Mat probability(depth_m.size(), CV_32FC1, cv::Scalar(0));
   for (int row = 0; row < depth_m.rows; ++row) {
     for (int col = 0; col < depth_m.cols; ++col) {
       const double z = depth_m.at<float>(row, col);
       if (!(z > 0)) continue;
-      const cv::Vec3d offset((col - k.cx()) / k.fx() * z - seed.x(),
-                             (row - k.cy()) / k.fy() * z - seed.y(), z - seed.z());
+      const auto& ray = rays.at<cv::Vec2d>(row, col);
+      const cv::Vec3d offset(ray[0] * z - seed.x(), ray[1] * z - seed.y(), z - seed.z());
       probability.at<float>(row, col) =
           static_cast<float>(std::exp(-gamma_per_m2 * offset.dot(offset)));
     }
@@ -133,10 +135,10 @@ cv::Mat HypothesesPicture(const cv::Mat& color, const cv::Mat& depth_m,
   const int columns = std::clamp(count, 1, kColumns);
   const int rows = std::max(1, (count + columns - 1) / columns);
   cv::Mat picture(tile.height * rows, tile.width * columns, CV_8UC3, cv::Scalar::all(0));
+  const cv::Mat rays = RaysOf(intrinsics, depth_m.size());
   for (int i = 0; i < count; ++i) {
     const v1::Seed& seed = trace.seeds(i);
-    const cv::Mat probability =
-        Probability(depth_m, intrinsics, seed.position(), trace.gamma_per_m2());
+    const cv::Mat probability = Probability(depth_m, rays, seed.position(), trace.gamma_per_m2());
     const cv::Mat drawn = HypothesisTile(grey, probability, PixelOf(seed, color.size()), i + 1);
     drawn.copyTo(picture(
         cv::Rect({i % columns * tile.width, i / columns * tile.height},

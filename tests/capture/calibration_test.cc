@@ -5,6 +5,7 @@
 
 #include "client/capture/intrinsics.h"
 #include "client/cli/calibration_file.h"
+#include "client/images.h"
 #include "tests/support/temporary_folder.h"
 
 namespace fovea::capture {
@@ -12,6 +13,7 @@ namespace {
 
 using cli::Calibration;
 using cli::ReadCalibration;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 constexpr const char* kRos = R"(image_width: 640
@@ -52,7 +54,9 @@ TEST_F(CalibrationTest, ReadsCameraInfo) {
   EXPECT_EQ(c.cy, 238.75);
   EXPECT_EQ(c.width, 640);
   EXPECT_EQ(c.height, 480);
-  EXPECT_TRUE(c.distorted);
+  ASSERT_TRUE(c.distortion);
+  EXPECT_EQ(c.distortion->model(), v1::DISTORTION_MODEL_BROWN_CONRADY);
+  EXPECT_THAT(c.distortion->coefficients(), ElementsAre(0.04, -0.1, 0, 0, 0));
 }
 
 TEST_F(CalibrationTest, ReadsJson) {
@@ -64,7 +68,7 @@ TEST_F(CalibrationTest, ReadsJson) {
   EXPECT_EQ(c.cy, 240.5);
   EXPECT_EQ(c.width, 640);
   EXPECT_EQ(c.height, 480);
-  EXPECT_FALSE(c.distorted);
+  EXPECT_FALSE(c.distortion);
 }
 
 // As `ros2 topic echo --once` prints a message.
@@ -77,9 +81,29 @@ TEST_F(CalibrationTest, ReadsACameraInfoMessage) {
   EXPECT_EQ(c.fx, 615);
   EXPECT_EQ(c.cy, 240.5);
   EXPECT_EQ(c.width, 640);
-  EXPECT_FALSE(c.distorted);
+  EXPECT_FALSE(c.distortion);
   ExpectRefused("k: [1, 2]\nwidth: 640\nheight: 480\n", "k must have 9 numbers");
   ExpectRefused("k: [1, 0, 1, 0, 1, 1, 0, 0, 1]\n", "it has no width");
+}
+
+// As bags turned into JSON have it.
+TEST_F(CalibrationTest, ReadsACameraInfoMessageInJson) {
+  const Calibration c = ReadCalibration(
+      folder_.Write("c.json",
+                    R"({"height": 480, "width": 640, "distortion_model": "rational_polynomial",
+          "D": [0.5, -2, 0.001, 0, 1, 0.4, -1.8, 1, 0, 0, 0, 0],
+          "K": [615, 0, 320.5, 0, 616, 240.5, 0, 0, 1]})"));
+  EXPECT_EQ(c.cx, 320.5);
+  ASSERT_TRUE(c.distortion);
+  EXPECT_THAT(c.distortion->coefficients(), ElementsAre(0.5, -2, 0.001, 0, 1, 0.4, -1.8, 1));
+}
+
+TEST_F(CalibrationTest, RefusesLensesThatNoServerKnows) {
+  const std::string k = "k: [1, 0, 1, 0, 1, 1, 0, 0, 1]\nwidth: 4\nheight: 3\n";
+  ExpectRefused(k + "distortion_model: magic\nd: [1, 0, 0, 0]\n", "\"magic\" is not plumb_bob");
+  ExpectRefused(k + "d: [1, 0, 0, 0, 0, 0, 0, 0, 0, 0.5]\n", "only the first 8");
+  ExpectRefused(k + "d: [.nan, 0, 0, 0]\n", "must be finite");
+  ExpectRefused(k + "d: [a, 0, 0, 0]\n", "bad conversion");
 }
 
 TEST_F(CalibrationTest, ReadsNumbersAlone) {
@@ -90,12 +114,33 @@ TEST_F(CalibrationTest, ReadsNumbersAlone) {
 }
 
 TEST_F(CalibrationTest, ReadsWhatItWrites) {
-  const Calibration written{.fx = 525.25, .fy = 526, .cx = 1.5, .cy = 2, .width = 4, .height = 3};
+  const Calibration written{
+      .fx = 525.25,
+      .fy = 526,
+      .cx = 1.5,
+      .cy = 2,
+      .width = 4,
+      .height = 3,
+      .distortion = client::MakeLensDistortion("rational_polynomial", {1, 2, 3, 4, 5, 6, 7, 8.5})};
   const Calibration read =
       ReadCalibration(folder_.Write("c.json", cli::ToCalibrationJson(written)));
   EXPECT_EQ(read.fx, written.fx);
   EXPECT_EQ(read.cx, written.cx);
   EXPECT_EQ(read.height, written.height);
+  ASSERT_TRUE(read.distortion);
+  EXPECT_EQ(read.distortion->model(), v1::DISTORTION_MODEL_BROWN_CONRADY);
+  EXPECT_THAT(read.distortion->coefficients(), ElementsAre(1, 2, 3, 4, 5, 6, 7, 8.5));
+  const Calibration fisheye{.fx = 1,
+                            .fy = 1,
+                            .cx = 1,
+                            .cy = 1,
+                            .width = 2,
+                            .height = 2,
+                            .distortion = client::MakeLensDistortion("equidistant", {0, 0, 0, 0})};
+  const Calibration again =
+      ReadCalibration(folder_.Write("c.json", cli::ToCalibrationJson(fisheye)));
+  ASSERT_TRUE(again.distortion) << "a fisheye bends rays even then";
+  EXPECT_EQ(again.distortion->model(), v1::DISTORTION_MODEL_KANNALA_BRANDT);
 }
 
 TEST_F(CalibrationTest, SaysWhatIsMissing) {
@@ -118,13 +163,20 @@ TEST_F(CalibrationTest, SaysWhatIsMissing) {
 TEST_F(CalibrationTest, ChoosesTheBestThatIsKnown) {
   const std::string path = folder_.Write("c.yaml", kRos);
   const FieldOfView view{1.0, 0.8};
-  const ChosenIntrinsics from_file = ChooseIntrinsics({path, ""}, view, {640, 480});
+  const ChosenIntrinsics from_file = ChooseIntrinsics({path, "", ""}, view, {640, 480});
   EXPECT_EQ(from_file.values.fx(), 540.5);
-  EXPECT_THAT(from_file.warning, HasSubstr("distortion"));
-  EXPECT_EQ(ChooseIntrinsics({"", "1,2,3,4"}, view, {640, 480}).values.cy(), 4);
+  EXPECT_EQ(from_file.values.distortion().coefficients_size(), 5);
+  EXPECT_THAT(Describe(from_file), HasSubstr("cy 238.8, plumb_bob distortion, from the calib"));
+  const ChosenIntrinsics without = ChooseIntrinsics({path, "", "none"}, view, {640, 480});
+  EXPECT_FALSE(without.values.has_distortion());
+  const ChosenIntrinsics other =
+      ChooseIntrinsics({"", "1,2,3,4", "plumb_bob=0.1,0,0,-0.5"}, view, {640, 480});
+  EXPECT_THAT(other.values.distortion().coefficients(), ElementsAre(0.1, 0, 0, -0.5));
+  EXPECT_THROW(ChooseIntrinsics({path, "", "0.1,0,0,0"}, view, {640, 480}), std::invalid_argument);
+  EXPECT_EQ(ChooseIntrinsics({"", "1,2,3,4", ""}, view, {640, 480}).values.cy(), 4);
   EXPECT_THAT(ChooseIntrinsics({}, view, {640, 480}).source, HasSubstr("field of view"));
-  EXPECT_THROW(ChooseIntrinsics({path, ""}, view, {320, 240}), std::runtime_error);
-  EXPECT_THROW(ChooseIntrinsics({"", "1,2"}, view, {640, 480}), std::invalid_argument);
+  EXPECT_THROW(ChooseIntrinsics({path, "", ""}, view, {320, 240}), std::runtime_error);
+  EXPECT_THROW(ChooseIntrinsics({"", "1,2", ""}, view, {640, 480}), std::invalid_argument);
   EXPECT_THROW(ChooseIntrinsics({}, {0, 0}, {640, 480}), std::runtime_error);
 }
 

@@ -24,9 +24,9 @@ TEST(KindOf, LeavesThePlaceOut) {
 }
 
 TEST(ParseResolution, TakesWidthAndHeight) {
-  EXPECT_EQ(ParseResolution("640x480"), cv::Size(640, 480));
+  EXPECT_EQ(ParseResolution("640x480", "--resolution"), cv::Size(640, 480));
   for (const char* text : {"", "640", "640x", "640x480x3", "-1x2", "123456x2"}) {
-    EXPECT_THROW(ParseResolution(text), std::invalid_argument) << text;
+    EXPECT_THROW(ParseResolution(text, "--resolution"), std::invalid_argument) << text;
   }
 }
 

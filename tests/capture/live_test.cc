@@ -45,6 +45,12 @@ void ExpectAllAccountedFor(const std::string& out) {
       << out;
 }
 
+TEST_F(CaptureTest, ListsDevicesWithTheirModes) {
+  const Finished finished = Capture({"devices"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_EQ(finished.out, "fovea/test@0/1  Fovea, Test camera  320x240 at 15, 320x240 at 30\n");
+}
+
 TEST_F(CaptureTest, FindsTheObjectsOfTheScene) {
   const Finished finished =
       Capture(Live({"--frames", "10", "--save", At("out")}), {{"FOVEA_CAMERA_FPS", "30"}});

@@ -14,6 +14,7 @@ namespace fovea::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 class MishapsTest : public CaptureTest {
  protected:
@@ -31,6 +32,15 @@ TEST_F(MishapsTest, NoCamera) {
                      "no camera 1d27/0609@1/3 found; plugged in: fovea/test@0/1");
   ExpectOneLineError(Capture(Record(At("a.oni")), {{"FOVEA_CAMERA_FAULTS", "no-device"}}),
                      "no camera found");
+}
+
+TEST_F(MishapsTest, DevicesWithoutACamera) {
+  ExpectOneLineError(Capture({"devices"}, {{"FOVEA_CAMERA_FAULTS", "no-device"}}),
+                     "no camera found");
+  const Finished denied = Capture({"devices"}, {{"FOVEA_CAMERA_FAULTS", "denied"}});
+  EXPECT_EQ(denied.exit_code, 0) << denied.err;
+  EXPECT_THAT(denied.out, StartsWith("fovea/test@0/1  Fovea, Test camera  does not open: "));
+  EXPECT_THAT(Capture({"devcies"}).err, HasSubstr("did you mean devices?"));
 }
 
 TEST_F(MishapsTest, AnOptionThatIsNone) {

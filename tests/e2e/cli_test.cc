@@ -236,6 +236,21 @@ TEST_F(CliTest, TakesIntrinsicsFromFiles) {
   ExpectOneLineError(detect(At("k.json")),
                      At("k.json") + " is for images of 64x48, this one has 32x24");
 
+  Write(At("k.json"), R"({"width": 32, "height": 24, "k": [30, 0, 15.5, 0, 30, 11.5, 0, 0, 1],
+                          "distortion_model": "plumb_bob", "d": [-0.1, 0.01, 0, 0, 0]})");
+  const Finished bent = detect(At("k.json"));
+  EXPECT_EQ(bent.exit_code, 0) << bent.err;
+  EXPECT_THAT(bent.err, HasSubstr("note: lens distortion from " + At("k.json")));
+  // It is the server that looks at what was sent.
+  const auto with = [&](const std::string& distortion) {
+    return DetectFrame({"--distortion", distortion, "--overlay", At("o.png"), "--json", "-"});
+  };
+  EXPECT_THAT(with("plumb_bob=-0.1,0.01,0,0").out, HasSubstr("\"distortion\":{\"model\":"));
+  EXPECT_THAT(with("none").out, Not(HasSubstr("distortion")));
+  ExpectOneLineError(with("plumb_bob=-5,0,0,0"),
+                     "INVALID_ARGUMENT: frame.intrinsics.distortion.coefficients: ");
+  ExpectOneLineError(with("plumb_bob"), "--distortion: \"plumb_bob\" is not MODEL=K1,K2,");
+
   // Of a folder without --intrinsics the one that lies there.
   const std::vector<std::string> folder{FOVEA_CLI, "detect",         "--server", server_.address(),
                                         "--input", folder_.string(), "--output", At("out")};

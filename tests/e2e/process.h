@@ -29,6 +29,7 @@ class Process {
   bool WriteLine(const std::string& line) const;
   // The next line of stdout, without its end; empty when the child closed it.
   std::string ReadLine();
+  pid_t pid() const { return pid_; }
   // Returns once stderr holds `text`.
   void AwaitError(const std::string& text) const;
   void Signal(int number) const;

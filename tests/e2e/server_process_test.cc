@@ -67,6 +67,8 @@ TEST(ServerProcess, SaysThatThePortOfTheMetricsIsTaken) {
 TEST(ServerProcess, RefusesBadFlagsInOneLine) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
       {{"--no-such-flag"}, "--no-such-flag"},
+      {{"--lisen", "3"}, "--lisen; did you mean --listen? (--help lists the flags)"},
+      {{"--show", "lisen"}, "--show: \"lisen\" is no key"},
       {{"--listen", "nowhere"}, "--listen: \"nowhere\""},
       {{"--max-pixels", "many"}, "--max-pixels"},
       {{"--max-message-mib", "4096"}, "--max-message-mib: 4096 is not between 1 and 1024"}};
@@ -129,6 +131,17 @@ TEST(ServerProcess, ChecksItsConfiguration) {
   EXPECT_THAT(missing.err, StartsWith("fovea-server: --config: /nowhere.toml"));
 }
 
+TEST(ServerProcess, ShowsWhatAFlagHasWithItsFile) {
+  const ConfigFile file("max-pixels = 1000\nmetrics-listen = \"127.0.0.1:9000\"\n");
+  const auto shown = [&](const std::string& key) {
+    return Execute({FOVEA_SERVER, "--config", file.path(), "--max-pixels", "2000", "--show", key});
+  };
+  EXPECT_EQ(shown("metrics-listen").out, "127.0.0.1:9000\n");
+  EXPECT_EQ(shown("max-pixels").out, "2000\n");
+  EXPECT_EQ(shown("tokens").out, "\n");
+  EXPECT_EQ(shown("tokens").exit_code, 0);
+}
+
 TEST(ServerProcess, TheSampleConfigurationIsValid) {
   const Finished sample = Execute(
       {FOVEA_SERVER, "--check-config", "--config", FOVEA_SOURCE_DIR "/deploy/fovea-server.toml"});
@@ -159,6 +172,23 @@ TEST(ServerProcess, IsAskedForItsHealthByTheImage) {
   server.process().Signal(SIGTERM);
   server.process().Wait();
   EXPECT_NE(Execute({check, port}).exit_code, 0);
+
+  // The port is free again; this time the check finds it by itself.
+  const ConfigFile file("metrics-listen = \"0.0.0.0:" + port + "\"\n");
+  ServerProcess next({"--config", file.path()});
+  EXPECT_THAT(next.process().ReadLine(), HasSubstr(port));
+  const std::string pid = "SERVER_PID=" + std::to_string(next.process().pid());
+  const Finished found = Execute({"/usr/bin/env", pid, check});
+  EXPECT_EQ(found.out, "/livez says 200\n") << found.err;
+}
+
+TEST(ServerProcess, IsNotHealthyForTheImageWhereNobodyCanBeAsked) {
+  ServerProcess server;
+  const std::string pid = "SERVER_PID=" + std::to_string(server.process().pid());
+  const Finished silent =
+      Execute({"/usr/bin/env", pid, FOVEA_SOURCE_DIR "/deploy/container/fovea-health"});
+  EXPECT_EQ(silent.exit_code, 1);
+  EXPECT_EQ(silent.out, "metrics-listen is empty: nobody to ask\n");
 }
 
 // The hold is long: only a second signal ends it before the test's patience does.

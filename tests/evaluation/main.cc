@@ -4,6 +4,7 @@
 #include <exception>
 #include <iostream>
 
+#include "flags/misspelling.h"
 #include "server/compute_process.h"
 #include "tests/evaluation/detection_command.h"
 #include "tests/evaluation/grasp_figures/grasps_command.h"
@@ -19,7 +20,7 @@ namespace {
 
 int Run(int argc, char** argv) {
   fovea::server::SetUpComputing(1);  // times are those of the server, one thread a frame
-  CLI::App app{"Scores the detector and its saliency against ground truth."};
+  CLI::App app{"Scores the detector and its saliency against ground truth.", "fovea-eval"};
   app.require_subcommand(1);
   fovea::evaluation::AddDetectionCommand(app);
   fovea::evaluation::AddSaliencyCommand(app);
@@ -30,6 +31,7 @@ int Run(int argc, char** argv) {
   fovea::evaluation::AddGraspsCommand(app);
   fovea::evaluation::AddRgbdScenesCommand(app);
   fovea::evaluation::AddTrackingCommand(app);
+  fovea::flags::NameMisspellings(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -12,6 +12,7 @@
 
 #include "client/cli/progress.h"
 #include "client/images.h"
+#include "flags/misspelling.h"
 #include "tests/load/plans.h"
 #include "tests/load/process_watch.h"
 #include "tests/load/report.h"
@@ -178,6 +179,7 @@ int main(int argc, char** argv) try {
   CLI::App app("Simulates robots that send frames to a fovea server.", "fovea-load");
   Flags flags;
   AddFlags(app, flags);
+  fovea::flags::NameMisspellings(app, argc, argv);
   CLI11_PARSE(app, argc, argv);
   const auto outcomes = RunAll(flags);
   std::cout << fovea::load::Report(outcomes, flags.seconds);

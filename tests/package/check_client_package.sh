@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Installs the client library into an empty folder, builds the examples against it by CMake and one
 # by pkg-config, and runs them against a real server.
-# usage: check_client_package.sh BUILD_FOLDER SOURCE_FOLDER SERVER SCENES_TOOL CLEAN_UP_TOOL
+# usage: check_client_package.sh BUILD_FOLDER SOURCE_FOLDER SERVER SCENES_TOOL CLEAN_UP_TOOL [PYTHON]
+# With PYTHON, which must have numpy and Pillow, the example of fovea::pcl too.
 set -euo pipefail
-build=$1 source=$2 server=$3 scenes=$4 clean_up=$5
+build=$1 source=$2 server=$3 scenes=$4 clean_up=$5 python=${6:-}
 
 work=$(mktemp -d)
 server_pid=""
@@ -13,6 +14,11 @@ cmake --install "$build" --component dev --prefix "$work/prefix" >/dev/null
 cmake -S "$source/client/examples/cpp" -B "$work/examples" -G Ninja \
   -DCMAKE_PREFIX_PATH="$work/prefix" >/dev/null
 cmake --build "$work/examples"
+if [ -n "$python" ]; then
+  cmake -S "$source/client/examples/pcl" -B "$work/pcl_example" -G Ninja \
+    -DCMAKE_PREFIX_PATH="$work/prefix" >/dev/null
+  cmake --build "$work/pcl_example"
+fi
 
 export PKG_CONFIG_PATH=$work/prefix/lib/pkgconfig
 # shellcheck disable=SC2046  # a list of flags
@@ -38,3 +44,10 @@ done
 grep -q "^frame .* objects*, " "$work/stream"
 "$clean_up" --things 2 --sensor ideal -- "$work/examples/clean_up" "$address" | tee "$work/clean_up"
 grep -q " taken$" "$work/clean_up"
+if [ -n "$python" ]; then
+  "$python" "$source/tests/package/make_cloud.py" "${frame}_color.png" "${frame}_depth.png" \
+    525,525,319.5,239.5 "$work/cloud.pcd"
+  "$work/pcl_example/detect_cloud" "$address" "$work/cloud.pcd" | tee "$work/cloud"
+  # As many objects as of the images that the cloud was made of.
+  [ "$(grep -c " points around .* m$" "$work/cloud")" -eq "$(wc -l <"$work/once")" ]
+fi

@@ -13,6 +13,7 @@
 #include <regex>
 #include <sstream>
 
+#include "flags/misspelling.h"
 #include "tests/support/depth_camera.h"
 #include "tests/support/preview.h"
 #include "tests/support/random_scene.h"
@@ -102,7 +103,7 @@ void WriteFrames(const Flags& flags) {
 }
 
 int Run(int argc, char** argv) {
-  CLI::App app{"Writes generated RGB-D frames with exact ground truth."};
+  CLI::App app{"Writes generated RGB-D frames with exact ground truth.", "fovea-scenes"};
   Flags flags;
   std::vector<std::string> kinds = SceneKinds();
   kinds.emplace_back("all");
@@ -131,6 +132,7 @@ int Run(int argc, char** argv) {
                  "WIDTHxHEIGHT of a depth camera 25 mm to the left of colour, whose depth is "
                  "written as it is, not registered")
       ->excludes(preview);
+  flags::NameMisspellings(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "client/cli/lens.h"
+
 namespace fovea::cli {
 namespace {
 
@@ -12,8 +14,8 @@ constexpr double kNearest_m = 0.02;
 std::optional<cv::Point2d> View::Project(const cv::Vec3d& point) const {
   constexpr double kFarthest_px = 1e5;
   if (!(point[2] >= kNearest_m)) return std::nullopt;
-  const cv::Point2d pixel = At(intrinsics.fx() * point[0] / point[2] + intrinsics.cx(),
-                               intrinsics.fy() * point[1] / point[2] + intrinsics.cy());
+  const cv::Point2d seen = PixelsOf({point}, intrinsics, frame).front();
+  const cv::Point2d pixel = At(seen.x, seen.y);
   if (!(std::abs(pixel.x) + std::abs(pixel.y) < kFarthest_px)) return std::nullopt;
   return pixel;
 }

@@ -11,6 +11,7 @@
 
 #include "core/options.h"
 #include "core/types/helpers.h"
+#include "flags/misspelling.h"
 #include "server/compute_process.h"
 #include "tests/benchmark/side_by_side/measurement.h"
 #include "tests/evaluation/output.h"
@@ -156,8 +157,9 @@ void Run(const Flags& flags) {
 int main(int argc, char** argv) {
   try {
     fovea::benchmark::Flags flags;
-    CLI::App app{"Times the profiles and their peers side by side: ratios first."};
+    CLI::App app{"Times the profiles and their peers side by side: ratios first.", "fovea-bench"};
     fovea::benchmark::AddFlags(flags, app);
+    fovea::flags::NameMisspellings(app, argc, argv);
     CLI11_PARSE(app, argc, argv);
     fovea::server::SetUpComputing(1);
     fovea::benchmark::Run(flags);

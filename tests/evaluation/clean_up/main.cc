@@ -7,6 +7,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "flags/misspelling.h"
 #include "tests/evaluation/clean_up/clean_up_report.h"
 #include "tests/evaluation/output.h"
 
@@ -43,6 +44,7 @@ int Run(int argc, char** argv) {
   app.add_option("--pictures", flags.pictures, "Write a picture of each step to this folder");
   app.add_option("--json", json, "Write every step to this file");
   app.add_option("program", flags.program, "Its command line, after --")->required();
+  fovea::flags::NameMisspellings(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <ostream>
 
-#include "client/capture/camera.h"
 #include "client/capture/camera_error.h"
+#include "client/capture/openni_camera.h"
 
 namespace fovea::capture {
 namespace {
@@ -15,7 +15,7 @@ constexpr double kAsRead = -1;
 
 }  // namespace
 
-Camera::Camera(const CameraOptions& options, std::ostream& notes)
+OpenNiCamera::OpenNiCamera(const CameraOptions& options, std::ostream& notes)
     : options_(options), uri_(FindDevice(options.device)), watch_(uri_) {
   if (device_.open(uri_.c_str()) != openni::STATUS_OK) {
     if (IsRecording(uri_)) throw CameraError(uri_ + " is damaged: " + OpenNiReason());
@@ -30,17 +30,17 @@ Camera::Camera(const CameraOptions& options, std::ostream& notes)
   last_arrival_ = steady_clock::now();
 }
 
-Camera::~Camera() {
+OpenNiCamera::~OpenNiCamera() {
   Stop();
   for (openni::VideoStream* stream : both_) stream->destroy();
   device_.close();
 }
 
-void Camera::Stop() {
+void OpenNiCamera::Stop() {
   for (openni::VideoStream* stream : both_) stream->stop();
 }
 
-void Camera::StartRecording(std::ostream& notes) {
+void OpenNiCamera::StartRecording(std::ostream& notes) {
   const openni::VideoMode color = streams_.color.getVideoMode();
   const openni::VideoMode depth = streams_.depth.getVideoMode();
   options_.size = {color.getResolutionX(), color.getResolutionY()};
@@ -54,13 +54,13 @@ void Camera::StartRecording(std::ostream& notes) {
   Start();
 }
 
-void Camera::SetSpeed(double speed) {
+void OpenNiCamera::SetSpeed(double speed) {
   if (device_.getPlaybackControl()->setSpeed(static_cast<float>(speed)) == openni::STATUS_OK)
     return;
   throw CameraError(uri_ + " cannot be played at that speed: " + OpenNiReason());
 }
 
-void Camera::StartCamera(std::ostream& notes) {
+void OpenNiCamera::StartCamera(std::ostream& notes) {
   SetModes(options_, streams_);
   bool registered = SetRegistration(device_);
   SetSyncAndMirror(device_, streams_, notes);
@@ -75,7 +75,7 @@ void Camera::StartCamera(std::ostream& notes) {
   notes << "note: " << problem << "; masks and positions will be off\n";
 }
 
-void Camera::Start() {
+void OpenNiCamera::Start() {
   for (openni::VideoStream* stream : both_) {
     if (stream->start() == openni::STATUS_OK) continue;
     throw CameraError("the camera " + uri_ + " does not start: " + OpenNiReason());

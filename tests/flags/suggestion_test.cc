@@ -1,8 +1,8 @@
-#include "client/cli/suggestion.h"
+#include "flags/suggestion.h"
 
 #include <gtest/gtest.h>
 
-namespace fovea::cli {
+namespace fovea::flags {
 namespace {
 
 TEST(Suggest, FindsWhatWasMeant) {
@@ -18,4 +18,4 @@ TEST(Suggest, FindsWhatWasMeant) {
 }
 
 }  // namespace
-}  // namespace fovea::cli
+}  // namespace fovea::flags

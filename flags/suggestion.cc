@@ -1,8 +1,8 @@
-#include "client/cli/suggestion.h"
+#include "flags/suggestion.h"
 
 #include <algorithm>
 
-namespace fovea::cli {
+namespace fovea::flags {
 namespace {
 
 // Damerau's distance, by optimal string alignment.
@@ -40,4 +40,4 @@ std::string Suggest(const std::string& word, const std::vector<std::string>& can
   return best;
 }
 
-}  // namespace fovea::cli
+}  // namespace fovea::flags

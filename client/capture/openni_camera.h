@@ -1,0 +1,55 @@
+#pragma once
+
+#include <OpenNI.h>
+
+#include <array>
+#include <opencv2/core/mat.hpp>
+
+#include "client/capture/camera.h"
+#include "client/capture/devices.h"
+#include "client/capture/pairing.h"
+
+namespace fovea::capture {
+
+// A camera or a recording of OpenNI2.
+class OpenNiCamera : public Camera {
+ public:
+  // Opens and starts it; `notes` gets what a person should know. Throws CameraError.
+  OpenNiCamera(const CameraOptions& options, std::ostream& notes);
+  ~OpenNiCamera() override;
+
+  std::optional<Picture> Next(std::chrono::milliseconds patience) override;
+  bool AtEnd() const override;
+  std::string Name() const override { return KindOf(uri_); }
+  const std::string& Uri() const override { return uri_; }
+  cv::Size size() const override { return options_.size; }
+  FieldOfView StatedFieldOfView() const override;
+  CameraLosses Losses() const override;
+
+  // No more frames come.
+  void Stop();
+  Streams& BothStreams() { return streams_; }
+
+ private:
+  void StartRecording(std::ostream& notes);
+  void SetSpeed(double speed);
+  void StartCamera(std::ostream& notes);
+  void Start();
+  std::optional<Picture> Read(std::size_t index);
+  void CheckSilence() const;
+
+  CameraOptions options_;
+  const std::string uri_;
+  UnplugWatch watch_;
+  openni::Device device_;
+  Streams streams_;
+  const std::array<openni::VideoStream*, 2> both_{&streams_.color, &streams_.depth};
+  std::array<int, 2> last_index_{0, 0};
+  std::optional<Pairing<cv::Mat>> pairing_;
+  CameraLosses losses_;
+  double depth_unit_m_ = 0.001;
+  bool read_ = false, delivered_ = false;
+  std::chrono::steady_clock::time_point last_arrival_;
+};
+
+}  // namespace fovea::capture

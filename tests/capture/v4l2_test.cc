@@ -1,0 +1,119 @@
+// Video nodes of the kernel, by a stand-in for its ioctl() (video_driver.cc).
+#include <gmock/gmock.h>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "tests/capture/capture_process.h"
+
+namespace fovea::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+class V4l2Test : public CaptureTest {
+ protected:
+  V4l2Test() {
+    folder_.Write("video-depth", "");
+    folder_.Write("video-color", "");
+    const CameraIntrinsics& k = frames_.front().frame.intrinsics;
+    char text[160];
+    std::snprintf(
+        text, sizeof text,
+        R"({"fx": %.9g, "fy": %.9g, "cx": %.9g, "cy": %.9g, "width": 320, "height": 240})", k.fx_px,
+        k.fy_px, k.cx_px, k.cy_px);
+    folder_.Write("k.json", text);
+  }
+
+  std::string Device() const { return "v4l2:" + At("video-depth") + "," + At("video-color"); }
+
+  // Depth of the generated frames is registered.
+  Finished Run(std::vector<std::string> flags, const std::string& faults = "") const {
+    flags.insert(flags.end(), {"--device", Device(), "--calibration", At("k.json")});
+    return Capture(Live(flags), {{"LD_PRELOAD", FOVEA_VIDEO_DRIVER},
+                                 {"ASAN_OPTIONS", "verify_asan_link_order=0"},
+                                 {"FOVEA_CAMERA_FAULTS", faults}});
+  }
+  Finished RunSix(const std::string& faults) const {
+    return Run({"--allow-unregistered", "--frames", "6", "--every-frame", "--frame-timeout", "0.5"},
+               faults);
+  }
+};
+
+TEST_F(V4l2Test, TakesDepthAndColorOfTheSameMoment) {
+  const Finished finished =
+      Run({"--allow-unregistered", "--frames", "4", "--every-frame", "--save", At("out")});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_EQ(CountOf(finished.out, "answered"), 4) << finished.out;
+  const std::vector<SavedFrame> saved = Saved(At("out"));
+  ASSERT_EQ(saved.size(), 4U);
+  for (std::size_t i = 0; i < saved.size(); ++i) {
+    EXPECT_EQ(saved[i].generated, i % frames_.size()) << "depth without loss";
+    const cv::Mat& color = frames_[saved[i].generated].frame.color_rgb;
+    EXPECT_LT(cv::norm(saved[i].color, color, cv::NORM_L1) / (3.0 * color.total()), 6);
+    double num_objects = 0;
+    cv::minMaxLoc(saved[i].labels, nullptr, &num_objects);
+    EXPECT_GT(num_objects, 0);
+  }
+}
+
+TEST_F(V4l2Test, TellsTheServerWhereTheDepthCameraIs) {
+  const Finished finished =
+      Run({"--frames", "1", "--every-frame", "--save", At("out"), "--depth-intrinsics",
+           At("k.json"), "--color-from-depth", "0.015,0,0,0,0,0,1", "--depth-unit", "0.0005"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  const std::vector<SavedFrame> saved = Saved(At("out"));
+  ASSERT_EQ(saved.size(), 1U);
+  EXPECT_THAT(saved.front().json, HasSubstr("\"color_from_depth\":{"));
+  EXPECT_THAT(saved.front().json, HasSubstr("\"x\":0.015"));
+  EXPECT_THAT(saved.front().json, HasSubstr("0.0005"));
+}
+
+TEST_F(V4l2Test, ReadsRowsWithPadding) {
+  const Finished finished = Run(
+      {"--allow-unregistered", "--frames", "2", "--every-frame", "--save", At("out")}, "padded");
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_EQ(Saved(At("out")).size(), 2U);
+}
+
+TEST_F(V4l2Test, LeavesOutBrokenImages) {
+  const Finished finished = RunSix("broken");
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_EQ(CountOf(finished.out, "answered"), 6) << finished.out;
+  ExpectOneLineError(RunSix("short"), "no pair of images arrives from " + Device() + " for 0.5 s");
+}
+
+TEST_F(V4l2Test, GoesOnWithACameraThatComesBack) {
+  const Finished finished = RunSix("gone");
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_THAT(finished.err, HasSubstr("video-depth is gone: No such device; waiting"));
+  EXPECT_THAT(finished.err, HasSubstr("the camera " + Device() + " is back"));
+  EXPECT_EQ(CountOf(finished.out, "answered"), 6) << finished.out;
+}
+
+TEST_F(V4l2Test, SaysWhatIsWrongWithTheNodes) {
+  ExpectOneLineError(RunSix("no-z16"), "video-depth has no Z16 (depth); it has: YUYV");
+  ExpectOneLineError(RunSix("busy"), "video-depth is used by another program: ");
+  ExpectOneLineError(Run({"--allow-unregistered", "--depth-resolution", "640x480"}),
+                     "video-depth has no 640x480; nearest is 320x240");
+  ExpectOneLineError(Run({"--frames", "1"}), "give --depth-intrinsics and --color-from-depth");
+}
+
+// Of this machine's kernel itself.
+TEST_F(V4l2Test, SaysWhatIsNoVideoNode) {
+  const auto run = [&](const std::string& device) {
+    return Capture(Live({"--allow-unregistered", "--device", device}));
+  };
+  ExpectOneLineError(run(Device()), "video-depth is no video device: Inappropriate ioctl");
+  ExpectOneLineError(run("v4l2:" + At("none") + "," + At("none")),
+                     "cannot be opened: No such file");
+  ExpectOneLineError(run("v4l2:/dev/video0"), "is not v4l2:DEPTH,COLOR");
+  ExpectOneLineError(Capture(Record(At("a.oni"), {"--device", Device()})),
+                     "only what OpenNI2 sees is recorded");
+  ExpectOneLineError(
+      Capture(Live({"--depth-intrinsics", "1,1,1,1", "--color-from-depth", "0,0,0,0,0,0,1"})),
+      "--depth-intrinsics is for --device v4l2:");
+}
+
+}  // namespace
+}  // namespace fovea::testing
