@@ -15,6 +15,7 @@ libgtest-dev libgmock-dev libbenchmark-dev libmatio-dev libdlib-dev
 python3 python3-grpcio python3-numpy python3-protobuf python3-setuptools
 help2man file haproxy
 python3-pil python3-pip python3-pytest python3-zstandard openssl
+chromium chromium-driver python3-selenium
 "
 
 missing=""

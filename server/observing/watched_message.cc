@@ -81,6 +81,7 @@ v1::WatchedFrame WatchedMessages::Base() const {
   frame.set_num_objects(static_cast<std::uint32_t>(sight_.detections.objects.size()));
   frame.set_is_problem(sight_.IsProblem());
   *frame.mutable_options() = sight_.options;
+  if (sight_.frame.has_intrinsics()) *frame.mutable_intrinsics() = sight_.frame.intrinsics();
   if (!sight_.status.ok()) *frame.mutable_error() = ErrorOf(sight_.status);
   return frame;
 }
