@@ -28,7 +28,11 @@ def part_of(robot: Any, part: str) -> str:
 
 
 def test_the_page_needs_no_token_and_nothing_from_elsewhere(visitor: Visitor) -> None:
-    for path, kind in (("/", "text/html"), ("/page.js", "text/javascript"), ("/page.css", "text/css")):
+    for path, kind in (
+        ("/", "text/html"),
+        ("/page.js", "text/javascript"),
+        ("/page.css", "text/css"),
+    ):
         answer = visitor.get(path)
         assert answer.status == 200 and answer.headers["Content-Type"].startswith(kind)
         assert answer.headers["Content-Security-Policy"].startswith("default-src 'self';")
@@ -36,7 +40,9 @@ def test_the_page_needs_no_token_and_nothing_from_elsewhere(visitor: Visitor) ->
         assert b"//cdn" not in gzip.decompress(answer.body)
 
 
-@pytest.mark.parametrize("path", ["session", "events", "answer?robot=a&id=1", "preview?robot=a&id=1"])
+@pytest.mark.parametrize(
+    "path", ["session", "events", "answer?robot=a&id=1", "preview?robot=a&id=1"]
+)
 def test_all_else_needs_a_login(visitor: Visitor, path: str) -> None:
     assert visitor.get(f"/api/{path}").status == 401
     assert visitor.get(f"/api/{path}", Cookie="fovea_session=" + 64 * "0").status == 401

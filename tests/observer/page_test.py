@@ -97,7 +97,11 @@ def test_robots_are_tiles_with_problems_first(
 ) -> None:
     browser.log_in(observer.url, OBSERVERS["ann"][0])
     browser.find("[data-robot=kitchen-1]")
-    with Sending(robots, "zoo", scene.frame(color=np.zeros_like(scene.color), depth=np.zeros_like(scene.depth))) as empty:
+    with Sending(
+        robots,
+        "zoo",
+        scene.frame(color=np.zeros_like(scene.color), depth=np.zeros_like(scene.depth)),
+    ) as empty:
         assert not empty.answer.objects
         browser.find("[data-robot=zoo] .problem")
         browser.until(lambda: browser.all(".tiles li")[0].get_attribute("data-robot") == "zoo")
@@ -129,9 +133,7 @@ def test_shows_objects_at_their_pixels(
     assert (shown & truth).sum() > 0.8 * (shown | truth).sum()
 
 
-def test_hovering_links_table_and_picture(
-    browser: Browser, picture: Any, sending: Sending
-) -> None:
+def test_hovering_links_table_and_picture(browser: Browser, picture: Any, sending: Sending) -> None:
     stop(browser)
     rows = browser.all("#objects tbody tr")
     assert len(rows) == len(sending.answer.objects)
@@ -173,7 +175,11 @@ def test_points_in_3d_are_where_they_are(
         if near.min() == 0 or near.max() - near.min() > 60:
             continue  # at an edge both sides are right
         z = scene.depth[round(y), round(x)] / 1000
-        wanted = [(x - intrinsics.cx) / intrinsics.fx * z, (y - intrinsics.cy) / intrinsics.fy * z, z]
+        wanted = [
+            (x - intrinsics.cx) / intrinsics.fx * z,
+            (y - intrinsics.cy) / intrinsics.fy * z,
+            z,
+        ]
         browser.hover(cloud, u, v)
         shown = [float(number) for number in point.get_attribute("value").split()[:3]]
         assert np.linalg.norm(np.subtract(shown, wanted)) < 0.01, (shown, wanted)

@@ -87,9 +87,7 @@ class Visitor:
         self.headers: dict[str, str] = {}
         self.csrf = ""
 
-    def ask(
-        self, method: str, path: str, body: str | None = None, **headers: str
-    ) -> Answer:
+    def ask(self, method: str, path: str, body: str | None = None, **headers: str) -> Answer:
         connection = http.client.HTTPConnection(self.address, timeout=PATIENCE)
         try:
             named = {name.replace("_", "-"): value for name, value in headers.items()}

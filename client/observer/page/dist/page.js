@@ -21078,11 +21078,27 @@ var Cloud = class {
         this.addLines(handLines(object.grasps[0]).flatMap(([from, to]) => [vector(from), vector(to)]), new Color(1, 1, 1));
       }
     }
+    if (detections?.support_surface) this.addSupport(detections.support_surface.plane);
     if (detections?.gravity) {
       const start2 = this.middle();
       const down = new ArrowHelper(vector(detections.gravity.direction), start2, 0.15, 16724787, 0.04, 0.02);
       this.things.add(down);
     }
+  }
+  // A grid of 10 cm in the plane that things stand on, below the middle of them.
+  addSupport(plane) {
+    const normal = vector(plane.normal);
+    const middle = this.middle();
+    middle.addScaledVector(normal, -(normal.dot(middle) + plane.offset));
+    const across = new Vector3(1, 0, 0).addScaledVector(normal, -normal.x).normalize();
+    const along = new Vector3().crossVectors(normal, across);
+    const at = (a, b) => middle.clone().addScaledVector(across, a).addScaledVector(along, b);
+    const reach = 0.4;
+    const lines = [];
+    for (let i = -reach; i <= reach + 1e-6; i += 0.1) {
+      lines.push(at(i, -reach), at(i, reach), at(-reach, i), at(reach, i));
+    }
+    this.addLines(lines, new Color(0.55, 0.55, 0.6));
   }
   middle() {
     const boxes = this.frame?.detections?.objects.map((object) => vector(object.oriented_box.pose.position)) ?? [];

@@ -154,11 +154,28 @@ export class Cloud {
         this.addLines(handLines(object.grasps[0]).flatMap(([from, to]) => [vector(from), vector(to)]), new THREE.Color(1, 1, 1));
       }
     }
+    if (detections?.support_surface) this.addSupport(detections.support_surface.plane);
     if (detections?.gravity) {
       const start = this.middle();
       const down = new THREE.ArrowHelper(vector(detections.gravity.direction), start, 0.15, 0xff3333, 0.04, 0.02);
       this.things.add(down);
     }
+  }
+
+  // A grid of 10 cm in the plane that things stand on, below the middle of them.
+  private addSupport(plane: { normal: Vector3; offset: number }): void {
+    const normal = vector(plane.normal);
+    const middle = this.middle();
+    middle.addScaledVector(normal, -(normal.dot(middle) + plane.offset));
+    const across = new THREE.Vector3(1, 0, 0).addScaledVector(normal, -normal.x).normalize();
+    const along = new THREE.Vector3().crossVectors(normal, across);
+    const at = (a: number, b: number) => middle.clone().addScaledVector(across, a).addScaledVector(along, b);
+    const reach = 0.4;
+    const lines: THREE.Vector3[] = [];
+    for (let i = -reach; i <= reach + 1e-6; i += 0.1) {
+      lines.push(at(i, -reach), at(i, reach), at(-reach, i), at(reach, i));
+    }
+    this.addLines(lines, new THREE.Color(0.55, 0.55, 0.6));
   }
 
   private middle(): THREE.Vector3 {
