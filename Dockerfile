@@ -1,4 +1,4 @@
-# The server as its Debian package, with what that depends on and no compilers, as a user without
+# The server and fovea-observer as their Debian packages, with what that depends on and no compilers, as a user without
 # rights; the root file system may be read-only. deploy/build_image.sh builds it without a Docker
 # daemon.
 ARG BASE=debian:bookworm-slim
@@ -12,8 +12,8 @@ COPY . /src
 ARG FOVEA_COMMIT=
 RUN cmake -S /src -B /build -G Ninja -DCMAKE_BUILD_TYPE=Release -DFOVEA_BUILD_TESTS=OFF \
        -DFOVEA_BUILD_CAPTURE=OFF -DFOVEA_BUILD_PCL=OFF -DFOVEA_COMMIT=${FOVEA_COMMIT} \
-    && cmake --build /build --target fovea-server man_fovea-server changelogs \
-    && cd /build && cpack -D CPACK_COMPONENTS_ALL=server -B /packages
+    && cmake --build /build --target fovea-server fovea-observer man_fovea-server man_fovea-observer changelogs \
+    && cd /build && cpack -D 'CPACK_COMPONENTS_ALL=server;observer' -B /packages
 
 FROM ${BASE}
 # By apt: what is in the image stands in dpkg's list, and its licences in /usr/share/doc.
@@ -24,7 +24,7 @@ RUN apt-get update -q \
 COPY deploy/container/fovea-server.toml /etc/fovea/
 COPY deploy/container/fovea-health /usr/local/bin/
 USER 10001:10001
-EXPOSE 50051
+EXPOSE 50051 8080
 HEALTHCHECK --interval=10s --timeout=5s --start-period=10s CMD ["fovea-health"]
 STOPSIGNAL SIGTERM
 ENTRYPOINT ["fovea-server", "--config", "/etc/fovea/fovea-server.toml"]

@@ -18,7 +18,7 @@ build: configured
 
 # Generated frames, or real ones: make demo FRAME=DIR/NAME [INTRINSICS=FX,FY,CX,CY]
 demo: configured
-	@cmake --build --preset $(PRESET) --target fovea-server fovea fovea_scenes_tool
+	@cmake --build --preset $(PRESET) --target fovea-server fovea fovea-observer fovea_scenes_tool
 	@deploy/demo.sh $(BUILD)
 
 test: build

@@ -1,4 +1,5 @@
-# `make package`: fovea-server, fovea-client, fovea-capture, libfovea-dev and python3-fovea.
+# `make package`: fovea-server, fovea-client, fovea-observer, fovea-capture, libfovea-dev and
+# python3-fovea.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR Fovea)
 set(CPACK_PACKAGE_CONTACT "Fovea maintainers <maintainers@fovea.invalid>")
@@ -14,7 +15,7 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXE
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS OFF)
-set(CPACK_COMPONENTS_ALL server client dev python)
+set(CPACK_COMPONENTS_ALL server client observer dev python)
 set(FOVEA_ABOUT "Fovea tells robots what unknown objects are in front of them: a robot with an RGB-D
 camera sends a frame over gRPC, and the answer is the objects in it, with masks, boxes, sizes and a
 first grasp.")
@@ -36,6 +37,12 @@ set(CPACK_COMPONENT_CLIENT_DESCRIPTION "command line of fovea, which detects unk
 ${FOVEA_ABOUT} This is the command line: files in, pictures, JSON and clouds out.")
 set(CPACK_DEBIAN_CLIENT_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_CLIENT_PACKAGE_SECTION science)
+
+set(CPACK_DEBIAN_OBSERVER_PACKAGE_NAME fovea-observer)
+set(CPACK_COMPONENT_OBSERVER_DESCRIPTION "page of fovea, which detects unknown objects
+${FOVEA_ABOUT} This serves a page that shows what robots see and what is found in it.")
+set(CPACK_DEBIAN_OBSERVER_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_OBSERVER_PACKAGE_SECTION science)
 
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libfovea-dev)
 set(CPACK_COMPONENT_DEV_DESCRIPTION "C++ client library of fovea, which detects unknown objects
@@ -75,7 +82,7 @@ install(SCRIPT cmake/install_server_files.cmake COMPONENT server)
 
 # bash looks for a file with the command's name.
 set(COMPLETIONS ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
-foreach(command fovea-server:server fovea:client fovea-capture:capture)
+foreach(command fovea-server:server fovea:client fovea-observer:observer fovea-capture:capture)
   string(REPLACE ":" ";" command ${command})
   list(GET command 0 name)
   list(GET command 1 component)

@@ -1,6 +1,7 @@
 #!/bin/sh
 # Shows Fovea at work: starts the server, sends it frames, prints what it found and leaves pictures
-# and a point cloud in demo/, of which it names the one to look at.
+# and a point cloud in demo/, of which it names the one to look at. In a terminal it then goes on, and
+# says where a browser shows what a robot sees (WATCH=no: it ends; WATCH=yes: also elsewhere).
 #
 # usage: deploy/demo.sh BUILD_FOLDER
 # FRAME=DIR/NAME      use DIR/NAME_color.(png|jpg) and DIR/NAME_depth.png instead of generated frames
@@ -16,16 +17,24 @@ rm -f "$out"/frames/* "$out"/results/* "$out/objects.png"
 
 # Now, not by the server once it runs: else the wait below may find the address of an earlier run.
 : >"$out/server.log"
-"$build/server/fovea-server" --listen 127.0.0.1:0 --log-level warn >>"$out/server.log" 2>&1 &
-server=$!
-trap 'kill "$server" 2>/dev/null; wait "$server" 2>/dev/null || true' EXIT
+token=$(openssl rand -hex 16)
+(umask 077 && echo "demo $(printf %s "$token" | sha256sum | cut -d' ' -f1) view *" >"$out/observers")
+"$build/server/fovea-server" --listen 127.0.0.1:0 --log-level warn --observers "$out/observers" >>"$out/server.log" 2>&1 &
+server=$! observer=""
+trap 'kill $server $observer 2>/dev/null; wait 2>/dev/null || true' EXIT
+trap 'exit 0' INT TERM
 
-address=""
-while [ -z "$address" ]; do
-  kill -0 "$server" 2>/dev/null || { cat "$out/server.log" >&2; exit 1; }
-  address=$(sed -n 's/^listening on //p' "$out/server.log")
-  [ -n "$address" ] || sleep 0.1
-done
+# What the program with this number says in the log after these words.
+await() {
+  found=""
+  while [ -z "$found" ]; do
+    kill -0 "$1" 2>/dev/null || { cat "$3" >&2; exit 1; }
+    found=$(sed -n "s/^$2 //p" "$3")
+    [ -n "$found" ] || sleep 0.1
+  done
+}
+await "$server" "listening on" "$out/server.log"
+address=$found
 
 # A frame into demo/frames; fails if a half of it is not there.
 add_frame() {
@@ -59,3 +68,24 @@ for color in "$out/frames/${first}"_color.*; do break; done
 echo
 echo "Look at      $out/objects.png (each frame in $out/results)"
 echo "Point cloud: $out/results/${first}.ply"
+
+case ${WATCH:-} in
+  yes) ;;
+  "") [ -t 1 ] || exit 0 ;;
+  *) exit 0 ;;
+esac
+: >"$out/observer.log"
+"$build/client/observer/fovea-observer" --server "$address" --listen "${LISTEN:-127.0.0.1:8080}" \
+  >>"$out/observer.log" 2>&1 &
+observer=$!
+await "$observer" open "$out/observer.log"
+echo
+echo "Open this address: ${found}#token=$token"
+echo "It shows what a robot sees that sends these frames again and again; Ctrl-C ends it."
+while kill -0 "$observer" 2>/dev/null; do
+  "$build/client/cli/fovea" detect --server "$address" --robot demo --intrinsics "$intrinsics" \
+    --input "$out/frames" --json - >/dev/null 2>>"$out/observer.log" || true
+  sleep 1
+done
+cat "$out/observer.log" >&2
+exit 1

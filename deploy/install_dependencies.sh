@@ -8,13 +8,14 @@ packages="
 build-essential cmake ninja-build ccache pkg-config
 libeigen3-dev libhwy-dev libopencv-dev libpcl-dev
 libgrpc-dev libgrpc++-dev libprotobuf-dev protobuf-compiler protobuf-compiler-grpc grpc-proto
-libssl-dev libsystemd-dev prometheus-cpp-dev libspdlog-dev libfmt-dev libcli11-dev libzstd-dev libturbojpeg0-dev libspng-dev nlohmann-json3-dev
+libssl-dev libsystemd-dev prometheus-cpp-dev libspdlog-dev libfmt-dev libcli11-dev libzstd-dev zlib1g-dev libturbojpeg0-dev libspng-dev nlohmann-json3-dev
 libboost-dev
 libopenni2-dev libyaml-cpp-dev
 libgtest-dev libgmock-dev libbenchmark-dev libmatio-dev libdlib-dev
 python3 python3-grpcio python3-numpy python3-protobuf python3-setuptools
 help2man file haproxy
 python3-pil python3-pip python3-pytest python3-zstandard openssl
+chromium chromium-driver python3-selenium
 "
 
 missing=""

@@ -1,6 +1,7 @@
 #!/bin/sh
 # Checks the format of everything that is ours (clang-format, black) and the code: C++ with
-# clang-tidy, Python with mypy, shell with shellcheck, CMake with cmake-lint.
+# clang-tidy, Python with mypy, shell with shellcheck, CMake with cmake-lint, the observer's page with
+# TypeScript.
 # usage: deploy/lint.sh BUILD_FOLDER [--quick [BASE]]
 # BUILD_FOLDER is built, so that it holds compile_commands.json and stubs. --quick: clang-tidy only of
 # sources that changed since they parted from BASE (main unless given), of 20 at most.
@@ -35,3 +36,5 @@ for what in "-p fovea" client/examples/python/clean_up.py client/examples/python
   MYPYPATH=$build/client/python/package mypy --config-file client/python/pyproject.toml \
     --cache-dir "$build/.mypy_cache" $what
 done
+
+deploy/check_page.sh

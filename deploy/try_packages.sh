@@ -31,6 +31,7 @@ read -r address <"$work/says"
 address=${address#listening on }
 inside fovea health --server "$address"
 if [ -e "$root/usr/bin/fovea-capture" ]; then inside fovea-capture --help >/dev/null && echo "fovea-capture runs"; fi
+inside fovea-observer --version
 if [ -d "$root/usr/lib/python3/dist-packages/fovea" ]; then
   inside python3 -c "import fovea; print('python:', fovea.Client('$address').get_server_info().version)"
 fi

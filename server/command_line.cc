@@ -8,6 +8,7 @@
 #include "flags/misspelling.h"
 #include "server/access/credentials.h"
 #include "server/access/gate_keeper.h"
+#include "server/access/observer_gate.h"
 #include "server/config_file.h"
 #include "server/option_table.h"
 
@@ -28,6 +29,10 @@ void AddProtectionFlags(CLI::App& app, ServerOptions& options) {
   app.add_option("--tokens", options.tokens,
                  "File with a line `ROBOT SHA256 [EXPIRES]` for every token; callers need one. "
                  "SIGHUP reads it again");
+  app.add_option("--observers", options.observers,
+                 "File with a line `NAME SHA256 RIGHTS ROBOTS [EXPIRES]` for everybody who may "
+                 "watch what robots see, with rights of view, try, download and pick; nobody may "
+                 "without. SIGHUP reads it again");
 }
 
 void AddConnectionFlags(CLI::App& app, ServerOptions& options) {
@@ -188,6 +193,7 @@ void Show(const std::string& key, const Settings& settings) {
 void CheckFiles(const ServerOptions& options) {
   const Credentials credentials(options);
   const GateKeeper gate_keeper(options.tokens);
+  const ObserverGate observer_gate(options.observers);
   std::cout << "the configuration is valid\n";
   if (gate_keeper.RefusesEverybody()) std::cout << NoTokens(options) << '\n';
 }

@@ -14,6 +14,7 @@
 #include "server/conversion/options.h"
 #include "server/conversion/trace.h"
 #include "server/log_exception.h"
+#include "server/observing/watch_hub.h"
 #include "server/rpc/caller.h"
 #include "server/scheduling/thread_priority.h"
 #include "server/status.h"
@@ -48,7 +49,7 @@ double Milliseconds(Clock::duration duration) {
 }  // namespace
 
 FrameAnswerer::FrameAnswerer(DetectFunction detect, const ServerOptions& options, Metrics& metrics,
-                             Tracer* tracer)
+                             Tracer* tracer, WatchHub* watch_hub)
     : max_threads_per_frame_(MaxThreadsPerFrame(options)),
       helpers_(max_threads_per_frame_ > 1 ? NumComputeThreads(options) : 1,
                [nice = options.compute_nice] { LowerPriority(nice); }),
@@ -59,19 +60,20 @@ FrameAnswerer::FrameAnswerer(DetectFunction detect, const ServerOptions& options
       max_compute_(options.max_compute_ms),
       slow_(options.slow_ms),
       metrics_(metrics),
-      tracer_(tracer) {}
+      tracer_(tracer),
+      watch_hub_(watch_hub) {}
 
 grpc::Status FrameAnswerer::Answer(const FrameRequest& request, const Caller& caller,
                                    v1::Detections* answer) const {
   grpc::Status status;
   Detections detections;
-  cv::Size image;
+  RgbdFrame decoded;
   std::vector<StageTime> times{{"queue", Milliseconds(request.began - request.received)}};
   try {
     if (caller.IsGone()) throw Cancelled();
     RequireField(request.frame != nullptr, "frame", "is missing");
     Trace trace;
-    detections = Compute(request, caller, &trace, &image, &times);
+    detections = Compute(request, caller, &trace, &decoded, &times);
     detections.stage_times = times;
     *answer = ToProto(detections, trace, *request.frame, *request.options);
     answer->set_grippers_source(grippers_.SourceFor(caller.robot(), request.options->grasps()));
@@ -80,13 +82,15 @@ grpc::Status FrameAnswerer::Answer(const FrameRequest& request, const Caller& ca
     detections = {};
     detections.stage_times = times;
   }
-  Record(request, caller, status, detections, image);
+  Record(request, caller, status, detections, decoded.depth_m.size());
+  Show(request, caller, status, detections, decoded, answer);
   return status;
 }
 
 void FrameAnswerer::Refuse(const FrameRequest& request, const Caller& caller,
                            const grpc::Status& status) const {
   Record(request, caller, status, {}, {});
+  Show(request, caller, status, {}, {}, nullptr);
 }
 
 // The answer matters more than what is said of it elsewhere.
@@ -117,6 +121,31 @@ void FrameAnswerer::Record(const FrameRequest& request, const Caller& caller,
   LogCurrentException("a frame that was answered is not counted");
 }
 
+void FrameAnswerer::Show(const FrameRequest& request, const Caller& caller,
+                         const grpc::Status& status, const Detections& detections,
+                         const RgbdFrame& decoded, const v1::Detections* answer) const noexcept
+    try {
+  if (watch_hub_ == nullptr || !watch_hub_->IsWatched() || caller.robot().empty()) return;
+  watch_hub_->Show(caller.robot(), [&] {
+    Sight sight{.robot = caller.robot(),
+                .answered_at = std::chrono::system_clock::now(),
+                .took = Clock::now() - request.received,
+                .status = status,
+                .options = *request.options,
+                .decoded = decoded,
+                .detections = detections};
+    for (DetectedObject& object : sight.detections.objects) object.cloud = {};
+    if (request.frame != nullptr) sight.frame = *request.frame;
+    if (answer != nullptr) {
+      *sight.extras.mutable_seeds() = answer->seeds();
+      *sight.extras.mutable_saliency_maps() = answer->saliency_maps();
+    }
+    return sight;
+  });
+} catch (...) {
+  LogCurrentException("a frame that was answered is not shown");
+}
+
 Detections FrameAnswerer::DetectInTime(const RgbdFrame& frame, const DetectorOptions& options,
                                        const Caller& caller, Trace* trace,
                                        std::vector<StageTime>* times) const {
@@ -139,14 +168,14 @@ Detections FrameAnswerer::DetectInTime(const RgbdFrame& frame, const DetectorOpt
 }
 
 Detections FrameAnswerer::Compute(const FrameRequest& request, const Caller& caller, Trace* trace,
-                                  cv::Size* image, std::vector<StageTime>* times) const {
+                                  RgbdFrame* decoded, std::vector<StageTime>* times) const {
   std::vector<std::string> losses;
   DetectorOptions options = FromProto(*request.options, policy_);
   options.grippers = grippers_.For(caller.robot(), request.options->grasps(), options.grippers);
   RequireStream(*request.options, request.tracker);
   std::optional<Lens> lens;
   const RgbdFrame frame = FromProto(*request.frame, max_pixels_, &losses, &lens);
-  *image = frame.depth_m.size();
+  *decoded = frame;  // the images are shared
   RegionOptions& region = options.paper ? options.paper->region : options.region;
   InField("options.parameters", [&] { RequireNotEmpty(region, frame.depth_m.size()); });
   if (lens) UndistortRegion(*lens, region);

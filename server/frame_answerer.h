@@ -26,6 +26,7 @@ class Caller;
 class Metrics;
 class StreamTracker;
 class Tracer;
+class WatchHub;
 
 // One frame that is to be answered; null where the request has none.
 struct FrameRequest {
@@ -39,9 +40,9 @@ struct FrameRequest {
 // Thread-safe.
 class FrameAnswerer {
  public:
-  // `metrics` and `tracer`, which may be null, must outlive it.
+  // `metrics`, and `tracer` and `watch_hub`, which may be null, must outlive it.
   FrameAnswerer(DetectFunction detect, const ServerOptions& options, Metrics& metrics,
-                Tracer* tracer = nullptr);
+                Tracer* tracer = nullptr, WatchHub* watch_hub = nullptr);
 
   // Fills `answer` where the status is OK. Stops once the caller is gone, or
   // the limit of computing has passed.
@@ -56,10 +57,14 @@ class FrameAnswerer {
               const Detections& detections, cv::Size image) const noexcept;
   Detections DetectInTime(const RgbdFrame& frame, const DetectorOptions& options,
                           const Caller& caller, Trace* trace, std::vector<StageTime>* times) const;
-  // `image` gets the size of the frame once that is decoded, `times` those of the stages that it
+  // Shows it to those who watch; `answer` is null where there is none.
+  void Show(const FrameRequest& request, const Caller& caller, const grpc::Status& status,
+            const Detections& detections, const RgbdFrame& decoded,
+            const v1::Detections* answer) const noexcept;
+  // `decoded` gets the frame once that is decoded, `times` those of the stages that it
   // came through, whether it throws or not.
   Detections Compute(const FrameRequest& request, const Caller& caller, Trace* trace,
-                     cv::Size* image, std::vector<StageTime>* times) const;
+                     RgbdFrame* decoded, std::vector<StageTime>* times) const;
 
   // Its compute threads help each other while some have nothing to do.
   const int max_threads_per_frame_;
@@ -71,6 +76,7 @@ class FrameAnswerer {
   const std::chrono::milliseconds max_compute_, slow_;
   Metrics& metrics_;
   Tracer* const tracer_;
+  WatchHub* const watch_hub_;
 };
 
 }  // namespace fovea::server

@@ -20,6 +20,7 @@
 #include "server/rpc/detect_call.h"
 #include "server/rpc/reflection_limit.h"
 #include "server/rpc/stream_call.h"
+#include "server/rpc/watch_call.h"
 
 namespace fovea::server {
 namespace {
@@ -90,6 +91,11 @@ std::unique_ptr<Tracer> MakeTracer(const ServerOptions& options) {
   return std::make_unique<Tracer>(options.trace_endpoint, options.trace_share);
 }
 
+std::unique_ptr<WatchHub> MakeWatchHub(const ServerOptions& options) {
+  if (options.observers.empty()) return nullptr;
+  return std::make_unique<WatchHub>(static_cast<std::uint64_t>(options.max_pixels));
+}
+
 // More wait at the client until one of them is done.
 constexpr int kMaxCallsPerConnection = 64;
 
@@ -145,7 +151,9 @@ Server::Server(const ServerOptions& options, DetectFunction detect)
       scheduler_(limits_),
       metrics_(std::make_shared<Metrics>()),
       tracer_(MakeTracer(options_)),
-      answerer_(std::move(detect), options_, *metrics_, tracer_.get()),
+      observer_gate_(options_.observers),
+      watch_hub_(MakeWatchHub(options_)),
+      answerer_(std::move(detect), options_, *metrics_, tracer_.get(), watch_hub_.get()),
       credentials_(options_),
       gate_keeper_(options_.tokens, credentials_.authority()),
       stream_places_(StreamLimitsOf(options_)),
@@ -156,6 +164,7 @@ Server::Server(const ServerOptions& options, DetectFunction detect)
       door_(options_.listen, connections_) {
   AddGauges();
   if (tracer_) AddTraceCounters();
+  if (watch_hub_) AddWatchCounters();
   EnablePlugins();
   Listen();
   Serve();
@@ -195,6 +204,18 @@ void Server::AddTraceCounters() {
                        [this] { return static_cast<double>(tracer_->exporter().num_dropped()); });
 }
 
+void Server::AddWatchCounters() {
+  metrics_->AddGauge("fovea_watchers", "Calls that watch",
+                     [this] { return static_cast<double>(watch_hub_->counts().watchers); });
+  metrics_->AddGauge("fovea_watch_waiting_bytes", "What waits to be shown or sent to them",
+                     [this] { return static_cast<double>(watch_hub_->counts().waiting_bytes); });
+  metrics_->AddCounter("fovea_watched_frames_total", "Frames shown, to each of them",
+                       [this] { return static_cast<double>(watch_hub_->counts().shown); });
+  metrics_->AddCounter("fovea_watched_frames_dropped_total",
+                       "Frames not shown: a newer one came, or there was no room",
+                       [this] { return static_cast<double>(watch_hub_->counts().dropped); });
+}
+
 void Server::Listen() {
   grpc::ServerBuilder builder;
   ConfigureChannel(options_, &builder);
@@ -204,6 +225,7 @@ void Server::Listen() {
   auto self = builder.experimental().AddExternalConnectionAcceptor(
       Type::FROM_FD, grpc::InsecureServerCredentials());
   builder.RegisterService(&service_);
+  if (watch_hub_) builder.RegisterService(&observation_service_);
   std::vector<std::unique_ptr<grpc::experimental::ServerInterceptorFactoryInterface>> limits;
   limits.push_back(MakeReflectionLimit());
   builder.experimental().SetInterceptorCreators(std::move(limits));
@@ -223,6 +245,7 @@ void Server::Serve() {
       std::chrono::seconds(options_.max_connection_age_s)});
   DetectCall::Accept(*environment_);
   StreamCall::Accept(*environment_);
+  if (watch_hub_) AcceptObservers();
   server_->GetHealthCheckService()->SetServingStatus(v1::DetectionService::service_full_name(),
                                                      true);
   door_.Open(std::move(callers_), std::move(self_));
@@ -232,9 +255,17 @@ void Server::Serve() {
                                     gate_keeper_, [this] { live_calls_.Check(); });
 }
 
+void Server::AcceptObservers() {
+  observation_environment_ = std::make_unique<ObservationEnvironment>(ObservationEnvironment{
+      observation_service_, loop_->queue(), live_calls_, observer_gate_, *watch_hub_, connections_,
+      std::chrono::seconds(options_.max_transfer_s)});
+  WatchCall::Accept(*observation_environment_);
+}
+
 void Server::ReloadAccess() {
   credentials_.RequireUsable();
   gate_keeper_.Reload();
+  observer_gate_.Reload();
   if (credentials_.Reload()) gate_keeper_.SetAuthority(credentials_.authority());
   live_calls_.Check();
 }

@@ -12,13 +12,16 @@
 #include "server/access/access_watch.h"
 #include "server/access/credentials.h"
 #include "server/access/gate_keeper.h"
+#include "server/access/observer_gate.h"
 #include "server/access/stream_places.h"
 #include "server/connections/connection_table.h"
 #include "server/connections/door.h"
 #include "server/frame_answerer.h"
+#include "server/observing/watch_hub.h"
 #include "server/rpc/detection_service.h"
 #include "server/rpc/event_loop.h"
 #include "server/rpc/live_calls.h"
+#include "server/rpc/observation_service.h"
 #include "server/scheduling/scheduler.h"
 #include "server/server_options.h"
 #include "server/tracing/tracer.h"
@@ -26,7 +29,8 @@
 
 namespace fovea::server {
 
-// A running gRPC server: fovea.v1.DetectionService, grpc.health.v1.Health and reflection.
+// A running gRPC server: fovea.v1.DetectionService, ObservationService, grpc.health.v1.Health and
+// reflection.
 class Server {
  public:
   // Listens and serves when this returns. Throws std::invalid_argument for options that do not
@@ -39,8 +43,8 @@ class Server {
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
-  // Takes over the tokens and certificates that the files hold now, and ends the streams of those
-  // who may not call any more. Throws std::exception, and changes nothing then.
+  // Takes over the tokens, observers and certificates that the files hold now, and ends the streams
+  // of those who may not call any more. Throws std::exception, and changes nothing then.
   void ReloadAccess();
 
   // When its certificate expires; none without TLS.
@@ -79,12 +83,16 @@ class Server {
   void Stop(int timeout_s);
   void AddGauges();
   void AddTraceCounters();
+  void AddWatchCounters();
+  void AcceptObservers();
 
   const ServerOptions options_;
   const SchedulerLimits limits_;
   Scheduler scheduler_;
   const std::shared_ptr<Metrics> metrics_;
   const std::unique_ptr<Tracer> tracer_;  // null where no traces are wanted
+  ObserverGate observer_gate_;
+  const std::unique_ptr<WatchHub> watch_hub_;  // null where there are no observers
   const FrameAnswerer answerer_;
   Credentials credentials_;
   GateKeeper gate_keeper_;
@@ -92,12 +100,14 @@ class Server {
   LiveCalls live_calls_;
   ConnectionTable connections_;
   DetectionService service_;
+  ObservationService observation_service_;
   Door door_;
   std::unique_ptr<Door::Acceptor> callers_, self_;  // until the door opens
   std::atomic<bool> serving_ = false;
   std::unique_ptr<grpc::Server> server_;
   std::unique_ptr<EventLoop> loop_;
   std::unique_ptr<CallEnvironment> environment_;
+  std::unique_ptr<ObservationEnvironment> observation_environment_;
   std::unique_ptr<AccessWatch> access_watch_;
 };
 

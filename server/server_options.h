@@ -21,6 +21,8 @@ struct ServerOptions {
   int tls_reload_s = 30;
   // File of tokens, see TokenTable; empty = callers need none.
   std::string tokens;
+  // File of those who may watch, see ObserverTable; empty = nobody may, and nothing is shown.
+  std::string observers;
   // Streams that are open at once, of all robots and of one, 1 … 10000.
   int max_streams = 1000;
   int max_streams_per_robot = 16;

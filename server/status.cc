@@ -6,7 +6,7 @@
 
 #include "core/detector.h"
 #include "core/types/too_complex.h"
-#include "server/access/token_table.h"
+#include "server/access/unauthenticated.h"
 #include "server/compute_limit.h"
 #include "server/conversion/field_error.h"
 #include "server/error_details.h"
@@ -24,6 +24,8 @@ grpc::Status StatusOfCurrentException(bool deadline_passed) {
     return InvalidArgument(error.what());
   } catch (const Unauthenticated& error) {
     return {grpc::StatusCode::UNAUTHENTICATED, error.what()};
+  } catch (const PermissionDenied& error) {
+    return {grpc::StatusCode::PERMISSION_DENIED, error.what()};
   } catch (const Overloaded& error) {
     return ResourceExhausted(error.what(), error.retry_after);
   } catch (const Cancelled&) {
@@ -74,6 +76,8 @@ const char* NameOf(grpc::StatusCode code) {
       return "DEADLINE_EXCEEDED";
     case grpc::StatusCode::RESOURCE_EXHAUSTED:
       return "RESOURCE_EXHAUSTED";
+    case grpc::StatusCode::PERMISSION_DENIED:
+      return "PERMISSION_DENIED";
     case grpc::StatusCode::UNAUTHENTICATED:
       return "UNAUTHENTICATED";
     case grpc::StatusCode::UNAVAILABLE:

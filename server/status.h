@@ -8,10 +8,10 @@
 namespace fovea::server {
 
 // The one place where exceptions become statuses. Call it inside a catch block:
-// FieldError and TooComplex → INVALID_ARGUMENT, Unauthenticated → UNAUTHENTICATED, Overloaded →
-// RESOURCE_EXHAUSTED, Cancelled → DEADLINE_EXCEEDED where
-// `deadline_passed`, else CANCELLED, ComputeLimitPassed and std::bad_alloc → RESOURCE_EXHAUSTED,
-// anything else → INTERNAL with the text in the log only.
+// FieldError and TooComplex → INVALID_ARGUMENT, Unauthenticated → UNAUTHENTICATED,
+// PermissionDenied → PERMISSION_DENIED, Overloaded → RESOURCE_EXHAUSTED,
+// Cancelled → DEADLINE_EXCEEDED where `deadline_passed`, else CANCELLED, ComputeLimitPassed and
+// std::bad_alloc → RESOURCE_EXHAUSTED, anything else → INTERNAL with the text in the log only.
 grpc::Status StatusOfCurrentException(bool deadline_passed);
 
 // Of a caller that left, or whose deadline passed.

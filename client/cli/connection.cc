@@ -1,12 +1,19 @@
 #include "client/cli/connection.h"
 
 #include <stdexcept>
+#include <utility>
 
 #include "client/cli/files.h"
 #include "client/cli/server_address.h"
 
 namespace fovea::cli {
 namespace {
+
+constexpr const char* kGroup = "Server";
+
+CLI::Option* AddFile(CLI::App& command, const char* flag, std::string& path, const char* help) {
+  return command.add_option(flag, path, help)->type_name("FILE")->group(kGroup);
+}
 
 std::string ReadIfGiven(const std::string& path) { return path.empty() ? "" : ReadFile(path); }
 
@@ -24,16 +31,15 @@ std::string ReadPem(const char* flag, const std::string& path, const char* kind)
 
 }  // namespace
 
-void AddConnectionFlags(CLI::App& command, ConnectionFlags& flags) {
-  const char* group = "Server";
+void AddServerFlags(CLI::App& command, ConnectionFlags& flags) {
   command
       .add_option("--server", flags.server,
                   "Address of the server, HOST:PORT or unix:/PATH; of several, with commas between")
       ->type_name("HOST:PORT")
       ->capture_default_str()
-      ->group(group);
+      ->group(kGroup);
   const auto add_file = [&](const char* flag, std::string& path, const char* help) {
-    return command.add_option(flag, path, help)->type_name("FILE")->group(group);
+    return AddFile(command, flag, path, help);
   };
   CLI::Option* ca =
       add_file("--tls-ca", flags.tls_ca, "Encrypt, and trust the authority in this PEM file");
@@ -41,12 +47,17 @@ void AddConnectionFlags(CLI::App& command, ConnectionFlags& flags) {
   CLI::Option* key = add_file("--tls-key", flags.tls_key, "Its private key, PEM");
   cert->needs(ca)->needs(key);
   key->needs(cert);
-  add_file("--token-file", flags.token_file, "File whose first line is the token to send");
-  command.add_option("--robot", flags.robot, "Name of this robot")->type_name("NAME")->group(group);
 }
 
-client::Client Connect(const ConnectionFlags& flags, client::ClientOptions options) {
-  CheckServerAddress(flags.server);
+void AddConnectionFlags(CLI::App& command, ConnectionFlags& flags) {
+  AddServerFlags(command, flags);
+  AddFile(command, "--token-file", flags.token_file, "File whose first line is the token to send");
+  command.add_option("--robot", flags.robot, "Name of this robot")
+      ->type_name("NAME")
+      ->group(kGroup);
+}
+
+client::ClientOptions OptionsOf(const ConnectionFlags& flags, client::ClientOptions options) {
   options.token = FirstLine(ReadIfGiven(flags.token_file));
   options.robot = flags.robot;
   if (!flags.tls_ca.empty()) {
@@ -55,7 +66,12 @@ client::Client Connect(const ConnectionFlags& flags, client::ClientOptions optio
         .certificate_chain = ReadPem("--tls-cert", flags.tls_cert, "CERTIFICATE"),
         .private_key = ReadPem("--tls-key", flags.tls_key, "PRIVATE KEY")};
   }
-  return client::Client(flags.server, options);
+  return options;
+}
+
+client::Client Connect(const ConnectionFlags& flags, client::ClientOptions options) {
+  CheckServerAddress(flags.server);
+  return client::Client(flags.server, OptionsOf(flags, std::move(options)));
 }
 
 }  // namespace fovea::cli

@@ -14,6 +14,12 @@ struct ConnectionFlags {
 };
 
 void AddConnectionFlags(CLI::App& command, ConnectionFlags& flags);
+// Those alone that say where the server is and how to encrypt.
+void AddServerFlags(CLI::App& command, ConnectionFlags& flags);
+
+// `options` with token, robot and TLS from the flags. Throws std::exception that names the flag for
+// files that cannot be read or hold something else.
+client::ClientOptions OptionsOf(const ConnectionFlags& flags, client::ClientOptions options = {});
 
 // Throws std::exception that names the flag for an address that is none and for files that cannot
 // be read or hold something else. Token, robot and TLS of `options` come from the flags.

@@ -1,12 +1,12 @@
 #include "server/access/gate_keeper.h"
 
 #include <grpc/grpc_security_constants.h>
-#include <strings.h>
 
 #include <algorithm>
 #include <string_view>
 #include <utility>
 
+#include "server/access/token_line.h"
 #include "server/connections/socket_address.h"
 #include "server/rpc/call_names.h"
 
@@ -15,21 +15,6 @@ namespace {
 
 std::chrono::sys_seconds Now() {
   return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
-}
-
-// "…" of the metadata `authorization: Bearer …`; the scheme in any case (RFC 9110, 11.1).
-std::string_view TokenOf(const Metadata& metadata) {
-  constexpr std::string_view kScheme = "Bearer ";
-  const auto found = metadata.find("authorization");
-  if (found == metadata.end()) {
-    throw Unauthenticated("a token is needed: metadata authorization: Bearer TOKEN");
-  }
-  const std::string_view text(found->second.data(), found->second.size());
-  if (text.size() < kScheme.size() ||
-      strncasecmp(text.data(), kScheme.data(), kScheme.size()) != 0) {
-    throw Unauthenticated("metadata authorization: must be Bearer TOKEN");
-  }
-  return text.substr(kScheme.size());
 }
 
 RobotId Certified(const std::string& name) { return {name, name}; }
@@ -85,7 +70,7 @@ Admission GateKeeper::Admit(const grpc::ServerContextBase& context) const {
   if (rules.authority) admission.expires = CertifiedUntil(*rules.authority, *peer);
   if (rules.tokens) {
     const TokenTable::Entry& entry =
-        rules.tokens->EntryOf(TokenOf(context.client_metadata()), Now());
+        rules.tokens->EntryOf(BearerTokenOf(context.client_metadata()), Now());
     admission.robot = Certified(entry.robot);
     admission.expires = std::min(admission.expires, entry.expires);
     return admission;

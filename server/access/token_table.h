@@ -3,17 +3,12 @@
 
 #include <chrono>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
-namespace fovea::server {
+#include "server/access/unauthenticated.h"
 
-// Thrown for callers that are not let in.
-class Unauthenticated : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+namespace fovea::server {
 
 class TokenTable {
  public:

@@ -24,8 +24,10 @@ void Caller::Begin(std::function<void()> on_gone) {
 
 bool Caller::IsConnected() const { return connections_.IsOpen(context_->peer()); }
 
-void Caller::Identify(const GateKeeper& gate_keeper) {
-  admission_ = gate_keeper.Admit(*context_);
+void Caller::Identify(const GateKeeper& gate_keeper) { Identify(gate_keeper.Admit(*context_)); }
+
+void Caller::Identify(Admission admission) {
+  admission_ = std::move(admission);
   request_id_ = RequestId(context_->client_metadata());
   trace_ = TraceOf(context_->client_metadata());
   comes_only_if_room_ = context_->client_metadata().contains(kOnlyIfRoomKey);

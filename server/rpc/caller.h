@@ -34,6 +34,8 @@ class Caller {
   // Finds out the following four. Throws Unauthenticated where the caller may not call, and
   // std::invalid_argument where the names that it chose will not do.
   void Identify(const GateKeeper& gate_keeper);
+  // The same of a caller that others let in.
+  void Identify(Admission admission);
   // Throws Unauthenticated where the caller may not call any more. Not from several threads at
   // once.
   void Recheck(const GateKeeper& gate_keeper) { gate_keeper.Readmit(*context_, &admission_); }

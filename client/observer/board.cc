@@ -1,0 +1,148 @@
+#include "client/observer/board.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "client/observer/board_json.h"
+
+namespace fovea::observer {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kMaxRobots = 1024, kClose = 4;
+
+bool Has(const v1::Observer& observer, v1::ObserverRight right) {
+  return std::ranges::find(observer.rights(), right) != observer.rights().end();
+}
+
+// Of the frames that were answered, shown or not.
+double RateOf(const std::deque<Clock::time_point>& times, double per_shown) {
+  if (times.size() < 2) return 0;
+  const std::chrono::duration<double> span = times.back() - times.front();
+  return span.count() > 0 ? per_shown * static_cast<double>(times.size() - 1) / span.count() : 0;
+}
+
+}  // namespace
+
+Board::Board(std::vector<std::string> servers) {
+  for (std::string& address : servers) servers_.push_back({.address = std::move(address)});
+}
+
+void Board::Change(std::uint64_t* version) {
+  *version = ++version_;
+  for (const OnChange& on_change : listeners_) on_change();
+}
+
+void Board::OnObserver(std::size_t server, const v1::Observer& observer) {
+  const std::lock_guard lock(mutex_);
+  servers_.at(server).observer = observer;
+  Change(&servers_[server].version);
+}
+
+void Board::OnState(std::size_t server, const LinkState& state) {
+  const std::lock_guard lock(mutex_);
+  servers_.at(server).state = state;
+  if (state.kind == LinkState::Kind::kRefused) servers_[server].observer.reset();
+  Change(&servers_[server].version);
+}
+
+void Board::OnFrame(std::size_t server, v1::WatchResponse response, bool is_close) {
+  constexpr std::size_t kTimes = 10;
+  auto shown = std::make_shared<ShownFrame>();
+  shown->server = server;
+  shown->dropped = response.dropped();
+  shown->frame = std::move(*response.mutable_frame());
+  const std::lock_guard lock(mutex_);
+  shown->id = ++last_id_;
+  const std::string& name = shown->frame.robot();
+  if (!robots_.contains(name) && robots_.size() >= kMaxRobots) {
+    robots_.erase(std::ranges::min_element(robots_, {},
+                                           [](const auto& each) { return each.second.version; }));
+  }
+  Robot& robot = robots_[name];
+  if (is_close) {
+    robot.close.push_back(shown);
+    if (robot.close.size() > kClose) robot.close.pop_front();
+  } else {
+    robot.newest = shown;
+    robot.times.push_back(Clock::now());
+    if (robot.times.size() > kTimes) robot.times.pop_front();
+    const double passed = 1 + static_cast<double>(shown->dropped);
+    robot.rate_hz = RateOf(robot.times, passed);
+  }
+  Change(&robot.version);
+}
+
+std::string Board::ChangesSince(std::uint64_t* version, const std::string& close) const {
+  const std::lock_guard lock(mutex_);
+  if (*version == version_) return {};
+  nlohmann::json changes{{"servers", nlohmann::json::array()}, {"robots", nlohmann::json::array()}};
+  for (const Server& server : servers_) {
+    changes["servers"].push_back(
+        ServerJson(server.address, server.state, server.observer ? &*server.observer : nullptr));
+  }
+  for (const auto& [name, robot] : robots_) {
+    if (robot.version <= *version) continue;
+    if (robot.newest) changes["robots"].push_back(RobotJson(*robot.newest, robot.rate_hz));
+    if (name == close && !robot.close.empty()) {
+      changes["close"] = RobotJson(*robot.close.back(), robot.rate_hz);
+    }
+  }
+  *version = version_;
+  return changes.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+ShownFramePtr Board::Frame(const std::string& robot, std::uint64_t id) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = robots_.find(robot);
+  if (found == robots_.end()) return nullptr;
+  for (const ShownFramePtr& each : found->second.close) {
+    if (each->id == id) return each;
+  }
+  const ShownFramePtr& newest = found->second.newest;
+  return newest && newest->id == id ? newest : nullptr;
+}
+
+bool Board::MayDo(const ShownFrame& shown, v1::ObserverRight right) const {
+  const std::lock_guard lock(mutex_);
+  const std::optional<v1::Observer>& observer = servers_.at(shown.server).observer;
+  return observer && Has(*observer, right);
+}
+
+std::optional<std::string> Board::Who() const {
+  const std::lock_guard lock(mutex_);
+  for (const Server& server : servers_) {
+    if (server.observer) return ObserverJson(*server.observer).dump();
+  }
+  return std::nullopt;
+}
+
+bool Board::IsSettled() const {
+  const std::lock_guard lock(mutex_);
+  return std::ranges::none_of(servers_, [](const Server& server) {
+    return server.state.kind == LinkState::Kind::kConnecting && !server.observer;
+  });
+}
+
+bool Board::IsRefused() const {
+  const std::lock_guard lock(mutex_);
+  const auto is = [](LinkState::Kind kind) {
+    return [kind](const Server& server) { return server.state.kind == kind; };
+  };
+  return std::ranges::any_of(servers_, is(LinkState::Kind::kRefused)) &&
+         std::ranges::none_of(servers_, is(LinkState::Kind::kWatching)) &&
+         std::ranges::none_of(servers_,
+                              [](const Server& each) { return each.observer.has_value(); });
+}
+
+Board::Subscription Board::Subscribe(OnChange on_change) {
+  const std::lock_guard lock(mutex_);
+  listeners_.push_back(std::move(on_change));
+  return {this, [this, place = std::prev(listeners_.end())](Board*) {
+            const std::lock_guard inner(mutex_);
+            listeners_.erase(place);
+          }};
+}
+
+}  // namespace fovea::observer

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <list>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "client/observer/watch_stream.h"
+#include "fovea/v1/observation_service.pb.h"
+
+namespace fovea::observer {
+
+// One frame as it was shown, under a number that only this board gives.
+struct ShownFrame {
+  std::uint64_t id = 0;
+  std::size_t server = 0;  // which one showed it
+  std::uint64_t dropped = 0;
+  v1::WatchedFrame frame;
+};
+using ShownFramePtr = std::shared_ptr<const ShownFrame>;
+
+// What one who watches has seen last of each robot. Thread-safe; holds the newest frame of each
+// robot, and some more of those that are looked at closely.
+class Board {
+ public:
+  // Called with a lock held, from the threads that watch, when something has changed.
+  using OnChange = std::function<void()>;
+
+  explicit Board(std::vector<std::string> servers);
+
+  void OnObserver(std::size_t server, const v1::Observer& observer);
+  void OnState(std::size_t server, const LinkState& state);
+  void OnFrame(std::size_t server, v1::WatchResponse response, bool is_close);
+
+  // What has changed since `version`, as JSON; empty where nothing has. Takes `version` forward.
+  // `close` = of that robot, tell the frame that was looked at closely.
+  std::string ChangesSince(std::uint64_t* version, const std::string& close) const;
+
+  // Null where it is not there any more, or never was.
+  ShownFramePtr Frame(const std::string& robot, std::uint64_t id) const;
+
+  // What the one who watches is, by the server that this robot's frame came from.
+  bool MayDo(const ShownFrame& shown, v1::ObserverRight right) const;
+
+  // {"name": …, "rights": […], "robots": […]}; none where no server has let it in.
+  std::optional<std::string> Who() const;
+  // Whether each server has answered, or cannot.
+  bool IsSettled() const;
+  // Whether every server that could be reached refuses the token now.
+  bool IsRefused() const;
+
+  using Subscription = std::shared_ptr<void>;
+  Subscription Subscribe(OnChange on_change);
+
+ private:
+  struct Server {
+    std::string address;
+    LinkState state = {};
+    std::optional<v1::Observer> observer = std::nullopt;
+    std::uint64_t version = 0;
+  };
+  struct Robot {
+    std::uint64_t version = 0;
+    ShownFramePtr newest;
+    std::deque<ShownFramePtr> close;
+    std::deque<std::chrono::steady_clock::time_point> times;  // of the last frames
+    std::uint64_t last_sequence = 0;
+    double rate_hz = 0;
+  };
+
+  void Change(std::uint64_t* version);  // mutex_ is held
+
+  mutable std::mutex mutex_;
+  std::uint64_t version_ = 0, last_id_ = 0;
+  std::vector<Server> servers_;
+  std::map<std::string, Robot> robots_;
+  std::list<OnChange> listeners_;
+};
+
+}  // namespace fovea::observer

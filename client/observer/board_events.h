@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "client/observer/feed.h"
+#include "client/observer/http_types.h"
+
+namespace fovea::observer {
+
+// What changes on a feed's board, and of one robot that is looked at closely. A slow reader gets
+// fewer events, each with all that has changed since the one before.
+class BoardEvents : public EventSource {
+ public:
+  // `close` may be empty.
+  BoardEvents(std::shared_ptr<Feed> feed, std::string close, bool with_depth);
+  ~BoardEvents() override;
+
+  std::string Take() override;
+  void OnNews(std::function<void()> wake) override;
+
+ private:
+  const std::shared_ptr<Feed> feed_;
+  const std::string close_;
+  const Feed::CloseLook look_;
+  std::uint64_t version_ = 0;
+  bool told_end_ = false;
+  Board::Subscription subscription_;
+};
+
+}  // namespace fovea::observer

@@ -1,0 +1,263 @@
+#include "client/observer/http_server.h"
+
+#include <atomic>
+#include <boost/asio.hpp>
+#include <boost/asio/ssl.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/ssl.hpp>
+#include <chrono>
+#include <optional>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>  // Boost.Asio 1.74 forgets it
+
+namespace fovea::observer {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = beast::http;
+using asio::awaitable;
+using asio::use_awaitable;
+using tcp = asio::ip::tcp;
+using boost::system::error_code;
+using PlainStream = beast::tcp_stream;
+using TlsStream = beast::ssl_stream<beast::tcp_stream>;
+
+constexpr std::chrono::seconds kReadTime{60}, kWriteTime{20}, kHandshakeTime{5};
+constexpr std::chrono::seconds kKeepAlive{15};
+constexpr std::chrono::milliseconds kEventPause{30};  // what comes closer together is one event
+constexpr std::uint32_t kMaxHeader = 8 << 10;
+constexpr std::uint64_t kMaxBody = 64 << 10;
+
+// Only this page's own files are loaded, nothing is guessed, framed or told to others.
+constexpr std::pair<const char*, const char*> kSecurityHeaders[]{
+    {"Content-Security-Policy",
+     "default-src 'self'; img-src 'self' blob:; frame-ancestors 'none'; base-uri 'none'; "
+     "form-action 'none'"},
+    {"X-Content-Type-Options", "nosniff"},
+    {"Referrer-Policy", "no-referrer"},
+    {"Cross-Origin-Opener-Policy", "same-origin"},
+    {"Cross-Origin-Resource-Policy", "same-origin"}};
+
+template <typename Message>
+void SetHeaders(const HttpResponse& response, Message& message) {
+  message.set(http::field::content_type, response.type);
+  message.set(http::field::cache_control, "no-store");
+  for (const auto& [name, value] : kSecurityHeaders) message.set(name, value);
+  for (const auto& [name, value] : response.headers) message.set(name, value);
+}
+
+HttpRequest RequestOf(const http::request<http::string_body>& message, bool* is_good) {
+  HttpRequest request{.method = std::string(message.method_string()), .body = message.body()};
+  for (const auto& field : message) {
+    std::string name(field.name_string());
+    for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    request.headers.emplace(std::move(name), field.value());
+  }
+  *is_good = ParseTarget(std::string(message.target()), &request);
+  return request;
+}
+
+// Of HOST:PORT, IPv6 in brackets.
+tcp::endpoint EndpointOf(const std::string& listen, asio::io_context& context) {
+  const std::size_t colon = listen.rfind(':');
+  if (colon == std::string::npos) {
+    throw std::runtime_error("--listen: \"" + listen + "\" is not HOST:PORT");
+  }
+  std::string host = listen.substr(0, colon);
+  if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
+  tcp::resolver resolver(context);
+  return *resolver.resolve(host, listen.substr(colon + 1), tcp::resolver::passive).begin();
+}
+
+// The bytes are shared, not copied.
+template <typename Stream>
+awaitable<void> WriteBody(Stream& stream, const HttpResponse& response, unsigned version,
+                          bool keep_alive) {
+  http::response<http::buffer_body> message(static_cast<http::status>(response.status), version);
+  SetHeaders(response, message);
+  message.keep_alive(keep_alive);
+  message.content_length(response.body->size());
+  message.body().data = const_cast<char*>(response.body->data());  // it is only read
+  message.body().size = response.body->size();
+  message.body().more = false;
+  http::response_serializer<http::buffer_body> serializer(message);
+  beast::get_lowest_layer(stream).expires_after(kWriteTime);
+  if (response.body->empty()) {
+    co_await http::async_write_header(stream, serializer, use_awaitable);
+  } else {
+    co_await http::async_write(stream, serializer, use_awaitable);
+  }
+}
+
+// Wakes a coroutine from any thread; outlives whoever waits.
+class Wake : public std::enable_shared_from_this<Wake> {
+ public:
+  explicit Wake(const asio::any_io_executor& executor) : timer_(executor) {}
+
+  void Call() {
+    if (called_.exchange(true)) return;
+    asio::post(timer_.get_executor(), [self = shared_from_this()] { self->timer_.cancel(); });
+  }
+  awaitable<void> Wait(std::chrono::milliseconds patience) {
+    timer_.expires_after(patience);
+    if (!called_) {
+      error_code ignored;
+      co_await timer_.async_wait(asio::redirect_error(use_awaitable, ignored));
+    }
+    called_ = false;
+  }
+
+ private:
+  asio::steady_timer timer_;
+  std::atomic<bool> called_ = false;
+};
+
+template <typename Stream>
+awaitable<void> SendText(Stream& stream, std::string text) {
+  beast::get_lowest_layer(stream).expires_after(kWriteTime);
+  co_await asio::async_write(stream, asio::buffer(text), use_awaitable);
+}
+
+template <typename Stream>
+awaitable<void> SendEvents(Stream& stream, const HttpResponse& response, unsigned version) {
+  http::response<http::empty_body> message(http::status::ok, version);
+  SetHeaders(response, message);
+  message.keep_alive(false);
+  http::response_serializer<http::empty_body> serializer(message);
+  beast::get_lowest_layer(stream).expires_after(kWriteTime);
+  co_await http::async_write_header(stream, serializer, use_awaitable);
+  const auto executor = co_await asio::this_coro::executor;
+  const auto wake = std::make_shared<Wake>(executor);
+  response.events->OnNews([wake] { wake->Call(); });
+  asio::steady_timer pause(executor);
+  while (true) {
+    std::string text = response.events->Take();
+    if (!text.empty()) {
+      co_await SendText(stream, std::move(text));
+      pause.expires_after(kEventPause);
+      co_await pause.async_wait(use_awaitable);
+      co_await wake->Wait(kKeepAlive);
+      continue;
+    }
+    co_await SendText(stream, ": nothing new\n\n");  // a browser that has left is noticed
+    co_await wake->Wait(kKeepAlive);
+  }
+}
+
+}  // namespace
+
+class HttpServer::Impl {
+ public:
+  Impl(const HttpOptions& options, Handler handler)
+      : handler_(std::move(handler)), max_connections_(options.max_connections) {
+    if (!options.certificate.empty()) {
+      tls_.emplace(asio::ssl::context::tls_server);
+      tls_->set_options(asio::ssl::context::default_workarounds | asio::ssl::context::no_tlsv1 |
+                        asio::ssl::context::no_tlsv1_1);
+      tls_->use_certificate_chain(asio::buffer(options.certificate));
+      tls_->use_private_key(asio::buffer(options.key), asio::ssl::context::pem);
+    }
+    const tcp::endpoint endpoint = EndpointOf(options.listen, context_);
+    acceptor_.open(endpoint.protocol());
+    acceptor_.set_option(asio::socket_base::reuse_address(true));
+    acceptor_.bind(endpoint);
+    acceptor_.listen();
+  }
+
+  std::string Address() const {
+    const tcp::endpoint endpoint = acceptor_.local_endpoint();
+    const std::string host = endpoint.address().to_string();
+    return (endpoint.address().is_v6() ? "[" + host + "]" : host) + ":" +
+           std::to_string(endpoint.port());
+  }
+
+  void Run() {
+    asio::signal_set signals(context_, SIGTERM, SIGINT);
+    signals.async_wait([this](error_code, int) { context_.stop(); });
+    asio::co_spawn(context_, Accept(), asio::detached);
+    context_.run();
+    slow_.join();
+  }
+
+ private:
+  awaitable<void> Accept() {
+    while (true) {
+      error_code error;
+      tcp::socket socket =
+          co_await acceptor_.async_accept(asio::redirect_error(use_awaitable, error));
+      if (error || num_connections_ >= max_connections_) {
+        asio::steady_timer pause(context_, std::chrono::milliseconds(error ? 100 : 1));
+        co_await pause.async_wait(asio::redirect_error(use_awaitable, error));
+        continue;  // the socket closes
+      }
+      ++num_connections_;
+      asio::co_spawn(context_, Serve(std::move(socket)), [this](const std::exception_ptr&) {
+        --num_connections_;  // whatever ended it: the peer left, stalled, or spoke no HTTP
+      });
+    }
+  }
+
+  awaitable<void> Serve(tcp::socket socket) {
+    if (!tls_) {
+      PlainStream stream(std::move(socket));
+      co_await Converse(stream);
+      co_return;
+    }
+    TlsStream stream(std::move(socket), *tls_);
+    beast::get_lowest_layer(stream).expires_after(kHandshakeTime);
+    co_await stream.async_handshake(asio::ssl::stream_base::server, use_awaitable);
+    co_await Converse(stream);
+  }
+
+  template <typename Stream>
+  awaitable<void> Converse(Stream& stream) {
+    beast::flat_buffer buffer(kMaxHeader + kMaxBody);
+    bool goes_on = true;
+    while (goes_on) {
+      http::request_parser<http::string_body> parser;
+      parser.header_limit(kMaxHeader);
+      parser.body_limit(kMaxBody);
+      beast::get_lowest_layer(stream).expires_after(kReadTime);
+      co_await http::async_read(stream, buffer, parser, use_awaitable);
+      const http::request<http::string_body> message = parser.release();
+      bool is_good = false;
+      const HttpRequest request = RequestOf(message, &is_good);
+      // No co_await in a conditional expression: GCC 12 destroys what that yields twice.
+      HttpResponse response = ErrorResponse(400, "the address is malformed");
+      if (is_good) response = co_await Answer(request);
+      if (response.events) {
+        co_await SendEvents(stream, response, message.version());
+        co_return;
+      }
+      goes_on = message.keep_alive();
+      co_await WriteBody(stream, response, message.version(), goes_on);
+    }
+  }
+
+  awaitable<HttpResponse> Answer(const HttpRequest& request) {
+    if (!handler_.is_slow(request)) co_return handler_.answer(request);
+    const auto answer = [this, &request]() -> awaitable<HttpResponse> {
+      co_return handler_.answer(request);
+    };
+    co_return co_await asio::co_spawn(slow_, answer, use_awaitable);
+  }
+
+  const Handler handler_;
+  const int max_connections_;
+  int num_connections_ = 0;
+  asio::io_context context_{1};
+  asio::thread_pool slow_{2};
+  std::optional<asio::ssl::context> tls_;
+  tcp::acceptor acceptor_{context_};
+};
+
+HttpServer::HttpServer(const HttpOptions& options, Handler handler)
+    : impl_(std::make_unique<Impl>(options, std::move(handler))) {}
+HttpServer::~HttpServer() = default;
+std::string HttpServer::Address() const { return impl_->Address(); }
+void HttpServer::Run() { impl_->Run(); }
+
+}  // namespace fovea::observer

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "client/observer/http_types.h"
+
+namespace fovea::observer {
+
+struct HttpOptions {
+  std::string listen = "127.0.0.1:8080";  // HOST:PORT, IPv6 in brackets; port 0 takes a free one
+  std::string certificate, key;           // PEM texts; empty = no TLS
+  int max_connections = 256;
+};
+
+// Serves HTTP/1.1 on one thread, its caller's, as coroutines that wait for nobody. What is slow
+// goes to two threads of its own.
+class HttpServer {
+ public:
+  struct Handler {
+    std::function<bool(const HttpRequest&)> is_slow;
+    std::function<HttpResponse(const HttpRequest&)> answer;  // thread-safe, never throws
+  };
+
+  // Listens when this returns. Throws std::runtime_error where it cannot.
+  HttpServer(const HttpOptions& options, Handler handler);
+  ~HttpServer();
+
+  HttpServer(const HttpServer&) = delete;
+  HttpServer& operator=(const HttpServer&) = delete;
+
+  // HOST:PORT with the real port.
+  std::string Address() const;
+
+  // Serves until SIGTERM or SIGINT.
+  void Run();
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace fovea::observer

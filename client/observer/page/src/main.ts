@@ -1,0 +1,117 @@
+import { Events, logIn, logOut, who } from "./api";
+import { el } from "./dom";
+import { RobotView } from "./robot";
+import { Tiles } from "./tiles";
+import type { Changes, ServerLine, Who } from "./types";
+
+const main = document.getElementById("main")!;
+const servers = document.getElementById("servers")!;
+const header = document.getElementById("who")!;
+const events = new Events();
+let tiles: Tiles;
+let close: RobotView | null = null;
+let hasNews = false; // from the observer, since it was away
+
+function robotInAddress(): string {
+  const match = /^#robot=(.*)$/.exec(location.hash);
+  return match ? decodeURIComponent(match[1]) : "";
+}
+
+function say(lines: ServerLine[]): void {
+  const texts = lines.map(({ address, state, problem }) =>
+    state === "watching" ? `${address}` : `${address} is ${state}${problem ? `: ${problem}` : ""}`,
+  );
+  servers.textContent = texts.join(", ");
+  servers.classList.toggle("bad", lines.some((line) => line.state !== "watching"));
+}
+
+function onChanges(changes: Changes): void {
+  hasNews = true;
+  say(changes.servers);
+  tiles.update(changes.robots);
+  if (close && changes.close?.robot === close.robot) close.update(changes.close);
+}
+
+function onState(connected: boolean): void {
+  if (connected && !hasNews) servers.textContent = "";
+  if (connected) return;
+  hasNews = false;
+  servers.textContent = "the observer is away; trying again";
+  servers.classList.add("bad");
+}
+
+function show(): void {
+  const robot = robotInAddress();
+  const before = close?.robot ?? "";
+  if (robot && close?.robot === robot) return;
+  close = robot ? new RobotView(robot) : null;
+  main.replaceChildren(close ? close.element : tiles.element);
+  if (close) {
+    close.onBack = () => (location.hash = "");
+    close.onDepth = (wanted) => events.open(robot, wanted);
+  } else if (before) {
+    tiles.focus(before);
+  }
+  events.open(robot, false);
+}
+
+function start(me: Who): void {
+  const out = el("button", { type: "button" }, "log out");
+  out.addEventListener("click", async () => {
+    await logOut();
+    askForToken("");
+  });
+  header.replaceChildren(`${me.name} `, out);
+  tiles = new Tiles((robot) => (location.hash = `robot=${encodeURIComponent(robot)}`));
+  close = null;
+  show();
+}
+
+function askForToken(problem: string): void {
+  events.stop();
+  close = null;
+  header.replaceChildren();
+  servers.textContent = "";
+  const input = el("input", { id: "token", type: "password", autocomplete: "current-password", required: "" });
+  const failure = el("p", { class: "bad", role: "alert", id: "failure" }, problem);
+  const form = el("form", {}, el("label", { for: "token" }, "Token of an observer"), input, el("button", {}, "Log in"), failure);
+  form.addEventListener("submit", async (event) => {
+    event.preventDefault();
+    try {
+      start(await logIn(input.value));
+    } catch (error) {
+      failure.textContent = (error as Error).message;
+    }
+  });
+  main.replaceChildren(form);
+  input.focus();
+}
+
+// "#token=…", as the demo prints it, logs in and does not stay in the address.
+async function begin(): Promise<void> {
+  const given = /^#token=(.*)$/.exec(location.hash);
+  if (given) history.replaceState(null, "", location.pathname);
+  const known = given ? null : await who().catch(() => null);
+  if (known) return start(known);
+  try {
+    if (given) return start(await logIn(decodeURIComponent(given[1])));
+    askForToken("");
+  } catch (error) {
+    askForToken((error as Error).message);
+  }
+}
+
+events.onChanges = onChanges;
+events.onState = onState;
+events.onEnd = () => askForToken("The token does not hold any more, or the observer has started anew.");
+addEventListener("hashchange", () => {
+  if (tiles) show();
+});
+addEventListener("keydown", (event) => {
+  if (event.ctrlKey || event.metaKey || event.altKey) return;
+  if (event.target instanceof HTMLInputElement) return;
+  // On a button, space presses that.
+  if (event.key === " " && event.target instanceof HTMLButtonElement) return;
+  if (close?.onKey(event.key)) event.preventDefault();
+});
+void begin();

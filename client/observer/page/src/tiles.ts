@@ -1,0 +1,109 @@
+// All robots, those with problems first.
+import { answerOf, pictureOf } from "./api";
+import { el } from "./dom";
+import { drawFrame, type Shown } from "./overlay";
+import type { RobotLine } from "./types";
+
+const ON_TILES: Shown = { masks: true, boxes: true, labels: false, grasps: false, rejected: false, seeds: false, saliency: false };
+const QUIET_MS = 10_000;
+
+class Tile {
+  readonly item: HTMLLIElement;
+  private readonly canvas = el("canvas", { "aria-hidden": "true" });
+  private readonly facts = el("div", { class: "soft" });
+  private readonly reason = el("div", { class: "reason bad" });
+  private readonly button: HTMLButtonElement;
+  private fetched = 0;
+  private busy = false;
+  private visible = false;
+
+  constructor(
+    public line: RobotLine,
+    open: (robot: string) => void,
+  ) {
+    this.button = el("button", { type: "button", class: "tile" }, this.canvas, el("div", {}, el("strong", {}, line.robot), this.facts), this.reason);
+    this.button.addEventListener("click", () => open(line.robot));
+    this.item = el("li", { "data-robot": line.robot }, this.button);
+    new IntersectionObserver((entries) => {
+      this.visible = entries[entries.length - 1].isIntersecting;
+      void this.draw();
+    }).observe(this.item);
+  }
+
+  update(line: RobotLine): void {
+    this.line = line;
+    this.describe();
+    void this.draw();
+  }
+
+  isQuiet(): boolean {
+    return Date.now() - Number(this.line.answered_at_ms) > QUIET_MS;
+  }
+
+  describe(): void {
+    const { objects, took_ms, rate_hz, problem, reasons } = this.line;
+    const seconds = Math.round((Date.now() - Number(this.line.answered_at_ms)) / 1000);
+    const pace = this.isQuiet() ? `quiet for ${seconds} s` : `${rate_hz.toFixed(1)} a second`;
+    this.facts.textContent = `${objects} object${objects === 1 ? "" : "s"} · ${took_ms.toFixed(0)} ms · ${pace}`;
+    this.reason.textContent = problem ? (reasons[0] ?? "") : "";
+    this.button.classList.toggle("problem", problem);
+  }
+
+  // The newest picture only, and one at a time: a slow connection shows fewer.
+  private async draw(): Promise<void> {
+    const { robot, id } = this.line;
+    if (this.busy || !this.visible || this.fetched === id) return;
+    this.busy = true;
+    try {
+      const [frame, picture] = await Promise.all([answerOf(robot, id), this.line.has_picture ? pictureOf("preview", robot, id) : null]);
+      if (frame) {
+        drawFrame(this.canvas, picture, frame, ON_TILES, 0);
+        this.canvas.dataset.id = String(id);
+      }
+      this.fetched = id;
+    } catch {
+      // the page says elsewhere that the observer is away
+    } finally {
+      this.busy = false;
+    }
+    if (this.fetched !== this.line.id) setTimeout(() => void this.draw(), 50);
+  }
+}
+
+export class Tiles {
+  readonly element: HTMLElement;
+  private readonly list = el("ul", { class: "tiles" });
+  private readonly hint = el("p", { class: "soft" }, "No robot has sent a frame since this page was opened.");
+  private readonly tiles = new Map<string, Tile>();
+
+  constructor(private readonly open: (robot: string) => void) {
+    this.element = el("section", { "aria-label": "robots" }, this.hint, this.list);
+    setInterval(() => this.tiles.forEach((tile) => tile.describe()), 1000);
+  }
+
+  update(lines: RobotLine[]): void {
+    for (const line of lines) {
+      let tile = this.tiles.get(line.robot);
+      if (!tile) {
+        tile = new Tile(line, this.open);
+        this.tiles.set(line.robot, tile);
+      }
+      tile.update(line);
+    }
+    this.hint.hidden = this.tiles.size > 0;
+    this.sort();
+  }
+
+  focus(robot: string): void {
+    this.tiles.get(robot)?.item.querySelector("button")?.focus();
+  }
+
+  private sort(): void {
+    const order = (tile: Tile) => (tile.line.problem ? 0 : tile.isQuiet() ? 1 : 2);
+    const sorted = [...this.tiles.values()].sort((a, b) => order(a) - order(b) || a.line.robot.localeCompare(b.line.robot));
+    // Moved only where they must be, as moving takes the focus away.
+    sorted.forEach((tile, i) => {
+      if (this.list.children[i] !== tile.item) this.list.insertBefore(tile.item, this.list.children[i] ?? null);
+    });
+  }
+}

@@ -1,0 +1,166 @@
+#include "client/observer/routes.h"
+
+#include <algorithm>
+#include <charconv>
+#include <exception>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include "client/observer/assets.h"
+#include "client/observer/board_events.h"
+#include "client/observer/board_json.h"
+
+namespace fovea::observer {
+namespace {
+
+constexpr const char* kCookie = "fovea_session";
+constexpr std::size_t kMaxToken = 256, kMaxRobot = 64;
+
+// The name without the port; IPv6 keeps its brackets.
+std::string NameOfHost(const std::string& host) {
+  const std::size_t bracket = host.rfind(']');
+  const std::size_t colon = host.find(':', bracket == std::string::npos ? 0 : bracket);
+  return host.substr(0, colon);
+}
+
+HttpResponse BytesResponse(std::string type, std::string bytes) {
+  return {.type = std::move(type), .body = std::make_shared<const std::string>(std::move(bytes))};
+}
+
+HttpResponse NotFound() { return ErrorResponse(404, "there is nothing here"); }
+
+std::optional<std::uint64_t> NumberOf(const std::string& text) {
+  std::uint64_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+std::string TokenIn(const std::string& body) {
+  const auto parsed = nlohmann::json::parse(body, nullptr, /*allow_exceptions=*/false);
+  if (!parsed.is_object() || !parsed.contains("token") || !parsed["token"].is_string()) return {};
+  std::string token = parsed["token"];
+  const bool can_be_sent = token.size() <= kMaxToken &&
+                           std::ranges::all_of(token, [](char c) { return c > ' ' && c <= '~'; });
+  return can_be_sent ? token : "";
+}
+
+HttpResponse AssetResponse(const std::string& path) {
+  const auto asset = FindAsset(path == "/" ? "/index.html" : path);
+  if (!asset) return NotFound();
+  HttpResponse response{.type = asset->type, .body = asset->gzip};
+  response.headers = {{"Content-Encoding", "gzip"}, {"Cache-Control", "no-cache"}};
+  return response;
+}
+
+}  // namespace
+
+Routes::Routes(std::vector<ServerLink> servers, std::vector<std::string> hosts, bool is_secure)
+    : sessions_(std::move(servers)), hosts_(std::move(hosts)), is_secure_(is_secure) {}
+
+bool Routes::IsSlow(const HttpRequest& request) { return request.path == "/api/login"; }
+
+HttpResponse Routes::Answer(const HttpRequest& request) {
+  try {
+    return Route(request);
+  } catch (const std::exception&) {
+    return ErrorResponse(500, "internal error");
+  }
+}
+
+bool Routes::IsOwnHost(const std::string& host) const {
+  return std::ranges::find(hosts_, NameOfHost(host)) != hosts_.end();
+}
+
+bool Routes::IsOwnOrigin(const HttpRequest& request) const {
+  return request.Header("origin") == (is_secure_ ? "https://" : "http://") + request.Header("host");
+}
+
+HttpResponse Routes::Route(const HttpRequest& request) {
+  if (!IsOwnHost(request.Header("host"))) {
+    return ErrorResponse(421, "this server is not known by this name; see --host");
+  }
+  const bool is_get = request.method == "GET", is_post = request.method == "POST";
+  if (!is_get && !is_post) return ErrorResponse(405, "only GET and POST are served");
+  if (is_post && !IsOwnOrigin(request)) {
+    return ErrorResponse(403, "the request comes from another page");
+  }
+  if (is_post && request.path == "/api/login") return LogIn(request);
+  if (is_get && !request.path.starts_with("/api/")) return AssetResponse(request.path);
+  const auto session = sessions_.Find(request.Cookie(kCookie));
+  if (!session) return ErrorResponse(401, "log in with an observer's token");
+  if (is_post && request.Header("x-fovea-csrf") != session->csrf) {
+    return ErrorResponse(403, "the request does not come from the page");
+  }
+  if (is_post) return request.path == "/api/logout" ? LogOut(request, *session) : NotFound();
+  if (request.path == "/api/session") return Who(*session);
+  if (request.path == "/api/events") return Events(request, *session);
+  return OfFrame(request, *session);
+}
+
+std::string Routes::CookieOf(const std::string& id, bool ends) const {
+  return std::string(kCookie) + "=" + id + "; Path=/; HttpOnly; SameSite=Strict" +
+         (is_secure_ ? "; Secure" : "") + (ends ? "; Max-Age=0" : "");
+}
+
+HttpResponse Routes::LogIn(const HttpRequest& request) {
+  const std::string token = TokenIn(request.body);
+  if (token.empty()) return ErrorResponse(400, "token: must be 1 to 256 printable characters");
+  std::string problem;
+  const auto session = sessions_.LogIn(token, &problem);
+  if (!session) return ErrorResponse(401, problem);
+  HttpResponse response = Who(*session);
+  response.headers.emplace_back("Set-Cookie", CookieOf(session->id, /*ends=*/false));
+  return response;
+}
+
+HttpResponse Routes::LogOut(const HttpRequest&, const Session& session) {
+  sessions_.LogOut(session.id);
+  HttpResponse response = BytesResponse("application/json", "{}");
+  response.headers.emplace_back("Set-Cookie", CookieOf("", /*ends=*/true));
+  return response;
+}
+
+HttpResponse Routes::Who(const Session& session) const {
+  auto who = nlohmann::json::parse(session.feed->board().Who().value_or("{}"));
+  who["csrf"] = session.csrf;
+  return BytesResponse("application/json",
+                       who.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+HttpResponse Routes::Events(const HttpRequest& request, const Session& session) const {
+  const std::string close = request.Query("close");
+  if (close.size() > kMaxRobot) return NotFound();
+  HttpResponse response{.type = "text/event-stream"};
+  response.events =
+      std::make_shared<BoardEvents>(session.feed, close, request.Query("depth") == "1");
+  return response;
+}
+
+HttpResponse Routes::OfFrame(const HttpRequest& request, const Session& session) const {
+  const auto id = NumberOf(request.Query("id"));
+  if (!id) return NotFound();
+  const ShownFramePtr shown = session.feed->board().Frame(request.Query("robot"), *id);
+  if (!shown) return NotFound();
+  const v1::WatchedFrame& frame = shown->frame;
+  // The text lives in the frame, which the response keeps.
+  const auto part = [&](const std::string& bytes) {
+    return std::shared_ptr<const std::string>(shown, &bytes);
+  };
+  if (request.path == "/api/answer") return BytesResponse("application/json", FrameJson(*shown));
+  if (request.path == "/api/preview" && !frame.preview().empty()) {
+    return {.type = "image/jpeg", .body = part(frame.preview())};
+  }
+  if (request.path == "/api/picture" && !frame.picture().empty()) {
+    return {.type = "image/jpeg", .body = part(frame.picture())};
+  }
+  if (request.path == "/api/depth" && frame.has_depth()) {
+    HttpResponse response{.type = "application/octet-stream", .body = part(frame.depth().data())};
+    response.headers.emplace_back("Content-Encoding", "gzip");
+    return response;
+  }
+  return NotFound();
+}
+
+}  // namespace fovea::observer

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "client/observer/http_types.h"
+#include "client/observer/sessions.h"
+
+namespace fovea::observer {
+
+// Who may ask for what, and what is answered. Thread-safe.
+class Routes {
+ public:
+  // `hosts` are the names that browsers may know this server by (DNS rebinding); `is_secure` = it
+  // is reached over TLS.
+  Routes(std::vector<ServerLink> servers, std::vector<std::string> hosts, bool is_secure);
+
+  // Whether answering takes its time, as it asks the servers.
+  static bool IsSlow(const HttpRequest& request);
+  // Never throws for what is asked.
+  HttpResponse Answer(const HttpRequest& request);
+
+ private:
+  HttpResponse Route(const HttpRequest& request);
+  HttpResponse LogIn(const HttpRequest& request);
+  HttpResponse LogOut(const HttpRequest& request, const Session& session);
+  HttpResponse Who(const Session& session) const;
+  HttpResponse Events(const HttpRequest& request, const Session& session) const;
+  HttpResponse OfFrame(const HttpRequest& request, const Session& session) const;
+  bool IsOwnHost(const std::string& host) const;
+  bool IsOwnOrigin(const HttpRequest& request) const;
+  std::string CookieOf(const std::string& id, bool ends) const;
+
+  Sessions sessions_;
+  const std::vector<std::string> hosts_;
+  const bool is_secure_;
+};
+
+}  // namespace fovea::observer

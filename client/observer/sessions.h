@@ -1,0 +1,47 @@
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "client/observer/feed.h"
+
+namespace fovea::observer {
+
+// A browser that has logged in.
+struct Session {
+  std::string id;    // in its cookie
+  std::string csrf;  // in a header of what changes something
+  std::shared_ptr<Feed> feed;
+  std::chrono::steady_clock::time_point used;
+};
+
+// Thread-safe. Bounded: the session that was not used for longest makes room for another one.
+class Sessions {
+ public:
+  explicit Sessions(std::vector<ServerLink> servers) : servers_(std::move(servers)) {}
+
+  // Waits for the servers, some seconds at most. None where none of them knows the token, when
+  // `problem` says why.
+  std::optional<Session> LogIn(const std::string& token, std::string* problem);
+  // None where there is no such session (any more), or its token has been taken back.
+  std::optional<Session> Find(const std::string& id);
+  void LogOut(const std::string& id);
+
+ private:
+  std::shared_ptr<Feed> FeedOf(const std::string& token);
+
+  const std::vector<ServerLink> servers_;
+  std::mutex mutex_;
+  std::map<std::string, Session> sessions_;           // by id
+  std::map<std::string, std::weak_ptr<Feed>> feeds_;  // by token
+};
+
+// 256 random bits, in hexadecimal digits.
+std::string RandomName();
+
+}  // namespace fovea::observer

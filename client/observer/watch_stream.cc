@@ -1,0 +1,69 @@
+#include "client/observer/watch_stream.h"
+
+#include <grpcpp/client_context.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "fovea/v1/observation_service.grpc.pb.h"
+
+namespace fovea::observer {
+namespace {
+
+LinkState StateOf(const grpc::Status& status) {
+  switch (status.error_code()) {
+    case grpc::StatusCode::UNAUTHENTICATED:
+    case grpc::StatusCode::PERMISSION_DENIED:
+      return {LinkState::Kind::kRefused, status.error_message()};
+    case grpc::StatusCode::UNIMPLEMENTED:
+      return {LinkState::Kind::kRefused, "the server has no observers (--observers)"};
+    case grpc::StatusCode::UNAVAILABLE:
+      return {LinkState::Kind::kAway, "cannot be reached: " + status.error_message()};
+    default:
+      return {LinkState::Kind::kAway, status.error_message()};
+  }
+}
+
+}  // namespace
+
+WatchStream::WatchStream(ServerLink link, std::string token, v1::WatchRequest request,
+                         Listener listener)
+    : link_(std::move(link)),
+      token_(std::move(token)),
+      request_(std::move(request)),
+      listener_(std::move(listener)),
+      thread_([this](const std::stop_token& stop) { Run(stop); }) {}
+
+void WatchStream::Run(const std::stop_token& stop) {
+  constexpr std::chrono::milliseconds kFirst{100}, kLongest{2000};
+  std::chrono::milliseconds wait = kFirst;
+  while (!stop.stop_requested()) {
+    wait = Watch(stop) ? kFirst : std::min(2 * wait, kLongest);
+    std::unique_lock lock(mutex_);
+    pause_.wait_for(lock, stop, wait, [] { return false; });
+  }
+}
+
+bool WatchStream::Watch(const std::stop_token& stop) {
+  const auto stub = v1::ObservationService::NewStub(link_.channel);
+  grpc::ClientContext context;
+  context.AddMetadata("authorization", "Bearer " + token_);
+  const std::stop_callback cancel(stop, [&] { context.TryCancel(); });
+  const auto reader = stub->Watch(&context, request_);
+  bool came = false;
+  for (v1::WatchResponse response; reader->Read(&response); response.Clear()) {
+    if (response.has_observer()) {
+      came = true;
+      listener_.on_observer(response.observer());
+      listener_.on_state({LinkState::Kind::kWatching, ""});
+    } else if (response.has_frame()) {
+      listener_.on_frame(std::move(response));
+    }
+  }
+  const grpc::Status status = reader->Finish();
+  if (!stop.stop_requested()) listener_.on_state(StateOf(status));
+  return came;
+}
+
+}  // namespace fovea::observer

@@ -1,0 +1,29 @@
+#include "server/access/observer_gate.h"
+
+#include <chrono>
+#include <utility>
+
+#include "server/access/token_line.h"
+
+namespace fovea::server {
+
+ObserverGate::ObserverGate(std::string file) : file_(std::move(file)) { Reload(); }
+
+void ObserverGate::Reload() {
+  if (!is_open()) return;
+  auto table = std::make_shared<const ObserverTable>(ObserverTable::FromFile(file_));
+  const std::lock_guard lock(mutex_);
+  table_ = std::move(table);
+}
+
+ObserverEntry ObserverGate::Admit(const grpc::ServerContextBase& context) const {
+  std::shared_ptr<const ObserverTable> table;
+  {
+    const std::lock_guard lock(mutex_);
+    table = table_;
+  }
+  const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+  return table->EntryOf(BearerTokenOf(context.client_metadata()), now);
+}
+
+}  // namespace fovea::server

@@ -1,0 +1,97 @@
+#include "server/access/observer_table.h"
+
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "server/access/token_line.h"
+#include "server/access/unauthenticated.h"
+#include "server/conversion/field_error.h"
+
+namespace fovea::server {
+namespace {
+
+constexpr std::size_t kMaxName = 64, kMaxPatterns = 64;
+
+std::vector<std::string> Split(const std::string& text) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, ',');) parts.push_back(part);
+  return parts;
+}
+
+ObserverRights ParseRights(const std::string& text) {
+  ObserverRights rights;
+  for (const std::string& right : Split(text)) {
+    bool* const named = right == "view"       ? &rights.view
+                        : right == "try"      ? &rights.try_
+                        : right == "download" ? &rights.download
+                        : right == "pick"     ? &rights.pick
+                                              : nullptr;
+    RequireField(named != nullptr, "\"" + right + "\"",
+                 "is no right; there are view, try, download and pick");
+    *named = true;
+  }
+  RequireField(rights.view, "\"" + text + "\"", "must have view, without which there is nothing");
+  return rights;
+}
+
+std::vector<std::string> ParsePatterns(const std::string& text) {
+  std::vector<std::string> patterns = Split(text);
+  const bool whole = std::ranges::none_of(patterns, [](const auto& each) { return each.empty(); });
+  RequireField(!patterns.empty() && whole && patterns.size() <= kMaxPatterns, "\"" + text + "\"",
+               "must be 1 to 64 patterns of robots with commas between them, * for all");
+  return patterns;
+}
+
+}  // namespace
+
+bool MatchesAny(const std::vector<std::string>& patterns, const std::string& name) {
+  return std::ranges::any_of(patterns, [&](const std::string& pattern) {
+    return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+  });
+}
+
+bool ObserverEntry::MaySee(const std::string& robot) const {
+  return rights.view && MatchesAny(robots, robot);
+}
+
+ObserverTable ObserverTable::FromFile(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error("--observers: cannot read " + path);
+  ObserverTable table;
+  int number = 0;
+  for (std::string line; std::getline(file, line);) {
+    InField("--observers: " + path + ":" + std::to_string(++number), [&] { table.Add(line); });
+  }
+  return table;
+}
+
+void ObserverTable::Add(const std::string& line) {
+  std::istringstream words(line);
+  std::string name, hash, rights, robots, expires, rest;
+  if (!(words >> name) || name.front() == '#') return;
+  words >> hash >> rights >> robots >> expires >> rest;
+  RequireField(rest.empty(), "\"" + rest + "\"",
+               "is too much; a line is NAME SHA256 RIGHTS ROBOTS [EXPIRES]");
+  RequireField(name.size() <= kMaxName, "the name", "has more than 64 characters");
+  RequireHash(hash);
+  ObserverEntry entry{.name = name, .rights = ParseRights(rights), .robots = ParsePatterns(robots)};
+  if (!expires.empty()) entry.expires = ParseExpiry(expires);
+  RequireField(by_hash_.emplace(hash, std::move(entry)).second, "the token",
+               "is there twice; each belongs to one observer");
+}
+
+const ObserverEntry& ObserverTable::EntryOf(std::string_view token,
+                                            std::chrono::sys_seconds now) const {
+  const auto found = by_hash_.find(HashOfToken(token));
+  if (found == by_hash_.end()) throw Unauthenticated("the token is not known");
+  if (now >= found->second.expires) throw Unauthenticated("the token has expired");
+  return found->second;
+}
+
+}  // namespace fovea::server

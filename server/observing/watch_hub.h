@@ -1,0 +1,103 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "server/observing/mailbox.h"
+#include "server/observing/sight.h"
+#include "server/observing/wish.h"
+
+namespace fovea::server {
+
+// Brings frames from those who compute them to those who watch. Computing waits for nobody: a frame
+// is handed over, and pictures are made of it by a thread that gives way to all others. Of each
+// robot only the newest frame waits, and all that waits is bounded. Thread-safe.
+class WatchHub {
+ public:
+  // One who watches. `on_news` is called, from the hub's thread, when the mailbox got something.
+  struct Watcher {
+    Watcher(Wish w, std::function<void()> news, std::atomic<std::size_t>& total);
+    const Wish wish;
+    const std::function<void()> on_news;
+    Mailbox mailbox;
+    // Of each robot, what was shown last and when the next one may be; the hub's.
+    struct Turn {
+      std::uint64_t shown = 0;
+      std::chrono::steady_clock::time_point due;
+    };
+    std::map<std::string, Turn> turns;
+
+    // When this may be shown; max() = never, or it has been.
+    std::chrono::steady_clock::time_point DueOf(const Sight& sight) const;
+  };
+  struct Counts {
+    std::size_t watchers = 0, waiting_bytes = 0;
+    std::uint64_t shown = 0, dropped = 0;
+  };
+
+  explicit WatchHub(std::uint64_t max_pixels);
+  ~WatchHub();
+
+  WatchHub(const WatchHub&) = delete;
+  WatchHub& operator=(const WatchHub&) = delete;
+
+  // Whether there is anybody; costs one read.
+  bool IsWatched() const { return num_watchers_.load(std::memory_order_relaxed) > 0; }
+
+  // Shows what `make` makes, which is asked only where somebody wants it. `robot` must be its name.
+  void Show(const std::string& robot, const std::function<Sight()>& make);
+
+  // Throws Overloaded where too many watch already.
+  std::shared_ptr<Watcher> Join(Wish wish, std::function<void()> on_news);
+  void Leave(const std::shared_ptr<Watcher>& watcher);
+
+  Counts counts() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  struct Robot {
+    std::uint64_t sequence = 0;
+    Clock::time_point seen;
+    std::shared_ptr<const Sight> newest;  // waits to be shown
+    std::size_t bytes = 0;                // of that
+  };
+
+  // mutex_ is held for these.
+  bool IsWanted(const std::string& robot) const;
+  Robot& Of(const std::string& robot);
+  void Drop(Robot& robot);
+  void MakeRoom(std::size_t bytes);
+  Clock::time_point DueOf(const Sight& sight) const;  // of the first of those who want it
+  // The robot to show now; end where none is due, when `*next` is the time to look again.
+  std::map<std::string, Robot>::iterator NextDue(Clock::time_point now, Clock::time_point* next);
+  std::vector<std::shared_ptr<Watcher>> TakeDue(const Sight& sight, Clock::time_point now);
+  void Await(const std::stop_token& stop, Clock::time_point next,
+             std::unique_lock<std::mutex>& lock);
+
+  void Run(const std::stop_token& stop);
+  void Deliver(const Sight& sight, const std::vector<std::shared_ptr<Watcher>>& watchers);
+
+  const std::uint64_t max_pixels_;
+  std::atomic<int> num_watchers_ = 0;
+  std::atomic<std::size_t> mail_bytes_ = 0;
+  std::atomic<std::uint64_t> num_shown_ = 0, num_dropped_ = 0;
+  mutable std::mutex mutex_;
+  std::condition_variable_any changed_;
+  bool has_news_ = false;
+  std::vector<std::shared_ptr<Watcher>> watchers_;
+  std::map<std::string, Robot> robots_;
+  std::size_t pending_bytes_ = 0;
+  std::jthread thread_;
+};
+
+}  // namespace fovea::server

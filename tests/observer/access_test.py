@@ -1,0 +1,220 @@
+"""Who gets what over HTTP, without a browser."""
+
+from __future__ import annotations
+
+import gzip
+import socket
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from conftest import Robots, Scene
+from processes import (
+    OBSERVERS,
+    PATIENCE,
+    Events,
+    ObserverProcess,
+    ServerProcess,
+    Visitor,
+    write_observers,
+)
+
+PARTS = ("answer", "preview", "picture", "depth")
+
+
+def part_of(robot: Any, part: str) -> str:
+    return f"/api/{part}?robot={robot['robot']}&id={robot['id']}"
+
+
+def test_the_page_needs_no_token_and_nothing_from_elsewhere(visitor: Visitor) -> None:
+    for path, kind in (
+        ("/", "text/html"),
+        ("/page.js", "text/javascript"),
+        ("/page.css", "text/css"),
+    ):
+        answer = visitor.get(path)
+        assert answer.status == 200 and answer.headers["Content-Type"].startswith(kind)
+        assert answer.headers["Content-Security-Policy"].startswith("default-src 'self';")
+        assert answer.headers["X-Content-Type-Options"] == "nosniff"
+        assert b"//cdn" not in gzip.decompress(answer.body)
+
+
+@pytest.mark.parametrize(
+    "path", ["session", "events", "answer?robot=a&id=1", "preview?robot=a&id=1"]
+)
+def test_all_else_needs_a_login(visitor: Visitor, path: str) -> None:
+    assert visitor.get(f"/api/{path}").status == 401
+    assert visitor.get(f"/api/{path}", Cookie="fovea_session=" + 64 * "0").status == 401
+
+
+@pytest.mark.parametrize("token", ["", "wrong", "token-of-ann ", 300 * "x", "a\nb", "\u00e9"])
+def test_wrong_tokens_are_refused(visitor: Visitor, token: str) -> None:
+    answer = visitor.log_in(token)
+    assert answer.status in (400, 401) and answer.json()["error"]
+    assert "Set-Cookie" not in answer.headers
+
+
+def test_cookies_are_kept_from_scripts_and_other_sites(visitor: Visitor) -> None:
+    cookie = visitor.log_in(OBSERVERS["ann"][0]).headers["Set-Cookie"]
+    assert "; HttpOnly" in cookie and "; SameSite=Strict" in cookie and "; Path=/" in cookie
+
+
+def test_tells_who_is_logged_in(visitor: Visitor) -> None:
+    visitor.log_in(OBSERVERS["ben"][0])
+    who = visitor.get("/api/session").json()
+    assert who["name"] == "ben" and who["rights"] == ["view"] and who["robots"] == ["kitchen-*"]
+
+
+@pytest.mark.parametrize("host", ["evil.example", "evil.example:80", "", "127.0.0.1.evil.example"])
+def test_other_names_for_this_machine_are_refused(visitor: Visitor, host: str) -> None:
+    assert visitor.get("/", Host=host).status == 421
+
+
+def test_other_pages_cannot_post(visitor: Visitor) -> None:
+    body = '{"token": "token-of-ann"}'
+    for origin in ("http://evil.example", "null", f"https://{visitor.address}"):
+        assert visitor.ask("POST", "/api/login", body, Origin=origin).status == 403
+    assert visitor.ask("POST", "/api/login", body).status == 403
+    visitor.log_in(OBSERVERS["ann"][0])
+    own = f"http://{visitor.address}"
+    assert visitor.ask("POST", "/api/logout", "", Origin=own).status == 403
+    assert visitor.ask("POST", "/api/logout", "", Origin=own, X_Fovea_CSRF="0").status == 403
+    assert visitor.get("/api/session").status == 200
+    answer = visitor.ask("POST", "/api/logout", "", Origin=own, X_Fovea_CSRF=visitor.csrf)
+    assert answer.status == 200
+    assert visitor.get("/api/session").status == 401
+
+
+def test_each_observer_sees_its_robots_and_no_other(
+    visitor: Visitor, robots: Robots, scene: Scene
+) -> None:
+    visitors = {}
+    for name, (token, _, _) in OBSERVERS.items():
+        visitors[name] = Visitor(visitor.address)
+        assert visitors[name].log_in(token).status == 200
+    with Events(visitors["ann"]) as of_ann, Events(visitors["ben"]) as of_ben:
+        of_ann.servers("watching")
+        of_ben.servers("watching")
+        for robot in ("attic-1", "kitchen-1"):
+            robots.detect(robot, scene.frame())
+        kitchen = of_ben.robot("kitchen-1")
+        seen = {name: of_ann.robot(name) for name in ("attic-1", "kitchen-1")}
+    for part in ("answer", "preview"):
+        assert visitors["ben"].get(part_of(kitchen, part)).status == 200
+        for robot in seen.values():
+            assert visitors["ann"].get(part_of(robot, part)).status == 200
+    # Numbers of frames are each observer's own, so try all that there can be.
+    for part in PARTS:
+        for number in range(1, 20):
+            foreign = {"robot": "attic-1", "id": number}
+            assert visitors["ben"].get(part_of(foreign, part)).status == 404
+            for robot in ("attic-1", "kitchen-1"):
+                none = {"robot": robot, "id": number}
+                assert visitors["cat"].get(part_of(none, part)).status == 404
+
+
+def test_a_close_look_brings_picture_and_depth(
+    visitor: Visitor, robots: Robots, scene: Scene
+) -> None:
+    visitor.log_in(OBSERVERS["ann"][0])
+    with Events(visitor, "?close=kitchen-2&depth=1") as events:
+        close = None
+        while close is None:  # the look begins some time after the page asks for it
+            robots.detect("kitchen-2", scene.frame())
+            close = events.next().get("close")
+        assert visitor.get(part_of(close, "picture")).body.startswith(b"\xff\xd8")
+        depth = visitor.get(part_of(close, "depth"))
+        assert depth.headers["Content-Encoding"] == "gzip"
+        pixels = np.frombuffer(gzip.decompress(depth.body), "<u2").reshape(scene.depth.shape)
+        assert np.array_equal(pixels, scene.depth)
+        answer = visitor.get(part_of(close, "answer")).json()
+        assert len(answer["detections"]["objects"]) == close["objects"] > 0
+
+
+def test_a_close_look_at_a_foreign_robot_shows_nothing(
+    visitor: Visitor, robots: Robots, scene: Scene
+) -> None:
+    visitor.log_in(OBSERVERS["ben"][0])
+    with Events(visitor, "?close=attic-3&depth=1") as events:
+        events.servers("watching")
+        for _ in range(3):
+            robots.detect("attic-3", scene.frame())
+            robots.detect("kitchen-3", scene.frame())
+        last = events.robot("kitchen-3")
+        assert "close" not in last
+        for part in PARTS:
+            for number in range(1, last["id"] + 10):
+                path = part_of({"robot": "attic-3", "id": number}, part)
+                assert visitor.get(path).status == 404
+
+
+def test_says_when_the_server_is_away_and_back(scene: Scene, tmp_path: Path) -> None:
+    observers = write_observers(tmp_path)
+    with ServerProcess(observers) as server, ObserverProcess(server.address) as observer:
+        visitor = Visitor(observer.address)
+        visitor.log_in(OBSERVERS["ann"][0])
+        with Events(visitor) as events:
+            events.servers("watching")
+            server.kill()
+            assert events.servers("away")[0]["problem"]
+            with ServerProcess(observers, server.address) as again:
+                events.servers("watching")
+                Robots(again.address).detect("attic", scene.frame())
+                assert events.robot("attic")["objects"] > 0
+
+
+def test_a_token_that_is_taken_back_ends_the_session(tmp_path: Path) -> None:
+    observers = write_observers(tmp_path)
+    with ServerProcess(observers) as server, ObserverProcess(server.address) as observer:
+        visitor = Visitor(observer.address)
+        visitor.log_in(OBSERVERS["ann"][0])
+        with Events(visitor) as events:
+            events.servers("watching")
+            observers.write_text("")
+            import os
+            import signal
+
+            os.kill(server.pid, signal.SIGHUP)
+            while not events.response.readline().startswith(b"event: ended"):
+                pass
+        assert visitor.get("/api/session").status == 401
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "GET /%zz HTTP/1.1\r\nHost: localhost\r\n\r\n",
+        "GET /%00 HTTP/1.1\r\nHost: localhost\r\n\r\n",
+        "GET /../../etc/passwd HTTP/1.1\r\nHost: localhost\r\n\r\n",
+        "GET /api/answer?robot=%ff&id=99999999999999999999 HTTP/1.1\r\nHost: localhost\r\n\r\n",
+        "POST /api/login HTTP/1.1\r\nHost: localhost\r\nOrigin: http://localhost\r\nContent-Length: 4\r\n\r\n[[[[",
+        "POST /api/login HTTP/1.1\r\nHost: localhost\r\nContent-Length: 99999999999\r\n\r\n",
+        "GET / HTTP/1.1\r\nHost: localhost\r\nX: " + 20000 * "x" + "\r\n\r\n",
+        "BREW / HTTP/1.1\r\nHost: localhost\r\n\r\n",
+        "\x16\x03\x01 no HTTP at all\r\n\r\n",
+    ],
+)
+def test_hostile_requests_end_nothing(observer: ObserverProcess, text: str) -> None:
+    host, port = observer.address.split(":")
+    with socket.create_connection((host, int(port)), timeout=PATIENCE) as connection:
+        connection.sendall(text.encode("latin-1"))
+        connection.shutdown(socket.SHUT_WR)
+        received = b""
+        try:
+            while chunk := connection.recv(4096):
+                received += chunk
+        except ConnectionResetError:
+            pass
+    assert received == b"" or received.startswith(b"HTTP/1.1 4"), received[:100]
+    assert Visitor(observer.address).get("/").status == 200
+
+
+def test_other_machines_only_with_tls() -> None:
+    import os
+    import subprocess
+
+    command = [os.environ["FOVEA_OBSERVER"], "--listen", "0.0.0.0:0"]
+    finished = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE)
+    assert finished.returncode == 1
+    assert finished.stderr.startswith('fovea-observer: --listen: "0.0.0.0:0" is open to other')

@@ -1,0 +1,96 @@
+"""Debian's Chromium, headless, with the page in it."""
+
+from __future__ import annotations
+
+import base64
+import shutil
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from processes import PATIENCE
+from selenium import webdriver
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.remote.webelement import WebElement
+from selenium.webdriver.support.ui import WebDriverWait
+
+CHROMIUM, DRIVER = shutil.which("chromium"), shutil.which("chromedriver")
+
+# As base64, since a list of numbers takes a second.
+READ_CANVAS = """
+const canvas = arguments[0];
+const data = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+let text = "";
+for (let i = 0; i < data.length; i += 8192) {
+  text += String.fromCharCode(...data.subarray(i, i + 8192));
+}
+return [canvas.width, canvas.height, btoa(text)];
+"""
+
+
+class Browser:
+    def __init__(self, *flags: str) -> None:
+        options = webdriver.ChromeOptions()
+        options.binary_location = CHROMIUM
+        own = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--mute-audio"]
+        own += ["--enable-unsafe-swiftshader", "--window-size=1300,1000"]
+        for flag in (*own, *flags):
+            options.add_argument(flag)
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+        self.driver = webdriver.Chrome(service=Service(DRIVER), options=options)
+        self.driver.set_page_load_timeout(PATIENCE)
+
+    def close(self) -> None:
+        self.driver.quit()
+
+    def find(self, selector: str) -> WebElement:
+        """Waits for it."""
+        return self.until(lambda: (self.all(selector) or [None])[0])
+
+    def all(self, selector: str) -> list[WebElement]:
+        return self.driver.find_elements(By.CSS_SELECTOR, selector)
+
+    def texts(self, selector: str) -> list[str]:
+        """Of all at once, as the page goes on meanwhile."""
+        script = "return [...document.querySelectorAll(arguments[0])].map(e => e.textContent)"
+        return list(self.driver.execute_script(script, selector))
+
+    def until(self, is_so: Callable[[], Any]) -> Any:
+        return WebDriverWait(self.driver, PATIENCE, poll_frequency=0.05).until(lambda _: is_so())
+
+    def log_in(self, url: str, token: str) -> None:
+        self.driver.delete_all_cookies()
+        self.driver.get("about:blank")
+        self.driver.get(url)
+        self.find("#token").send_keys(token + Keys.ENTER)
+
+    def press(self, label: str) -> None:
+        for button in self.all(".bar button"):
+            if button.text == label:
+                button.click()
+                return
+        raise AssertionError(f"there is no button {label}")
+
+    def pixels(self, canvas: WebElement) -> np.ndarray[Any, Any]:
+        width, height, text = self.driver.execute_script(READ_CANVAS, canvas)
+        return np.frombuffer(base64.b64decode(text), np.uint8).reshape(height, width, 4)
+
+    def hover(self, canvas: WebElement, x: float, y: float) -> None:
+        """At this share of its width and height."""
+        self.driver.execute_script("arguments[0].scrollIntoView({block: 'center'})", canvas)
+        size = canvas.size
+        right = round((x - 0.5) * size["width"])
+        down = round((y - 0.5) * size["height"])
+        ActionChains(self.driver).move_to_element_with_offset(canvas, right, down).perform()
+
+    def complaints(self) -> list[str]:
+        """What the page had to say in its console."""
+        known = ("401", "404")  # no session yet; a frame that has passed
+        return [
+            entry["message"]
+            for entry in self.driver.get_log("browser")
+            if entry["level"] == "SEVERE" and not any(text in entry["message"] for text in known)
+        ]

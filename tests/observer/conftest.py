@@ -1,0 +1,77 @@
+"""What all tests share: a server with observers, fovea-observer, and a generated scene."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PIL import Image
+from processes import PATIENCE, ObserverProcess, ServerProcess, Visitor, write_observers
+
+import fovea
+
+
+@dataclass
+class Scene:
+    """A generated tabletop of 320x240 with exact depth and labels."""
+
+    color: Any
+    depth: Any
+    labels: Any
+    intrinsics = fovea.CameraIntrinsics(262.5, 262.5, 159.5, 119.5)
+
+    def frame(self, **changes: Any) -> fovea.Frame:
+        parts = {"color": self.color, "depth": self.depth, "intrinsics": self.intrinsics}
+        return fovea.Frame(**(parts | changes))
+
+
+@pytest.fixture(scope="session")
+def scene(tmp_path_factory: pytest.TempPathFactory) -> Scene:
+    folder = tmp_path_factory.mktemp("scene")
+    command = [os.environ["FOVEA_SCENES"], "--output", str(folder)]
+    command += ["--kind", "tabletop", "--size", "320x240", "--sensor", "ideal"]
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+    color, depth, labels = (
+        np.array(Image.open(folder / f"tabletop_1_{name}.png"))
+        for name in ("color", "depth", "label")
+    )
+    return Scene(color, depth.astype(np.uint16), labels)
+
+
+@pytest.fixture(scope="session")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ServerProcess]:
+    with ServerProcess(write_observers(tmp_path_factory.mktemp("observers"))) as process:
+        yield process
+
+
+@pytest.fixture(scope="session")
+def observer(server: ServerProcess) -> Iterator[ObserverProcess]:
+    with ObserverProcess(server.address) as process:
+        yield process
+
+
+@pytest.fixture
+def visitor(observer: ObserverProcess) -> Visitor:
+    return Visitor(observer.address)
+
+
+class Robots:
+    """Robots of a server, by name."""
+
+    def __init__(self, address: str) -> None:
+        self.address = address
+
+    def detect(self, robot: str, frame: fovea.Frame, **options: Any) -> fovea.Detections:
+        with fovea.Client(self.address, robot=robot, timeout=PATIENCE) as client:
+            return client.detect_frame(frame, fovea.DetectOptions(**options))
+
+
+@pytest.fixture
+def robots(server: ServerProcess) -> Robots:
+    return Robots(server.address)

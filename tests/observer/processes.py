@@ -1,0 +1,145 @@
+"""A server with observers, fovea-observer before it, and browsers' requests to that."""
+
+from __future__ import annotations
+
+import hashlib
+import http.client
+import json
+import os
+import subprocess
+from pathlib import Path
+from typing import Any
+
+PATIENCE = 60.0  # seconds; only a broken test waits that long
+
+# Who may what, with which token.
+OBSERVERS = {
+    "ann": ("token-of-ann", "view,try,download,pick", "*"),
+    "ben": ("token-of-ben", "view", "kitchen-*"),
+    "cat": ("token-of-cat", "view", "nobody"),
+}
+
+
+def write_observers(folder: Path) -> Path:
+    lines = [
+        f"{name} {hashlib.sha256(token.encode()).hexdigest()} {rights} {robots}\n"
+        for name, (token, rights, robots) in OBSERVERS.items()
+    ]
+    path = folder / "observers"
+    path.write_text("".join(lines))
+    return path
+
+
+class Process:
+    """A program of ours that says where it listens in its first line."""
+
+    def __init__(self, *command: str) -> None:
+        self._process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+        assert self._process.stdout is not None
+        self.line = self._process.stdout.readline().strip()
+        assert self.line, f"{command[0]} did not start"
+
+    def __enter__(self) -> Any:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.kill()
+
+    def kill(self) -> None:
+        self._process.kill()
+        self._process.wait()
+
+    @property
+    def pid(self) -> int:
+        return self._process.pid
+
+
+class ServerProcess(Process):
+    def __init__(self, observers: Path, address: str = "127.0.0.1:0") -> None:
+        flags = ["--listen", address, "--log-level", "error", "--observers", str(observers)]
+        super().__init__(os.environ["FOVEA_SERVER"], *flags)
+        self.address = self.line.split()[-1]
+
+
+class ObserverProcess(Process):
+    def __init__(self, server: str, listen: str = "127.0.0.1:0", *flags: str) -> None:
+        command = ["--server", server, "--listen", listen, *flags]
+        super().__init__(os.environ["FOVEA_OBSERVER"], *command)
+        self.url = self.line.split()[-1]
+        self.address = self.url.split("/")[2]
+
+
+class Answer:
+    def __init__(self, response: http.client.HTTPResponse) -> None:
+        self.status = response.status
+        self.headers = response.headers
+        self.body = response.read()
+
+    def json(self) -> Any:
+        return json.loads(self.body)
+
+
+class Visitor:
+    """Sends requests as a browser would, or as a browser never would."""
+
+    def __init__(self, address: str) -> None:
+        self.address = address
+        self.headers: dict[str, str] = {}
+        self.csrf = ""
+
+    def ask(self, method: str, path: str, body: str | None = None, **headers: str) -> Answer:
+        connection = http.client.HTTPConnection(self.address, timeout=PATIENCE)
+        try:
+            named = {name.replace("_", "-"): value for name, value in headers.items()}
+            connection.request(method, path, body, self.headers | named)
+            return Answer(connection.getresponse())
+        finally:
+            connection.close()
+
+    def get(self, path: str, **headers: str) -> Answer:
+        return self.ask("GET", path, **headers)
+
+    def log_in(self, token: str) -> Answer:
+        body = json.dumps({"token": token})
+        answer = self.ask("POST", "/api/login", body, Origin=f"http://{self.address}")
+        if answer.status == 200:
+            self.headers["Cookie"] = answer.headers["Set-Cookie"].split(";")[0]
+            self.csrf = answer.json()["csrf"]
+        return answer
+
+
+class Events:
+    """The lines of /api/events."""
+
+    def __init__(self, visitor: Visitor, query: str = "") -> None:
+        self._connection = http.client.HTTPConnection(visitor.address, timeout=PATIENCE)
+        self._connection.request("GET", f"/api/events{query}", headers=visitor.headers)
+        self.response = self._connection.getresponse()
+        assert self.response.status == 200, self.response.read()
+
+    def __enter__(self) -> Events:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.response.close()
+        self._connection.close()
+
+    def next(self) -> Any:
+        while True:
+            line = self.response.readline().decode()
+            assert line, "the stream has ended"
+            if line.startswith("data: "):
+                return json.loads(line[len("data: ") :])
+
+    def robot(self, name: str, newer_than: int = 0) -> Any:
+        """Of the list of robots, the next one of this name."""
+        while True:
+            for robot in self.next()["robots"]:
+                if robot["robot"] == name and robot["id"] > newer_than:
+                    return robot
+
+    def servers(self, state: str) -> Any:
+        while True:
+            servers = self.next()["servers"]
+            if all(server["state"] == state for server in servers):
+                return servers
