@@ -91,7 +91,8 @@ void WriteFiles(Outputs outputs, const FrameFiles& files, const FrameSettings& s
 
 Outcome DetectFrame(const Run& run, const FrameFiles& files) {
   try {
-    if (!fs::exists(files.depth_path)) throw std::runtime_error("no " + files.depth_path);
+    if (!files.read_depth && !fs::exists(files.depth_path))
+      throw std::runtime_error("no " + files.depth_path);
     const Outputs outputs = OutputsOf(files.id, run.batch);
     const v1::DetectRequest request = MakeRequest(files, run.settings);
     const v1::DetectResponse response = Ask(run, request);
@@ -169,7 +170,7 @@ class Printer {
 bool DetectFolder(const client::Client& client, const Batch& batch, FrameSettings settings,
                   std::chrono::milliseconds timeout,
                   const std::function<std::string(const client::RpcError&)>& explain) {
-  FrameList list = ListFrames(batch.input);
+  FrameList list = batch.list ? *batch.list : ListFrames(batch.input);
   for (const std::string& note : list.notes) std::cerr << "note: " << note << '\n';
   settings.depth_unit_m = batch.depth_unit_m.value_or(list.depth_unit_m);
   RequestFor(OutputsOf("any", batch), &settings.options);

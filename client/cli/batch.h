@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "client/cli/frame_list.h"
 #include "client/cli/overlay/overlay.h"
 #include "client/cli/request.h"
 #include "client/client.h"
@@ -13,8 +14,9 @@ namespace fovea::cli {
 
 // What to do with a folder of frames.
 struct Batch {
-  std::string input;   // as ListFrames reads it
-  std::string output;  // made where it is missing; empty = no files
+  std::string input;              // as ListFrames reads it
+  std::optional<FrameList> list;  // what `input` holds, where that is known already
+  std::string output;             // made where it is missing; empty = no files
   bool labels = true, overlays = true;
   OverlayExtras extras;
   std::string clouds;       // ending of NAME.ply or NAME.pcd; empty = none

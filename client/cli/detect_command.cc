@@ -8,11 +8,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 
 #include "client/cli/batch.h"
 #include "client/cli/explain.h"
 #include "client/cli/intrinsics_flag.h"
+#include "client/cli/mcap/bag.h"
 #include "client/cli/output_check.h"
 #include "client/cli/report.h"
 #include "client/client.h"
@@ -24,6 +26,17 @@ constexpr double kMillimetre = 0.001;
 
 void Require(bool holds, const std::string& message) {
   if (!holds) throw std::invalid_argument(message);
+}
+
+// What the bag says of the colour camera; false where it says nothing, or a flag does.
+bool SetIntrinsicsFrom(const Bag& bag, const DetectFlags& flags, FrameSettings* settings) {
+  if (!flags.intrinsics.empty() || !bag.calibration) return false;
+  std::cerr << "note: intrinsics from " << bag.info_topic << " of " << flags.input << '\n';
+  settings->intrinsics = IntrinsicsOf(*bag.calibration);
+  settings->intrinsics_path = flags.input;
+  settings->size = {bag.calibration->width, bag.calibration->height};
+  SetDistortion(flags.distortion, &settings->intrinsics);
+  return true;
 }
 
 void SetIntrinsics(const DetectFlags& flags, FrameSettings* settings) {
@@ -53,9 +66,9 @@ void SetTimeBudget(double seconds, v1::DetectOptions* options) {
       google::protobuf::util::TimeUtil::NanosecondsToDuration(std::llround(seconds * 1e9));
 }
 
-FrameSettings SettingsOf(const DetectFlags& flags) {
+FrameSettings SettingsOf(const DetectFlags& flags, const std::optional<Bag>& bag = {}) {
   FrameSettings settings;
-  SetIntrinsics(flags, &settings);
+  if (!bag || !SetIntrinsicsFrom(*bag, flags, &settings)) SetIntrinsics(flags, &settings);
   settings.depth_camera = ParseDepthCamera(flags.depth_intrinsics, flags.color_from_depth);
   settings.gravity = ParseGravity(flags.gravity);
   settings.options = ParseOptions(flags.profile, flags.settings);
@@ -131,8 +144,17 @@ Batch BatchOf(const DetectFlags& flags) {
 }
 
 int DetectMany(const DetectFlags& flags, const client::Client& client) {
+  Batch batch = BatchOf(flags);
+  std::optional<Bag> bag;
+  if (IsBag(flags.input)) {
+    bag = OpenBag(flags.input, {flags.color_topic, flags.depth_topic});
+    std::cerr << "note: colour of " << bag->color_topic << ", depth of " << bag->depth_topic
+              << '\n';
+    batch.list = bag->list;
+    if (bag->list.frames.empty()) throw std::runtime_error(flags.input + ": it has no frames");
+  }
   const bool all_done =
-      DetectFolder(client, BatchOf(flags), SettingsOf(flags), TimeoutOf(flags),
+      DetectFolder(client, batch, SettingsOf(flags, bag), TimeoutOf(flags),
                    [&](const client::RpcError& error) { return ExplainDetect(error, flags); });
   return all_done ? EXIT_SUCCESS : EXIT_FAILURE;
 }

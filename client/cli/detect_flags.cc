@@ -108,12 +108,16 @@ void AddFrameFlags(CLI::App& command, DetectFlags& flags) {
 }
 
 void AddFolderFlags(CLI::App& command, DetectFlags& flags) {
-  const char* group = "A folder of frames";
-  AddFlag(command, "--input", flags.input, "FOLDER",
+  const char* group = "A folder of frames, or a bag";
+  AddFlag(command, "--input", flags.input, "FOLDER|FILE.mcap",
           "Every NAME_color.png (or .jpg) with its NAME_depth.png; or TUM RGB-D (rgb.txt and "
           "depth.txt); or folders rgb (or color) and depth with images of the same names or named "
-          "by their times")
+          "by their times; or a ROS 2 bag (MCAP) with images")
       ->group(group);
+  AddFlag(command, "--color-topic", flags.color_topic, "TOPIC",
+          "Of a bag, where several can be meant")
+      ->group(group);
+  AddFlag(command, "--depth-topic", flags.depth_topic, "TOPIC", "The same for depth")->group(group);
   AddFlag(
       command, "--output", flags.output, "FOLDER",
       "For NAME.png (labels), NAME.json and NAME_overlay.jpg, which are overwritten; made where "

@@ -16,7 +16,7 @@ struct DetectFlags {
   double timeout_s = 30;
   double time_budget_s = 0;  // 0: none
   std::string color, depth, intrinsics, depth_intrinsics, color_from_depth, distortion, gravity,
-      profile, id, input, output, place;
+      profile, id, input, output, place, color_topic, depth_topic;
   std::optional<double> depth_unit_m;  // none: a millimetre, or what a folder of such frames has
   std::vector<std::string> settings, grippers, show;
   bool no_masks = false, no_overlay = false, resume = false;

@@ -13,9 +13,9 @@ namespace fovea::cli {
 namespace {
 
 template <typename Make>
-auto FromFile(const std::string& path, Make make) {
+auto FromFile(const std::string& path, const std::function<std::string()>& read, Make make) {
   try {
-    return make(ReadFile(path));
+    return make(read ? read() : ReadFile(path));
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(path + ": " + error.what());
   }
@@ -112,9 +112,10 @@ v1::DetectRequest MakeRequest(const FrameFiles& files, const FrameSettings& sett
   v1::Frame& frame = *request.mutable_frame();
   frame.set_id(files.id);
   if (files.captured_at) *frame.mutable_captured_at() = *files.captured_at;
-  *frame.mutable_color() = FromFile(
-      files.color_path, [](std::string bytes) { return client::MakeColorImage(std::move(bytes)); });
-  *frame.mutable_depth() = FromFile(files.depth_path, [&](std::string bytes) {
+  *frame.mutable_color() = FromFile(files.color_path, files.read_color, [](std::string bytes) {
+    return client::MakeColorImage(std::move(bytes));
+  });
+  *frame.mutable_depth() = FromFile(files.depth_path, files.read_depth, [&](std::string bytes) {
     return client::MakeDepthImage(std::move(bytes), settings.depth_unit_m);
   });
   return request;

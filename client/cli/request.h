@@ -1,6 +1,7 @@
 // A frame on disk and what is asked about it → a request.
 #pragma once
 
+#include <functional>
 #include <opencv2/core/types.hpp>
 #include <optional>
 #include <string>
@@ -31,7 +32,9 @@ struct FrameFiles {
   std::string id;
   std::string color_path;
   std::string depth_path;
-  std::optional<google::protobuf::Timestamp> captured_at;
+  std::optional<google::protobuf::Timestamp> captured_at = {};
+  // The bytes of both files, where they are no files; the paths are names for people then.
+  std::function<std::string()> read_color = {}, read_depth = {};
 };
 
 // The values of --depth-intrinsics and --color-from-depth, which go together (both empty = none);

@@ -7,6 +7,7 @@
 
 #include "client/images.h"
 #include "tests/server/frames.h"
+#include "tests/support/bag_writer.h"
 
 namespace {
 
@@ -54,6 +55,25 @@ void WriteRequests(const fs::path& folder) {
   Write(folder, "robot", request.SerializeAsString());
 }
 
+void WriteBags(const fs::path& folder) {
+  constexpr std::int64_t kTime_ns = 1'700'000'000'000'000'000;
+  for (const std::string compression : {"", "zstd", "lz4"}) {
+    BagWriter writer;
+    writer.Add("/color/camera_info", "CameraInfo", CameraInfoMessage(4, 2, 5, 0.1));
+    writer.Add("/color/image", "Image",
+               ImageMessage(kTime_ns, "rgb8", 4, 2, 12, std::string(24, 'c')));
+    writer.Add("/depth/image", "Image",
+               ImageMessage(kTime_ns, "16UC1", 4, 2, 8, std::string(16, 'd')));
+    writer.EndChunk(compression);
+    writer.Add("/color/image", "CompressedImage",
+               CompressedMessage(2 * kTime_ns, "jpeg", "\xff\xd8\xff"));
+    writer.Add("/depth/image", "CompressedImage",
+               CompressedMessage(2 * kTime_ns, "16UC1; compressedDepth png", std::string(20, 'p')));
+    writer.Add("/depth/image", "Image", ImageMessage(kTime_ns, "32FC1", 1, 1, 4, "abcd"));
+    Write(folder, compression.empty() ? "plain" : compression, writer.Finish());
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -70,5 +90,6 @@ int main(int argc, char** argv) {
   Write(corpus / "zstd", "depth", wanted + ZstdOf(BytesOf(TestDepth())));
   Write(corpus / "rvl", "depth", RvlOf(TestDepth()));
   WriteRequests(corpus / "request");
+  WriteBags(corpus / "mcap");
   return 0;
 }

@@ -124,6 +124,21 @@ TEST(FindSupports, LeavesOutWhatIsTooSmallToCarry) {
   EXPECT_EQ(FindSupports(cloud.Points(), {cloud.Normals()}, kDown, options).size(), 3U);
 }
 
+// Side by side, boxes have tops as large as a small shelf.
+TEST(FindSupports, TopsInTheHeightOfObjectsMustBeLargerToCarry) {
+  const auto count = [](float height_m, int depth_cm) {
+    Cloud cloud;
+    cloud.AddRectangle(0.7F, -0.5F, 1, 100, 100);
+    cloud.AddRectangle(0.7F - height_m, -0.2F, 1.2F, 40, depth_cm);
+    return FindSupports(cloud.Points(), {cloud.Normals()}, kDown,
+                        {.max_surfaces = 2, .min_area_m2 = 0.05})
+        .size();
+  };
+  EXPECT_EQ(count(0.2F, 30), 1U) << "0.12 m² of 0.2 m² are a top";
+  EXPECT_EQ(count(0.2F, 70), 2U) << "0.28 m² are a shelf";
+  EXPECT_EQ(count(0.5F, 30), 2U) << "no object is that high";
+}
+
 TEST(FindSupports, AMarginBoundsTheFootprints) {
   Cloud cloud;
   cloud.AddRectangle(0.7F, -0.5F, 1.0F, 100, 80);

@@ -1,0 +1,113 @@
+#include "client/cli/mcap/bag.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/interprocess/file_mapping.hpp>
+#include <boost/interprocess/mapped_region.hpp>
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "client/cli/mcap/mcap.h"
+#include "client/cli/mcap/ros_messages.h"
+#include "client/cli/mcap/topics.h"
+#include "client/cli/timed_images.h"
+
+namespace fovea::cli {
+namespace {
+
+constexpr std::string_view kImage = "sensor_msgs/msg/Image";
+constexpr std::string_view kCompressed = "sensor_msgs/msg/CompressedImage";
+constexpr std::string_view kInfo = "sensor_msgs/msg/CameraInfo";
+
+struct Index {
+  std::map<std::string, std::vector<TimedImage>, std::less<>> images;  // by topic
+  std::map<std::string, Calibration, std::less<>> infos;
+  std::map<std::string, std::pair<McapPlace, bool>> places;  // by TimedImage.path; compressed
+};
+
+std::int64_t TimeOf(const McapMessage& message) {
+  constexpr std::int64_t kLatest = 4'000'000'000'000'000'000;  // the year 2096
+  const std::int64_t stamp = StampOf(message.data);
+  const std::int64_t time = stamp != 0 ? stamp : message.log_time_ns;
+  if (time < 0 || time > kLatest) throw std::invalid_argument("an image's time is none");
+  return time;
+}
+
+std::string Seconds(std::int64_t time_ns) {
+  constexpr std::int64_t kSecond_ns = 1'000'000'000;
+  return fmt::format("{}.{:09}", time_ns / kSecond_ns, time_ns % kSecond_ns);
+}
+
+void Note(const McapMessage& message, const std::string& name, Index* index) {
+  const bool compressed = message.type == kCompressed;
+  const bool is_image = compressed || message.type == kImage;
+  if (message.encoding != "cdr" || (!is_image && message.type != kInfo)) return;
+  const std::string topic(message.topic);
+  if (!is_image) {
+    if (!index->infos.contains(topic)) index->infos[topic] = CameraInfo(message.data);
+    return;
+  }
+  const std::int64_t time = TimeOf(message);
+  std::vector<TimedImage>& images = index->images[topic];
+  const std::string path = fmt::format("{}: image {} of {}", name, images.size() + 1, topic);
+  index->places[path] = {message.place, compressed};
+  images.push_back({time, Seconds(time), path});
+}
+
+std::vector<std::string> TopicsOf(const Index& index) {
+  std::vector<std::string> topics;
+  for (const auto& [topic, images] : index.images) topics.push_back(topic);
+  return topics;
+}
+
+}  // namespace
+
+bool IsBag(const std::string& path) { return path.ends_with(".mcap"); }
+
+Bag ReadBag(std::string_view bytes, const std::string& name, const BagTopics& topics,
+            const std::shared_ptr<const void>& owner) {
+  Index index;
+  const bool whole =
+      ForEachMessage(bytes, [&](const McapMessage& message) { Note(message, name, &index); });
+  const std::vector<std::string> all = TopicsOf(index);
+  Bag bag;
+  bag.color_topic = ColorTopic(all, topics.color);
+  bag.depth_topic = DepthTopic(all, topics.depth);
+  bag.list = PairByTime(index.images[bag.color_topic], index.images[bag.depth_topic]);
+  if (!whole) bag.list.notes.push_back(name + " ends within a record; what is before is read");
+  for (FrameFiles& frame : bag.list.frames) {
+    frame.read_color = [bytes, owner, at = index.places.at(frame.color_path)] {
+      return ColorFile(DataAt(bytes, at.first), at.second);
+    };
+    frame.read_depth = [bytes, owner, at = index.places.at(frame.depth_path)] {
+      return DepthFile(DataAt(bytes, at.first), at.second);
+    };
+  }
+  std::vector<std::string> infos;
+  for (const auto& [topic, calibration] : index.infos) infos.push_back(topic);
+  bag.info_topic = InfoTopic(infos, bag.color_topic);
+  if (!bag.info_topic.empty()) bag.calibration = index.infos[bag.info_topic];
+  return bag;
+}
+
+Bag OpenBag(const std::string& path, const BagTopics& topics) {
+  namespace ipc = boost::interprocess;
+  try {
+    if (!std::filesystem::is_regular_file(path))
+      throw std::invalid_argument("there is no such file");
+    if (std::filesystem::file_size(path) == 0) throw std::invalid_argument("it is empty");
+    const ipc::file_mapping file(path.c_str(), ipc::read_only);
+    const auto region = std::make_shared<ipc::mapped_region>(file, ipc::read_only);
+    const std::string_view bytes(static_cast<const char*>(region->get_address()),
+                                 region->get_size());
+    return ReadBag(bytes, path, topics, region);
+  } catch (const std::exception& error) {
+    throw std::runtime_error(path + ": " + error.what());
+  }
+}
+
+}  // namespace fovea::cli

@@ -1,0 +1,40 @@
+// The frames of a ROS 2 bag.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "client/cli/calibration_file.h"
+#include "client/cli/frame_list.h"
+
+namespace fovea::cli {
+
+// "x.mcap".
+bool IsBag(const std::string& path);
+
+// Topics of a bag; empty = the only one that can be meant.
+struct BagTopics {
+  std::string color, depth;
+};
+
+struct Bag {
+  FrameList list;  // frames read themselves from the bag, whenever they are asked to
+  std::string color_topic, depth_topic, info_topic;
+  std::optional<Calibration> calibration;  // the first camera_info beside the colour topic
+};
+
+// Reads the bag once to see what it has. Of topics with images, those with "depth" in their names
+// are depth (where there are several, those with "aligned" or "registered"), the others, but for
+// infrared ones, colour. Images are paired by the times of their headers, else of the recorder.
+// Throws std::runtime_error that names the file, and the topics where it is not clear which are
+// meant.
+Bag OpenBag(const std::string& path, const BagTopics& topics);
+
+// The same of bytes, which live as long as `owner`. `name` is for people. Throws
+// std::invalid_argument.
+Bag ReadBag(std::string_view bytes, const std::string& name, const BagTopics& topics,
+            const std::shared_ptr<const void>& owner);
+
+}  // namespace fovea::cli

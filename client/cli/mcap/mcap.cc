@@ -1,0 +1,129 @@
+#include "client/cli/mcap/mcap.h"
+
+#include <map>
+#include <stdexcept>
+
+#include "client/cli/mcap/byte_reader.h"
+#include "client/cli/mcap/decompression.h"
+
+namespace fovea::cli {
+namespace {
+
+constexpr std::string_view kMagic("\x89MCAP0\r\n", 8);
+constexpr std::uint8_t kSchema = 3, kChannel = 4, kMessage = 5, kChunk = 6, kDataEnd = 15;
+
+struct Channel {
+  std::string topic, type, encoding;
+};
+
+struct Chunk {
+  std::string_view compression, records;
+  std::uint64_t size = 0;
+};
+
+Chunk ParseChunk(std::string_view content) {
+  ByteReader reader(content);
+  reader.Bytes(2 * sizeof(std::uint64_t));  // of the first and the last message
+  Chunk chunk;
+  chunk.size = reader.Number<std::uint64_t>();
+  reader.Bytes(sizeof(std::uint32_t));  // CRC
+  chunk.compression = reader.Text();
+  chunk.records = reader.Bytes(reader.Number<std::uint64_t>());
+  return chunk;
+}
+
+class Parser {
+ public:
+  Parser(std::string_view file, const std::function<void(const McapMessage&)>& use)
+      : file_(file), use_(use) {}
+
+  bool Parse() {
+    if (!file_.starts_with(kMagic)) throw std::invalid_argument("it is no MCAP file");
+    return Records(file_.substr(kMagic.size()), kMagic.size(), {});
+  }
+
+ private:
+  // `start`: of `records` in the file, or in those of the chunk that `chunk` names.
+  bool Records(std::string_view records, std::uint64_t start, const McapPlace& chunk) {
+    ByteReader reader(records);
+    while (!reader.AtEnd()) {
+      constexpr std::size_t kHead = 1 + sizeof(std::uint64_t);
+      if (records.size() - reader.position() < kHead) return false;
+      const auto kind = reader.Number<std::uint8_t>();
+      const auto size = reader.Number<std::uint64_t>();
+      if (size > records.size() - reader.position()) return false;
+      const std::uint64_t place = start + reader.position();
+      const std::string_view content = reader.Bytes(size);
+      if (kind == kDataEnd) return true;  // what follows says the same once more
+      if (kind == kSchema) AddSchema(content);
+      if (kind == kChannel) AddChannel(content);
+      if (kind == kMessage) AddMessage(content, place, chunk);
+      if (kind == kChunk && chunk.chunk == 0) AddChunk(content, place);
+    }
+    return true;
+  }
+
+  void AddSchema(std::string_view content) {
+    ByteReader reader(content);
+    const auto id = reader.Number<std::uint16_t>();
+    schemas_[id] = reader.Text();
+  }
+
+  void AddChannel(std::string_view content) {
+    ByteReader reader(content);
+    const auto id = reader.Number<std::uint16_t>();
+    const auto schema = schemas_.find(reader.Number<std::uint16_t>());
+    Channel& channel = channels_[id];
+    channel.type = schema == schemas_.end() ? "" : schema->second;
+    channel.topic = reader.Text();
+    channel.encoding = reader.Text();
+  }
+
+  void AddMessage(std::string_view content, std::uint64_t place, McapPlace chunk) {
+    ByteReader reader(content);
+    const auto channel = channels_.find(reader.Number<std::uint16_t>());
+    if (channel == channels_.end()) throw std::invalid_argument("a message is of no channel");
+    reader.Bytes(sizeof(std::uint32_t));  // its number
+    const auto log_time = reader.Number<std::uint64_t>();
+    reader.Bytes(sizeof(std::uint64_t));  // when it was published
+    chunk.start = place + reader.position();
+    const std::string_view data = reader.Rest();
+    chunk.size = data.size();
+    const auto& [topic, type, encoding] = channel->second;
+    use_({topic, type, encoding, static_cast<std::int64_t>(log_time), data, chunk});
+  }
+
+  void AddChunk(std::string_view content, std::uint64_t place) {
+    const Chunk chunk = ParseChunk(content);
+    const std::string records = Decompress(chunk.records, chunk.compression, chunk.size);
+    if (!Records(records, 0, {place, content.size(), 0, 0})) {
+      throw std::invalid_argument("a chunk ends within a record");
+    }
+  }
+
+  const std::string_view file_;
+  const std::function<void(const McapMessage&)>& use_;
+  std::map<std::uint16_t, std::string> schemas_;
+  std::map<std::uint16_t, Channel> channels_;
+};
+
+std::string_view Part(std::string_view bytes, std::uint64_t start, std::uint64_t size) {
+  ByteReader reader(bytes);
+  reader.Bytes(start);
+  return reader.Bytes(size);
+}
+
+}  // namespace
+
+bool ForEachMessage(std::string_view file, const std::function<void(const McapMessage&)>& use) {
+  return Parser(file, use).Parse();
+}
+
+std::string DataAt(std::string_view file, const McapPlace& place) {
+  if (place.chunk == 0) return std::string(Part(file, place.start, place.size));
+  const Chunk chunk = ParseChunk(Part(file, place.chunk, place.chunk_bytes));
+  const std::string records = Decompress(chunk.records, chunk.compression, chunk.size);
+  return std::string(Part(records, place.start, place.size));
+}
+
+}  // namespace fovea::cli

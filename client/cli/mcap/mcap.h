@@ -1,0 +1,34 @@
+// MCAP (mcap.dev/spec), the files of ROS 2 bags, as far as messages need it: no indices, so that a
+// bag whose recorder was killed is read, too.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace fovea::cli {
+
+// Where a message lies in the bytes of a file.
+struct McapPlace {
+  std::uint64_t chunk = 0;  // content of the chunk's record, or 0 = the message is in none
+  std::uint64_t chunk_bytes = 0;
+  std::uint64_t start = 0, size = 0;  // of its data, in the chunk's records or in the file
+};
+
+struct McapMessage {
+  std::string_view topic, type, encoding;  // "/camera/image_raw", "sensor_msgs/msg/Image", "cdr"
+  std::int64_t log_time_ns = 0;
+  std::string_view data;
+  McapPlace place;
+};
+
+// Calls `use` with each message, in their order in the file. Returns whether the file is whole;
+// false = it ends within a record. Throws std::invalid_argument where it is no MCAP, or where
+// records contradict themselves.
+bool ForEachMessage(std::string_view file, const std::function<void(const McapMessage&)>& use);
+
+// The data of a message that ForEachMessage found there.
+std::string DataAt(std::string_view file, const McapPlace& place);
+
+}  // namespace fovea::cli

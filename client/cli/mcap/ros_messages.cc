@@ -1,0 +1,199 @@
+#include "client/cli/mcap/ros_messages.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+#include <vector>
+
+#include "client/cli/distortion.h"
+#include "client/cli/mcap/byte_reader.h"
+
+namespace fovea::cli {
+namespace {
+
+constexpr std::string_view kPng("\x89PNG\r\n\x1a\n", 8);
+
+// Plain CDR, little-endian: numbers are aligned to their size, texts have a 0 at their end.
+class CdrReader {
+ public:
+  explicit CdrReader(std::string_view message) : reader_(Body(message)) {}
+
+  template <typename Value>
+  Value Number() {
+    reader_.Align(sizeof(Value));
+    return reader_.Number<Value>();
+  }
+  std::string_view Bytes() {
+    reader_.Align(sizeof(std::uint32_t));
+    return reader_.Text();
+  }
+  std::string_view Text() {
+    const std::string_view text = Bytes();
+    return text.substr(0, text.find('\0'));
+  }
+
+ private:
+  static std::string_view Body(std::string_view message) {
+    constexpr std::string_view kLittleEndian("\x00\x01", 2);
+    constexpr std::size_t kHead = 4;
+    if (message.size() < kHead || !message.starts_with(kLittleEndian)) {
+      throw std::invalid_argument("a message is not in little-endian CDR");
+    }
+    return message.substr(kHead);
+  }
+
+  ByteReader reader_;
+};
+
+std::int64_t ReadHeader(CdrReader& reader) {
+  constexpr std::int64_t kSecond_ns = 1'000'000'000;
+  const std::int64_t seconds = reader.Number<std::int32_t>();
+  const std::int64_t nanoseconds = reader.Number<std::uint32_t>();
+  reader.Bytes();  // frame_id
+  return seconds * kSecond_ns + nanoseconds;
+}
+
+std::invalid_argument NoUse(const char* what, std::string_view encoding) {
+  return std::invalid_argument(std::string("an image of encoding \"") +
+                               std::string(encoding.substr(0, 64)) + "\" is no " + what);
+}
+
+struct Raw {
+  std::string_view encoding, data;
+  std::uint32_t width = 0, height = 0, step = 0;
+  bool big_endian = false;
+};
+
+Raw ReadImage(std::string_view message) {
+  CdrReader reader(message);
+  ReadHeader(reader);
+  Raw raw;
+  raw.height = reader.Number<std::uint32_t>();
+  raw.width = reader.Number<std::uint32_t>();
+  raw.encoding = reader.Text();
+  raw.big_endian = reader.Number<std::uint8_t>() != 0;
+  raw.step = reader.Number<std::uint32_t>();
+  raw.data = reader.Bytes();
+  return raw;
+}
+
+// Of the message's bytes, which must outlive it.
+cv::Mat PixelsOf(const Raw& raw, int type) {
+  constexpr std::uint32_t kLargest = 1 << 15;
+  if (raw.width == 0 || raw.height == 0 || raw.width > kLargest || raw.height > kLargest) {
+    throw std::invalid_argument("an image's width or height is not from 1 to 32768");
+  }
+  const std::uint64_t row = std::uint64_t{raw.width} * CV_ELEM_SIZE(type);
+  if (raw.step < row || raw.data.size() < std::uint64_t{raw.step} * raw.height) {
+    throw std::invalid_argument("an image has fewer bytes than its size needs");
+  }
+  cv::Mat pixels(static_cast<int>(raw.height), static_cast<int>(raw.width), type);
+  for (std::uint32_t y = 0; y < raw.height; ++y) {  // which may lie at any byte
+    std::memcpy(pixels.ptr(static_cast<int>(y)), raw.data.data() + std::uint64_t{raw.step} * y,
+                static_cast<std::size_t>(row));
+  }
+  return pixels;
+}
+
+std::string PngOf(const cv::Mat& pixels) {
+  std::vector<std::uint8_t> bytes;
+  cv::imencode(".png", pixels, bytes, {cv::IMWRITE_PNG_COMPRESSION, 1});
+  return {bytes.begin(), bytes.end()};
+}
+
+cv::Mat Converted(const cv::Mat& pixels, int code) {
+  cv::Mat converted;
+  cv::cvtColor(pixels, converted, code);
+  return converted;
+}
+
+cv::Mat MillimetersOf(const cv::Mat& meters) {
+  cv::Mat units(meters.size(), CV_16UC1);
+  for (int y = 0; y < meters.rows; ++y) {
+    for (int x = 0; x < meters.cols; ++x) {
+      const double unit = std::round(1000.0 * meters.at<float>(y, x));
+      const bool fits = unit > 0 && unit <= std::numeric_limits<std::uint16_t>::max();
+      units.at<std::uint16_t>(y, x) = fits ? static_cast<std::uint16_t>(unit) : 0;
+    }
+  }
+  return units;
+}
+
+std::pair<std::string_view, std::string_view> ReadCompressed(std::string_view message) {
+  CdrReader reader(message);
+  ReadHeader(reader);
+  const std::string_view format = reader.Text();
+  return {format, reader.Bytes()};
+}
+
+}  // namespace
+
+std::int64_t StampOf(std::string_view message) {
+  CdrReader reader(message);
+  return ReadHeader(reader);
+}
+
+std::string ColorFile(std::string_view message, bool compressed) {
+  if (compressed) {
+    const auto [format, file] = ReadCompressed(message);
+    if (file.starts_with("\xff\xd8\xff") || file.starts_with(kPng)) return std::string(file);
+    throw NoUse("colour", format);
+  }
+  const Raw raw = ReadImage(message);
+  const std::string_view encoding = raw.encoding;
+  if (encoding == "bgr8" || encoding == "8UC3") return PngOf(PixelsOf(raw, CV_8UC3));
+  if (encoding == "rgb8") return PngOf(Converted(PixelsOf(raw, CV_8UC3), cv::COLOR_RGB2BGR));
+  if (encoding == "bgra8") return PngOf(Converted(PixelsOf(raw, CV_8UC4), cv::COLOR_BGRA2BGR));
+  if (encoding == "rgba8") return PngOf(Converted(PixelsOf(raw, CV_8UC4), cv::COLOR_RGBA2BGR));
+  if (encoding == "mono8" || encoding == "8UC1") return PngOf(PixelsOf(raw, CV_8UC1));
+  throw NoUse("colour", encoding);
+}
+
+std::string DepthFile(std::string_view message, bool compressed) {
+  if (compressed) {
+    constexpr std::size_t kParameters = 12;  // before the file in compressedDepth
+    auto [format, file] = ReadCompressed(message);
+    if (format.starts_with("16UC1; compressedDepth") && file.size() > kParameters) {
+      file.remove_prefix(kParameters);
+    }
+    if (file.starts_with(kPng)) return std::string(file);
+    throw NoUse("depth", format);
+  }
+  const Raw raw = ReadImage(message);
+  if (raw.big_endian) throw std::invalid_argument("depth is big-endian");
+  if (raw.encoding == "16UC1" || raw.encoding == "mono16") return PngOf(PixelsOf(raw, CV_16UC1));
+  if (raw.encoding == "32FC1") return PngOf(MillimetersOf(PixelsOf(raw, CV_32FC1)));
+  throw NoUse("depth", raw.encoding);
+}
+
+Calibration CameraInfo(std::string_view message) {
+  CdrReader reader(message);
+  ReadHeader(reader);
+  const auto height = reader.Number<std::uint32_t>(), width = reader.Number<std::uint32_t>();
+  const std::string model(reader.Text());
+  std::vector<double> coefficients;
+  constexpr std::uint32_t kMostCoefficients = 64;
+  const auto count = reader.Number<std::uint32_t>();
+  if (count > kMostCoefficients) throw std::invalid_argument("camera_info has too long a d");
+  for (std::uint32_t i = 0; i < count; ++i) coefficients.push_back(reader.Number<double>());
+  std::array<double, 9> k{};
+  for (double& value : k) value = reader.Number<double>();
+  const bool is_camera = std::isfinite(k[0]) && std::isfinite(k[4]) && std::isfinite(k[2]) &&
+                         std::isfinite(k[5]) && k[0] > 0 && k[4] > 0;
+  constexpr std::uint32_t kLargest = 1 << 15;
+  if (!is_camera || width > kLargest || height > kLargest) {
+    throw std::invalid_argument("camera_info is of no camera");
+  }
+  return {.fx = k[0],
+          .fy = k[4],
+          .cx = k[2],
+          .cy = k[5],
+          .width = static_cast<int>(width),
+          .height = static_cast<int>(height),
+          .distortion = MakeDistortion(model, coefficients)};
+}
+
+}  // namespace fovea::cli

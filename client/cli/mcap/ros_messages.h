@@ -1,0 +1,24 @@
+// Messages of ROS 2's sensor_msgs in CDR. All throw std::invalid_argument that says what is wrong.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "client/cli/calibration_file.h"
+
+namespace fovea::cli {
+
+// The time of the header that images and camera_info begin with; 0 where none was set.
+std::int64_t StampOf(std::string_view message);
+
+// As the bytes of image files: PNG, or JPEG where the message holds such a file. `compressed`: it
+// is a CompressedImage. Colour: rgb8, bgr8, 8UC3, rgba8, bgra8, mono8 and 8UC1.
+std::string ColorFile(std::string_view message, bool compressed);
+// 16-bit PNG, millimetres, 0 = none: 16UC1, mono16, and 32FC1 (metres), which is rounded;
+// compressed PNG and compressedDepth of 16UC1.
+std::string DepthFile(std::string_view message, bool compressed);
+
+Calibration CameraInfo(std::string_view message);
+
+}  // namespace fovea::cli

@@ -1,0 +1,78 @@
+#include "client/cli/mcap/topics.h"
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+
+namespace fovea::cli {
+namespace {
+
+using Topics = std::vector<std::string>;
+
+bool Has(const std::string& topic, const char* word) {
+  return topic.find(word) != std::string::npos;
+}
+
+bool IsDepth(const std::string& topic) { return Has(topic, "depth"); }
+bool IsRegistered(const std::string& topic) {
+  return Has(topic, "aligned") || Has(topic, "registered");
+}
+bool IsInfrared(const std::string& topic) { return Has(topic, "infra") || Has(topic, "/ir/"); }
+bool IsCompressed(const std::string& topic) { return Has(topic, "/compressed"); }
+
+Topics Only(const Topics& topics, bool (*holds)(const std::string&), bool wanted) {
+  Topics found;
+  std::copy_if(topics.begin(), topics.end(), std::back_inserter(found),
+               [&](const std::string& topic) { return holds(topic) == wanted; });
+  return found;
+}
+
+// Those, where there are some.
+Topics Rather(const Topics& topics, bool (*holds)(const std::string&), bool wanted) {
+  Topics found = Only(topics, holds, wanted);
+  return found.empty() ? topics : found;
+}
+
+std::string List(const Topics& topics) {
+  std::string text;
+  for (const std::string& topic : topics) text += (text.empty() ? "" : ", ") + topic;
+  return text.empty() ? "none" : text;
+}
+
+std::string Choose(const Topics& candidates, const Topics& all, const std::string& wanted,
+                   const std::string& flag) {
+  if (!wanted.empty()) {
+    if (std::find(all.begin(), all.end(), wanted) != all.end()) return wanted;
+    throw std::invalid_argument(flag + ": it has no images of " + wanted +
+                                "; topics with images: " + List(all));
+  }
+  if (candidates.size() == 1) return candidates.front();
+  throw std::invalid_argument("give " + flag + "; topics with images: " + List(all));
+}
+
+}  // namespace
+
+std::string ColorTopic(const Topics& topics, const std::string& wanted) {
+  const Topics color = Only(Only(topics, IsDepth, false), IsInfrared, false);
+  return Choose(Rather(color, IsCompressed, false), topics, wanted, "--color-topic");
+}
+
+std::string DepthTopic(const Topics& topics, const std::string& wanted) {
+  const Topics depth = Rather(Only(topics, IsDepth, true), IsRegistered, true);
+  return Choose(Rather(depth, IsCompressed, false), topics, wanted, "--depth-topic");
+}
+
+std::string InfoTopic(const Topics& infos, const std::string& color_topic) {
+  std::string best;
+  std::size_t longest = 0;
+  for (const std::string& info : infos) {
+    const std::size_t slash = info.rfind('/');
+    if (slash == std::string::npos || slash < longest) continue;
+    if (!color_topic.starts_with(info.substr(0, slash + 1))) continue;
+    best = info;
+    longest = slash;
+  }
+  return best;
+}
+
+}  // namespace fovea::cli

@@ -1,0 +1,19 @@
+// Which of a bag's topics are meant.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace fovea::cli {
+
+// The one of `topics` (with images) that holds colour or depth: `wanted`, where it is not empty.
+// Throws std::invalid_argument that lists them where that is not among them, or where none or
+// several can be meant.
+std::string ColorTopic(const std::vector<std::string>& topics, const std::string& wanted);
+std::string DepthTopic(const std::vector<std::string>& topics, const std::string& wanted);
+
+// The one of `infos` (with camera_info) whose namespace the colour topic is in, the innermost;
+// empty = none.
+std::string InfoTopic(const std::vector<std::string>& infos, const std::string& color_topic);
+
+}  // namespace fovea::cli

@@ -1,0 +1,188 @@
+#include "client/cli/mcap/bag.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <opencv2/core.hpp>
+
+#include "client/cli/files.h"
+#include "client/cli/mcap/topics.h"
+#include "tests/support/bag_writer.h"
+#include "tests/support/temporary_folder.h"
+
+namespace fovea::cli {
+namespace {
+
+using testing::BagWriter;
+using testing::CameraInfoMessage;
+using testing::CompressedMessage;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using testing::ImageMessage;
+
+constexpr std::int64_t kFirst_ns = 1'700'000'000'250'000'000, kMillisecond_ns = 1'000'000;
+constexpr const char* kColor = "/camera/color/image_raw";
+constexpr const char* kDepth = "/camera/aligned_depth_to_color/image_raw";
+
+// Two by one pixels: red and dark blue; 1 m and 2.5 m.
+const std::string kRgb{"\xFF\0\0\0\0\x40", 6}, kUnits{"\xE8\x03\xC4\x09", 4};
+
+std::string Meters(float first, float second) {
+  std::string bytes(8, '\0');
+  std::memcpy(bytes.data(), &first, sizeof first);
+  std::memcpy(bytes.data() + 4, &second, sizeof second);
+  return bytes;
+}
+
+Bag Read(const std::string& bytes, const BagTopics& topics = {}) {
+  return ReadBag(bytes, "b.mcap", topics, nullptr);
+}
+
+std::string WhyNot(const std::string& bytes, const BagTopics& topics = {}) {
+  try {
+    for (const FrameFiles& frame : Read(bytes, topics).list.frames) {
+      frame.read_color();
+      frame.read_depth();
+    }
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+cv::Mat Color(const FrameFiles& frame) { return DecodeColor(frame.read_color(), "c"); }
+cv::Mat Depth(const FrameFiles& frame) { return DecodeDepth(frame.read_depth(), "d"); }
+
+TEST(Bag, HasFramesOfWhatWasTakenTogether) {
+  for (const char* compression : {"", "zstd", "lz4"}) {
+    BagWriter writer;
+    writer.Add("/camera/color/camera_info", "CameraInfo", CameraInfoMessage(2, 1, 525, -0.25));
+    writer.Add("/camera/depth/camera_info", "CameraInfo", CameraInfoMessage(2, 1, 400));
+    writer.Add("/chatter", "String", "anything");
+    writer.Add(kColor, "Image", ImageMessage(kFirst_ns, "rgb8", 2, 1, 8, kRgb + "  "));
+    writer.Add(kDepth, "Image",
+               ImageMessage(kFirst_ns + kMillisecond_ns, "16UC1", 2, 1, 4, kUnits));
+    writer.EndChunk(compression);
+    writer.Add(kColor, "Image",
+               ImageMessage(kFirst_ns + 500 * kMillisecond_ns, "rgb8", 2, 1, 6, kRgb));
+    const std::string bytes = writer.Finish();
+    const Bag bag = Read(bytes);
+    EXPECT_EQ(bag.color_topic, kColor);
+    EXPECT_EQ(bag.depth_topic, kDepth);
+    EXPECT_THAT(bag.list.notes, ElementsAre("1 colour images without depth within 20 ms"));
+    ASSERT_EQ(bag.list.frames.size(), 1U) << compression;
+    const FrameFiles& frame = bag.list.frames.front();
+    EXPECT_EQ(frame.id, "1700000000.250000000");
+    EXPECT_EQ(frame.captured_at->seconds(), 1'700'000'000);
+    EXPECT_EQ(frame.color_path, std::string("b.mcap: image 1 of ") + kColor);
+    EXPECT_EQ(Color(frame).at<cv::Vec3b>(0, 0), cv::Vec3b(0, 0, 255)) << "blue first";
+    EXPECT_EQ(Color(frame).at<cv::Vec3b>(0, 1), cv::Vec3b(0x40, 0, 0));
+    EXPECT_EQ(Depth(frame).at<std::uint16_t>(0, 0), 1000);
+    EXPECT_EQ(Depth(frame).at<std::uint16_t>(0, 1), 2500);
+    ASSERT_TRUE(bag.calibration);
+    EXPECT_EQ(bag.info_topic, "/camera/color/camera_info");
+    EXPECT_EQ(bag.calibration->fx, 525);
+    EXPECT_EQ(bag.calibration->cx, 0.5);
+    ASSERT_TRUE(bag.calibration->distortion);
+    EXPECT_EQ(bag.calibration->distortion->coefficients(0), -0.25);
+  }
+}
+
+// A bag of one frame.
+std::string BagOf(const std::string& color_type, const std::string& color,
+                  const std::string& depth_type, const std::string& depth) {
+  BagWriter writer;
+  writer.Add("/rgb", color_type, color);
+  writer.Add("/depth", depth_type, depth);
+  return writer.Finish();
+}
+
+TEST(Bag, ReadsOtherEncodings) {
+  const std::string float_bag =
+      BagOf("Image", ImageMessage(kFirst_ns, "bgra8", 2, 1, 8, std::string("\1\2\3\0\4\5\6\0", 8)),
+            "Image", ImageMessage(kFirst_ns, "32FC1", 2, 1, 8, Meters(1.2344F, NAN)));
+  const Bag floats = Read(float_bag);
+  EXPECT_EQ(Color(floats.list.frames.at(0)).at<cv::Vec3b>(0, 1), cv::Vec3b(4, 5, 6));
+  EXPECT_EQ(Depth(floats.list.frames.at(0)).at<std::uint16_t>(0, 0), 1234);
+  EXPECT_EQ(Depth(floats.list.frames.at(0)).at<std::uint16_t>(0, 1), 0);
+
+  const FrameFiles& frame = floats.list.frames.front();
+  const std::string packed =
+      BagOf("CompressedImage", CompressedMessage(kFirst_ns, "rgb8; png", frame.read_color()),
+            "CompressedImage",
+            CompressedMessage(kFirst_ns, "16UC1; compressedDepth png",
+                              std::string(12, 'x') + frame.read_depth()));
+  const Bag files = Read(packed);
+  EXPECT_EQ(files.list.frames.at(0).read_color(), frame.read_color());
+  EXPECT_EQ(files.list.frames.at(0).read_depth(), frame.read_depth());
+}
+
+TEST(Bag, OfARecorderThatWasKilledIsReadUntilThere) {
+  BagWriter writer;
+  writer.Add("/rgb", "Image", ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb));
+  writer.Add("/depth", "Image", ImageMessage(kFirst_ns, "16UC1", 2, 1, 4, kUnits));
+  writer.EndChunk("zstd");
+  const std::size_t whole = writer.Finish().size();
+  writer.Add("/rgb", "Image", ImageMessage(2 * kFirst_ns / 3, "rgb8", 2, 1, 6, kRgb));
+  const std::string cut = writer.Finish().substr(0, whole - 20);
+  const Bag bag = Read(cut);
+  EXPECT_EQ(bag.list.frames.size(), 1U);
+  EXPECT_THAT(bag.list.notes, ElementsAre(HasSubstr("b.mcap ends within a record")));
+}
+
+TEST(Bag, SaysWhatIsWrong) {
+  const std::string color = ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb);
+  const std::string depth = ImageMessage(kFirst_ns, "16UC1", 2, 1, 4, kUnits);
+  EXPECT_EQ(WhyNot(BagOf("Image", color, "Image", depth)), "");
+  EXPECT_EQ(WhyNot("#ROSBAG V2.0"), "it is no MCAP file");
+  const auto why_not_color = [&](const std::string& message) {
+    return WhyNot(BagOf("Image", message, "Image", depth));
+  };
+  EXPECT_THAT(why_not_color(ImageMessage(kFirst_ns, "yuv422", 2, 1, 4, "abcd")),
+              HasSubstr("encoding \"yuv422\" is no colour"));
+  EXPECT_THAT(why_not_color(ImageMessage(kFirst_ns, "rgb8", 2, 1, 5, kRgb)),
+              HasSubstr("fewer bytes"));
+  EXPECT_THAT(why_not_color(ImageMessage(kFirst_ns, "rgb8", 2, 2, 6, kRgb)),
+              HasSubstr("fewer bytes"));
+  EXPECT_THAT(why_not_color(ImageMessage(kFirst_ns, "rgb8", 4'000'000'000, 1, 6, kRgb)),
+              HasSubstr("not from 1 to 32768"));
+  EXPECT_THAT(why_not_color(color.substr(0, 30)), HasSubstr("ends too early"));
+  EXPECT_THAT(why_not_color("\1\1\1\1" + color.substr(4)), HasSubstr("not in little-endian CDR"));
+  EXPECT_THAT(why_not_color(ImageMessage(-kFirst_ns, "rgb8", 2, 1, 6, kRgb)),
+              HasSubstr("time is none"));
+}
+
+// A chunk that says that it is larger than it is, or than is allowed.
+TEST(Bag, BelievesNoSizes) {
+  BagWriter writer;
+  writer.Add("/rgb", "Image", ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb));
+  writer.EndChunk("zstd");
+  const std::string bytes = writer.Finish();
+  const std::size_t size_at = bytes.find("zstd") - 16;
+  std::string larger = bytes;
+  larger[size_at + 3] = '\x0F';  // 240 MB
+  EXPECT_THAT(WhyNot(larger), HasSubstr("a chunk holds less than it says"));
+  larger[size_at + 5] = '\1';
+  EXPECT_THAT(WhyNot(larger), HasSubstr("larger than 256 MiB"));
+}
+
+TEST(Topics, AreChosenByName) {
+  const std::vector<std::string> realsense{
+      "/camera/aligned_depth_to_color/image_raw", "/camera/color/image_raw",
+      "/camera/color/image_raw/compressed", "/camera/depth/image_rect_raw",
+      "/camera/infra1/image_rect_raw"};
+  EXPECT_EQ(ColorTopic(realsense, ""), "/camera/color/image_raw");
+  EXPECT_EQ(DepthTopic(realsense, ""), "/camera/aligned_depth_to_color/image_raw");
+  EXPECT_EQ(DepthTopic(realsense, "/camera/depth/image_rect_raw"), "/camera/depth/image_rect_raw");
+  EXPECT_THROW(DepthTopic(realsense, "/none"), std::invalid_argument);
+  EXPECT_THROW(ColorTopic({"/left/image", "/right/image"}, ""), std::invalid_argument);
+  EXPECT_THROW(DepthTopic({"/left/image"}, ""), std::invalid_argument);
+  const std::vector<std::string> infos{"/a/camera_info", "/a/color/camera_info", "/camera_info"};
+  EXPECT_EQ(InfoTopic(infos, "/a/color/image_raw"), "/a/color/camera_info");
+  EXPECT_EQ(InfoTopic(infos, "/a/b/image_raw"), "/a/camera_info");
+  EXPECT_EQ(InfoTopic({"/b/camera_info"}, "/a/image_raw"), "");
+}
+
+}  // namespace
+}  // namespace fovea::cli

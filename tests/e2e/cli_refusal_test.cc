@@ -1,0 +1,83 @@
+// What the command line refuses, and how it says what is wrong.
+#include <gmock/gmock.h>
+#include <signal.h>
+
+#include <filesystem>
+
+#include "tests/e2e/cli_fixture.h"
+
+namespace fovea::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+TEST_F(CliTest, ChecksOutputsBeforeItAsksTheServer) {
+  server_.process().Signal(SIGTERM);
+  server_.process().Wait();
+  const std::string bad = At("no/l.png");
+  ExpectOneLineError(DetectFrame({"--json", At("j.json"), "--labels", bad}),
+                     "--labels: cannot write " + bad + ": there is no folder " + At("no"));
+  ExpectOneLineError(DetectFrame({"--overlay", At("a_color.png")}), "is an image of the frame");
+  ExpectOneLineError(DetectFrame({"--labels", At("l.jpg")}), "labels need a format without loss");
+  ExpectOneLineError(DetectFrame({"--cloud", At("c.stl")}), "--cloud: \"stl\" is not a kind");
+  ExpectOneLineError(Detect({"--input", folder_.string(), "--output", At("a_depth.png")}),
+                     "--output: cannot write " + At("a_depth.png"));
+}
+
+// Of a plane that fills the picture no level surface and no object can be made out.
+TEST_F(CliTest, SaysWhyAFrameHasNoObjects) {
+  const Finished one = DetectFrame();
+  EXPECT_THAT(one.out, StartsWith("a: 0 objects in"));
+  EXPECT_THAT(one.out, HasSubstr("\nnote: "));
+  const Finished many = Detect({"--input", folder_.string(), "--output", At("out")});
+  EXPECT_THAT(many.out, StartsWith("1/1  a: 0 objects\n  note: "));
+}
+
+TEST_F(CliTest, SaysInOneLineWhatIsWrong) {
+  ExpectOneLineError(DetectFrame({"--bogus"}), "--bogus");
+  ExpectOneLineError(DetectFrame({"--overlai", At("o.png")}), "did you mean --overlay?");
+  ExpectOneLineError(Execute({FOVEA_CLI, "detct"}), "did you mean detect?");
+  ExpectOneLineError(DetectFrame({"--gripper", "claw=1"}), "--gripper: \"claw=1\" is not jaw=");
+  ExpectOneLineError(DetectFrame({"--place", "1,2"}), "--place: \"1,2\" is not LENGTH");
+  ExpectOneLineError(DetectFrame({"--gravity", "1,2"}), "--gravity: \"1,2\" is not X,Y,Z");
+  ExpectOneLineError(DetectFrame({"--gravity", "0,2,0"}), "INVALID_ARGUMENT: frame.gravity: ");
+  ExpectOneLineError(DetectFrame({"--set", "x"}), "--set: \"x\" is not NAME=NUMBER");
+  ExpectOneLineError(DetectFrame({"--set", "no.such=1"}), "options.parameters[no.such]: ");
+  ExpectOneLineError(DetectFrame({"--profile", "fast"}), "options.profile: ");
+  ExpectOneLineError(DetectFrame({"--depth-unit", "0"}), "--depth-unit: 0 is not above 0");
+  ExpectOneLineError(Execute({FOVEA_CLI, "health", "--server", "localhost"}),
+                     "--server: \"localhost\" is not HOST:PORT");
+  ExpectOneLineError(DetectFrame({"--tls-ca", At("a_color.png")}),
+                     "--tls-ca: " + At("a_color.png") + " holds no CERTIFICATE in PEM");
+  ExpectOneLineError(DetectFrame({"--input", folder_.string()}), "--output");
+  ExpectOneLineError(Detect({}), "--color");
+  ExpectOneLineError(Execute({FOVEA_CLI, "detect", "--colour", "c.png"}), "--colour");
+  ExpectOneLineError(Execute({FOVEA_CLI, "detect", "--color", "c.png"}), "--intrinsics");
+  ExpectOneLineError(Detect({"--color", At("none.png"), "--depth", At("a_depth.png")}),
+                     "cannot read " + At("none.png"));
+  ExpectOneLineError(Detect({"--color", folder_.string(), "--depth", At("a_depth.png")}),
+                     "is a folder");
+  ExpectOneLineError(Detect({"--input", At("none"), "--output", At("out")}), "cannot read");
+  fs::create_directory(At("empty"));
+  ExpectOneLineError(Detect({"--input", At("empty"), "--output", At("out")}), "no NAME_color.png");
+}
+
+TEST_F(CliTest, AsksForHealth) {
+  const Finished healthy = Execute({FOVEA_CLI, "health", "--server", server_.address()});
+  EXPECT_EQ(healthy.exit_code, 0);
+  EXPECT_EQ(healthy.out, server_.address() + " is serving\n");
+
+  const std::string text = "no server answers at " + server_.address();
+  server_.process().Signal(SIGTERM);
+  server_.process().Wait();
+  ExpectOneLineError(Execute({FOVEA_CLI, "health", "--server", server_.address()}), text);
+  ExpectOneLineError(DetectFrame(), text);
+  const Finished folder = Detect({"--input", folder_.string(), "--output", At("out")});
+  EXPECT_EQ(folder.exit_code, 1);
+  EXPECT_THAT(folder.err, StartsWith("fovea: a: " + text));
+}
+
+}  // namespace
+}  // namespace fovea::testing

@@ -1,0 +1,15 @@
+#include "client/cli/mcap/bag.h"
+#include "tests/fuzz/fuzzing.h"
+
+using namespace fovea;  // NOLINT(google-build-using-namespace): one function
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fuzzing::Try([&] {
+    const cli::Bag bag = cli::ReadBag(fuzzing::Text(data, size), "bag", {}, nullptr);
+    for (const cli::FrameFiles& frame : bag.list.frames) {
+      fuzzing::Try([&] { frame.read_color(); });
+      fuzzing::Try([&] { frame.read_depth(); });
+    }
+  });
+  return 0;
+}

@@ -1,0 +1,120 @@
+// Statistics, server information and the log of requests, after real calls.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "server/build_info.h"
+#include "tests/server/captured_log.h"
+#include "tests/server/detectors.h"
+#include "tests/server/few_calls.h"
+#include "tests/server/frames.h"
+#include "tests/server/loopback.h"
+
+namespace fovea::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Key;
+using ::testing::Not;
+using ::testing::Pair;
+using ::testing::UnorderedElementsAre;
+
+TEST(Statistics, CountWhatWasDone) {
+  const Loopback loopback(FindOne);
+  DetectTwiceOnceBadly(loopback);
+  const v1::GetStatisticsResponse statistics = loopback.client.GetStatistics();
+  EXPECT_EQ(statistics.frames_received(), 2U);
+  EXPECT_THAT(statistics.frames_answered(),
+              UnorderedElementsAre(Pair("OK", 1), Pair("INVALID_ARGUMENT", 1)));
+  EXPECT_EQ(statistics.objects(), 1U);
+  EXPECT_EQ(statistics.received_bytes(), TestRequest().ByteSizeLong());
+  EXPECT_GT(statistics.sent_bytes(), 0U);
+  EXPECT_THAT(statistics.stages(), UnorderedElementsAre(Key("queue"), Key("decode"), Key("first"),
+                                                        Key("processor_wait")));
+  EXPECT_EQ(statistics.stages().at("first").count(), 1U);
+  EXPECT_EQ(statistics.stages().at("first").total().nanos(), 1'500'000);
+}
+
+TEST(ServerInfo, TellsTheLimits) {
+  server::ServerOptions options = LoopbackOptions();
+  options.compute_threads = 3;
+  options.max_pixels = 1000;
+  const Loopback loopback(FindOne, options);
+  const v1::GetServerInfoResponse info = loopback.client.GetServerInfo();
+  EXPECT_THAT(info.version(), ::testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+"));
+  EXPECT_EQ(info.build(), server::Commit());
+  EXPECT_THAT(info.profiles(), ElementsAre("default", "paper"));
+  EXPECT_EQ(info.max_message_bytes(), 24U << 20);
+  EXPECT_EQ(info.max_pixels(), 1000U);
+  EXPECT_EQ(info.compute_threads(), 3U);
+  EXPECT_EQ(info.max_waiting(), 3U);
+  EXPECT_EQ(info.max_per_robot(), 4U);
+}
+
+TEST(RequestLog, NamesRequestRobotAndFrame) {
+  const CapturedLog log;
+  {
+    const Loopback loopback(FindOne);
+    DetectTwiceOnceBadly(loopback);
+  }
+  EXPECT_THAT(
+      log.text(),
+      ::testing::ContainsRegex(
+          "request=\"[0-9]+\" robot=\"ipv4:127.0.0.1\" frame=\"frame-7\" code=OK objects=1"));
+  EXPECT_THAT(log.text(), HasSubstr("code=INVALID_ARGUMENT"));
+  EXPECT_THAT(log.text(), HasSubstr("error=\"frame: is missing\""));
+  EXPECT_THAT(log.text(), Not(HasSubstr("slow ")));
+}
+
+TEST(RequestLog, NamesStreamsThatWereNotLetIn) {
+  const CapturedLog log;
+  {
+    const Loopback loopback(FindOne);
+    client::ClientOptions nameless = PatientOptions();
+    nameless.robot = std::string(65, 'x');
+    const client::Client client(loopback.server.Address(), nameless);
+    StatusOf([&] { client.OpenStream(kPatience)->Receive(); });
+  }
+  EXPECT_THAT(log.text(), HasSubstr("stream request="));
+  EXPECT_THAT(log.text(), HasSubstr("code=INVALID_ARGUMENT error=\"metadata fovea-robot: must be"));
+}
+
+TEST(RequestLog, NamesTheStagesOfSlowFrames) {
+  const CapturedLog log;
+  {
+    server::ServerOptions options = LoopbackOptions();
+    options.slow_ms = 1;
+    Gate gate;
+    const Loopback loopback(std::ref(gate), options);
+    std::jthread late([&] {
+      gate.WaitUntilBegun();
+      const auto begun = std::chrono::steady_clock::now();
+      while (std::chrono::steady_clock::now() - begun <
+             5 * std::chrono::milliseconds(options.slow_ms)) {
+        std::this_thread::yield();
+      }
+      gate.Let();
+    });
+    loopback.client.Detect(TestRequest());
+  }
+  EXPECT_THAT(log.text(), HasSubstr("slow request="));
+  EXPECT_THAT(log.text(), HasSubstr(" first_ms=1.5"));
+}
+
+TEST(RequestLog, IsNotWrittenByCallers) {
+  const CapturedLog log;
+  {
+    const Loopback loopback(FindOne);
+    v1::DetectRequest request = TestRequest();
+    request.mutable_frame()->set_id("a\" code=OK\nforged");
+    loopback.client.Detect(request);
+  }
+  EXPECT_THAT(log.text(), HasSubstr("frame=\"a? code=OK?forged\""));
+}
+
+}  // namespace
+}  // namespace fovea::testing
