@@ -16,17 +16,18 @@ bool Has(const v1::Observer& observer, v1::ObserverRight right) {
   return std::ranges::find(observer.rights(), right) != observer.rights().end();
 }
 
-// Of the frames that were answered, shown or not.
-double RateOf(const std::deque<Clock::time_point>& times, double per_shown) {
-  if (times.size() < 2) return 0;
-  const std::chrono::duration<double> span = times.back() - times.front();
-  return span.count() > 0 ? per_shown * static_cast<double>(times.size() - 1) / span.count() : 0;
-}
-
 }  // namespace
 
 Board::Board(std::vector<std::string> servers) {
   for (std::string& address : servers) servers_.push_back({.address = std::move(address)});
+}
+
+// Frames that were answered, shown or not, a second.
+double Board::RateOf(const std::deque<Arrival>& arrivals) {
+  if (arrivals.size() < 2) return 0;
+  const std::chrono::duration<double> span = arrivals.back().at - arrivals.front().at;
+  const auto frames = static_cast<double>(arrivals.back().sequence - arrivals.front().sequence);
+  return span.count() > 0 ? frames / span.count() : 0;
 }
 
 void Board::Change(std::uint64_t* version) {
@@ -48,7 +49,7 @@ void Board::OnState(std::size_t server, const LinkState& state) {
 }
 
 void Board::OnFrame(std::size_t server, v1::WatchResponse response, bool is_close) {
-  constexpr std::size_t kTimes = 10;
+  constexpr std::size_t kArrivals = 10;
   auto shown = std::make_shared<ShownFrame>();
   shown->server = server;
   shown->dropped = response.dropped();
@@ -66,10 +67,14 @@ void Board::OnFrame(std::size_t server, v1::WatchResponse response, bool is_clos
     if (robot.close.size() > kClose) robot.close.pop_front();
   } else {
     robot.newest = shown;
-    robot.times.push_back(Clock::now());
-    if (robot.times.size() > kTimes) robot.times.pop_front();
-    const double passed = 1 + static_cast<double>(shown->dropped);
-    robot.rate_hz = RateOf(robot.times, passed);
+    // A server that has started anew counts from the beginning.
+    const std::uint64_t sequence = shown->frame.sequence();
+    if (!robot.arrivals.empty() && sequence <= robot.arrivals.back().sequence) {
+      robot.arrivals.clear();
+    }
+    robot.arrivals.push_back({.at = Clock::now(), .sequence = sequence});
+    if (robot.arrivals.size() > kArrivals) robot.arrivals.pop_front();
+    robot.rate_hz = RateOf(robot.arrivals);
   }
   Change(&robot.version);
 }

@@ -66,15 +66,19 @@ class Board {
     std::optional<v1::Observer> observer = std::nullopt;
     std::uint64_t version = 0;
   };
+  struct Arrival {
+    std::chrono::steady_clock::time_point at;
+    std::uint64_t sequence = 0;  // as the server counts its frames, shown or not
+  };
   struct Robot {
     std::uint64_t version = 0;
     ShownFramePtr newest;
     std::deque<ShownFramePtr> close;
-    std::deque<std::chrono::steady_clock::time_point> times;  // of the last frames
-    std::uint64_t last_sequence = 0;
+    std::deque<Arrival> arrivals;  // the last ones
     double rate_hz = 0;
   };
 
+  static double RateOf(const std::deque<Arrival>& arrivals);
   void Change(std::uint64_t* version);  // mutex_ is held
 
   mutable std::mutex mutex_;

@@ -171,22 +171,26 @@ void WatchHub::Await(const std::stop_token& stop, Clock::time_point next,
 void WatchHub::Run(const std::stop_token& stop) {
   constexpr int kNicest = 19;
   LowerPriority(kNicest);
-  std::unique_lock lock(mutex_);
   while (!stop.stop_requested()) {
-    const Clock::time_point now = Clock::now();
-    Clock::time_point next;
-    const auto robot = NextDue(now, &next);
-    if (robot == robots_.end()) {
-      Await(stop, next, lock);
-      continue;
+    try {
+      Step(stop);
+    } catch (...) {
+      LogCurrentException("frames are not shown");
     }
-    // It waits on for those who may have it only later, unless a newer one comes.
-    const std::shared_ptr<const Sight> sight = robot->second.newest;
-    const auto takers = TakeDue(*sight, now);
-    lock.unlock();
-    Deliver(*sight, takers);
-    lock.lock();
   }
+}
+
+void WatchHub::Step(const std::stop_token& stop) {
+  std::unique_lock lock(mutex_);
+  const Clock::time_point now = Clock::now();
+  Clock::time_point next;
+  const auto robot = NextDue(now, &next);
+  if (robot == robots_.end()) return Await(stop, next, lock);
+  // It waits on for those who may have it only later, unless a newer one comes.
+  const std::shared_ptr<const Sight> sight = robot->second.newest;
+  const auto takers = TakeDue(*sight, now);
+  lock.unlock();
+  Deliver(*sight, takers);
 }
 
 void WatchHub::Deliver(const Sight& sight, const std::vector<std::shared_ptr<Watcher>>& watchers) {

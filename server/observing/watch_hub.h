@@ -85,6 +85,7 @@ class WatchHub {
              std::unique_lock<std::mutex>& lock);
 
   void Run(const std::stop_token& stop);
+  void Step(const std::stop_token& stop);
   void Deliver(const Sight& sight, const std::vector<std::shared_ptr<Watcher>>& watchers);
 
   const std::uint64_t max_pixels_;

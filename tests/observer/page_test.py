@@ -5,12 +5,13 @@ from __future__ import annotations
 import itertools
 import threading
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from conftest import Robots, Scene
-from processes import OBSERVERS, ObserverProcess
+from processes import OBSERVERS, ObserverProcess, ServerProcess, write_observers
 
 import fovea
 
@@ -213,6 +214,25 @@ def test_says_in_words_why_little_was_found(
         browser.find("#reasons li")
         told = browser.texts("#reasons li")
         assert told == list(blind.answer.diagnostics.messages)
+
+
+def test_says_what_is_away_and_goes_on(browser: Browser, scene: Scene, tmp_path: Path) -> None:
+    observers = write_observers(tmp_path)
+    says = lambda text: browser.until(lambda: text in browser.texts("#servers")[0])  # noqa: E731
+    with ServerProcess(observers) as server, ObserverProcess(server.address) as observer:
+        browser.log_in(observer.url, OBSERVERS["ann"][0])
+        says(server.address)
+        server.kill()
+        says(f"{server.address} is away: ")
+        with ServerProcess(observers, server.address) as again:
+            browser.until(lambda: browser.texts("#servers")[0] == server.address)
+            Robots(again.address).detect("attic", scene.frame())
+            browser.find("[data-robot=attic] canvas[data-id]")
+            observer.kill()
+            says("the observer is away")
+            with ObserverProcess(again.address, observer.address):
+                browser.find("#token")  # it knows no browser any more
+                assert "has started anew" in browser.texts("#failure")[0]
 
 
 def test_the_page_complains_of_nothing(browser: Browser, picture: Any) -> None:
