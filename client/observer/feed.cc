@@ -7,7 +7,7 @@ namespace fovea::observer {
 namespace {
 
 constexpr double kListRateHz = 2, kCloseRateHz = 10;
-constexpr std::size_t kMaxClose = 8;
+constexpr std::size_t kMaxClose = 24;
 
 std::vector<std::string> AddressesOf(const std::vector<ServerLink>& servers) {
   std::vector<std::string> addresses;

@@ -132,8 +132,15 @@ awaitable<void> SendEvents(Stream& stream, const HttpResponse& response, unsigne
   const auto executor = co_await asio::this_coro::executor;
   const auto wake = std::make_shared<Wake>(executor);
   response.events->OnNews([wake] { wake->Call(); });
+  // A browser that leaves is noticed at once, so that nothing more is asked of servers for it.
+  const auto has_left = std::make_shared<bool>(false);
+  beast::get_lowest_layer(stream).socket().async_wait(tcp::socket::wait_read,
+                                                      [wake, has_left](error_code) {
+                                                        *has_left = true;
+                                                        wake->Call();
+                                                      });
   asio::steady_timer pause(executor);
-  while (true) {
+  while (!*has_left) {
     std::string text = response.events->Take();
     if (!text.empty()) {
       co_await SendText(stream, std::move(text));
@@ -142,7 +149,7 @@ awaitable<void> SendEvents(Stream& stream, const HttpResponse& response, unsigne
       co_await wake->Wait(kKeepAlive);
       continue;
     }
-    co_await SendText(stream, ": nothing new\n\n");  // a browser that has left is noticed
+    co_await SendText(stream, ": nothing new\n\n");  // one that left without a word is noticed, too
     co_await wake->Wait(kKeepAlive);
   }
 }

@@ -1,8 +1,6 @@
 // fovea-observer: flags → servers to watch → a page over HTTP until a signal comes.
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdlib>
-#include <exception>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -10,6 +8,7 @@
 
 #include "client/cli/connection.h"
 #include "client/cli/files.h"
+#include "client/cli/program.h"
 #include "client/cli/server_address.h"
 #include "client/observer/http_server.h"
 #include "client/observer/routes.h"
@@ -62,18 +61,7 @@ std::string ReadIfGiven(const std::string& path) {
   return path.empty() ? "" : fovea::cli::ReadFile(path);
 }
 
-int Run(int argc, char** argv) {
-  CLI::App app("Serves a page that shows what robots see and what a fovea server finds in it.",
-               "fovea-observer");
-  Flags flags;
-  AddFlags(app, flags);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& wants_text) {  // --help, --version
-    return app.exit(wants_text);
-  } catch (const CLI::ParseError& error) {
-    throw std::invalid_argument(std::string(error.what()) + " (--help lists the flags)");
-  }
+int Serve(const Flags& flags) {
   fovea::cli::CheckServerAddress(flags.connection.server);
   RequireProtection(flags);
   std::vector<std::string> hosts = flags.hosts;
@@ -95,10 +83,9 @@ int Run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return Run(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << "fovea-observer: " << error.what() << '\n';
-    return EXIT_FAILURE;
-  }
+  CLI::App app("Serves a page that shows what robots see and what a fovea server finds in it.",
+               "fovea-observer");
+  Flags flags;
+  AddFlags(app, flags);
+  return fovea::cli::RunProgram(app, argc, argv, [&] { return Serve(flags); });
 }

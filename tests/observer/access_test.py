@@ -3,7 +3,14 @@
 from __future__ import annotations
 
 import gzip
+import http.client
+import json
+import os
+import random
+import signal
 import socket
+import ssl
+import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -132,6 +139,22 @@ def test_a_close_look_brings_picture_and_depth(
         assert len(answer["detections"]["objects"]) == close["objects"] > 0
 
 
+def test_looks_at_many_robots_one_after_the_other(
+    visitor: Visitor, robots: Robots, scene: Scene
+) -> None:
+    """More than are looked at at once: who leaves makes room."""
+    visitor.log_in(OBSERVERS["ann"][0])
+    for number in range(40):
+        with Events(visitor, f"?close=hall-{number}") as events:
+            events.servers("watching")
+    with Events(visitor, "?close=hall-41") as events:
+        close = None
+        while close is None:
+            robots.detect("hall-41", scene.frame())
+            close = events.next().get("close")
+        assert close["robot"] == "hall-41"
+
+
 def test_a_close_look_at_a_foreign_robot_shows_nothing(
     visitor: Visitor, robots: Robots, scene: Scene
 ) -> None:
@@ -172,9 +195,6 @@ def test_a_token_that_is_taken_back_ends_the_session(tmp_path: Path) -> None:
         with Events(visitor) as events:
             events.servers("watching")
             observers.write_text("")
-            import os
-            import signal
-
             os.kill(server.pid, signal.SIGHUP)
             while not events.response.readline().startswith(b"event: ended"):
                 pass
@@ -197,24 +217,90 @@ def test_a_token_that_is_taken_back_ends_the_session(tmp_path: Path) -> None:
 )
 def test_hostile_requests_end_nothing(observer: ObserverProcess, text: str) -> None:
     host, port = observer.address.split(":")
+    received = b""
     with socket.create_connection((host, int(port)), timeout=PATIENCE) as connection:
-        connection.sendall(text.encode("latin-1"))
-        connection.shutdown(socket.SHUT_WR)
-        received = b""
         try:
+            connection.sendall(text.encode("latin-1"))
+            connection.shutdown(socket.SHUT_WR)
             while chunk := connection.recv(4096):
                 received += chunk
-        except ConnectionResetError:
-            pass
+        except OSError:
+            pass  # it has closed the connection in the midst
     assert received == b"" or received.startswith(b"HTTP/1.1 4"), received[:100]
     assert Visitor(observer.address).get("/").status == 200
 
 
 def test_other_machines_only_with_tls() -> None:
-    import os
-    import subprocess
-
     command = [os.environ["FOVEA_OBSERVER"], "--listen", "0.0.0.0:0"]
     finished = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE)
     assert finished.returncode == 1
     assert finished.stderr.startswith('fovea-observer: --listen: "0.0.0.0:0" is open to other')
+
+
+def requests_to_spoil(visitor: Visitor) -> list[bytes]:
+    lines = f"Host: {visitor.address}\r\nCookie: {visitor.headers['Cookie']}\r\n"
+    own = f"{lines}Origin: http://{visitor.address}\r\n"
+    targets = ["/", "/page.js", "/api/session", "/api/answer?robot=a%20b&id=1", "/api/depth?id=2"]
+    gets = [f"GET {target} HTTP/1.1\r\n{lines}\r\n" for target in targets]
+    body = '{"token": "none"}'
+    login = f"POST /api/login HTTP/1.1\r\n{own}Content-Length: {len(body)}\r\n\r\n{body}"
+    chunked = (
+        f"POST /api/logout HTTP/1.1\r\n{own}Transfer-Encoding: chunked\r\n\r\n1\r\na\r\n0\r\n\r\n"
+    )
+    return [text.encode() for text in (*gets, login, chunked)]
+
+
+def test_spoiled_requests_end_nothing(visitor: Visitor) -> None:
+    visitor.log_in(OBSERVERS["ann"][0])
+    host, port = visitor.address.split(":")
+    good = requests_to_spoil(visitor)
+    seed = random.randrange(1 << 32)
+    print("seed", seed)
+    chance = random.Random(seed)
+    for _ in range(400):
+        text = bytearray(chance.choice(good))
+        for _ in range(chance.randint(1, 8)):
+            at = chance.randrange(len(text))
+            spoil = chance.randrange(3)
+            if spoil == 0:
+                text[at] = chance.randrange(256)
+            elif spoil == 1:
+                del text[at : at + chance.randint(1, 20)]
+            else:
+                text[at:at] = bytes(
+                    chance.choices(b"%&=?/;:\r\n\0 aZ9\xff", k=chance.randint(1, 20))
+                )
+            text = text or bytearray(b" ")
+        with socket.create_connection((host, int(port)), timeout=PATIENCE) as connection:
+            try:
+                connection.sendall(text)
+                connection.shutdown(socket.SHUT_WR)
+                start = connection.recv(12)
+            except OSError:  # it has closed the connection in the midst
+                start = b""
+        assert start == b"" or start.startswith(b"HTTP/1."), start
+        assert not start.endswith(b" 500"), bytes(text)
+    assert visitor.get("/api/session").status == 200
+
+
+def test_serves_tls(server: ServerProcess, tmp_path: Path) -> None:
+    key, certificate = tmp_path / "key.pem", tmp_path / "certificate.pem"
+    command = ["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:P-256"]
+    command += ["-nodes", "-subj", "/CN=localhost", "-addext", "subjectAltName=DNS:localhost"]
+    command += ["-keyout", str(key), "-out", str(certificate)]
+    subprocess.run(command, check=True, capture_output=True)
+    flags = ["--https-cert", str(certificate), "--https-key", str(key)]
+    with ObserverProcess(server.address, "127.0.0.1:0", *flags) as observer:
+        assert observer.url.startswith("https://")
+        address = f"localhost:{observer.address.split(':')[1]}"
+        context = ssl.create_default_context(cafile=str(certificate))
+        connection = http.client.HTTPSConnection(address, timeout=PATIENCE, context=context)
+        body = json.dumps({"token": OBSERVERS["ann"][0]})
+        connection.request("POST", "/api/login", body, {"Origin": f"https://{address}"})
+        answer = connection.getresponse()
+        assert answer.status == 200
+        assert "; Secure" in answer.headers["Set-Cookie"]
+        connection.close()
+    refused = [os.environ["FOVEA_OBSERVER"], "--listen", "127.0.0.1:0", *flags[:3], "/nowhere"]
+    finished = subprocess.run(refused, capture_output=True, text=True, timeout=PATIENCE)
+    assert finished.returncode == 1 and "/nowhere" in finished.stderr
