@@ -53,30 +53,27 @@ v4l2_buffer BufferOf(std::uint32_t index) {
 
 }  // namespace
 
+V4l2Node::V4l2Node(const std::string& path, V4l2Format format, const cv::Size& size)
+    : path_(path), format_(format), size_(size) {}
+
+// By way of the other one, so that the destructor closes what has been opened before something
+// fails.
 V4l2Node::V4l2Node(const std::string& path, V4l2Format format, const cv::Size& size, int fps)
-    : path_(path), format_(format), size_(size) {
-  try {
-    Open();
-    SetFormat(size);
-    SetRate(fps);
-    MapBuffers();
-    int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
-    if (!Control(fd_, VIDIOC_STREAMON, &type)) Fail("does not start");
-  } catch (...) {
-    Close();
-    throw;
-  }
+    : V4l2Node(path, format, size) {
+  Open();
+  SetFormat(size);
+  SetRate(fps);
+  MapBuffers();
+  int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  if (!Control(fd_, VIDIOC_STREAMON, &type)) Fail("does not start");
 }
 
-V4l2Node::~V4l2Node() { Close(); }
-
-void V4l2Node::Close() {
+V4l2Node::~V4l2Node() {
+  if (fd_ == -1) return;
   int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
-  if (fd_ != -1) Control(fd_, VIDIOC_STREAMOFF, &type);
+  Control(fd_, VIDIOC_STREAMOFF, &type);
   for (const Buffer& buffer : buffers_) munmap(buffer.data, buffer.size);
-  buffers_.clear();
-  if (fd_ != -1) close(fd_);
-  fd_ = -1;
+  close(fd_);
 }
 
 void V4l2Node::Fail(const std::string& what) const {

@@ -39,12 +39,13 @@ class V4l2Node {
     std::size_t size = 0;
   };
 
+  V4l2Node(const std::string& path, V4l2Format format, const cv::Size& size);  // opens nothing
+
   void Open();
   void SetFormat(const cv::Size& size);
   void SetRate(int fps);
   void MapBuffers();
   void Queue(std::uint32_t index);
-  void Close();
   std::string Offered() const;
   [[noreturn]] void Fail(const std::string& what) const;
 

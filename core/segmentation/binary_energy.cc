@@ -213,8 +213,4 @@ const std::vector<char>& BinaryMinimizer::Minimize(const BinaryEnergy& energy) {
   return flow_->WhereGainIsLeft();
 }
 
-std::vector<char> Minimize(const BinaryEnergy& energy) {
-  return BinaryMinimizer().Minimize(energy);
-}
-
 }  // namespace fovea

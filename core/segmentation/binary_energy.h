@@ -35,6 +35,4 @@ class BinaryMinimizer {
   std::unique_ptr<GainFlow> flow_;
 };
 
-std::vector<char> Minimize(const BinaryEnergy& energy);
-
 }  // namespace fovea

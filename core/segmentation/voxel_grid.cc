@@ -13,38 +13,21 @@
 namespace fovea {
 namespace {
 
-// The voxels by their cells: those of one x and y, mostly few, in one list.
-class VoxelColumns {
- public:
-  explicit VoxelColumns(std::size_t expected) : index_(expected) {}
-
-  // The voxel of a cell, which is `next`, to be added to `voxels`, if there is none.
-  int FindOrAdd(const Eigen::Vector3i& cell, int next, const std::vector<Voxel>& voxels) {
-    const int new_column = static_cast<int>(first_.size());
-    const int column = index_.FindOrAdd({cell.x(), cell.y(), 0}, new_column);
-    if (column == new_column) first_.push_back(-1);
-    int* link = &first_[column];
-    for (; *link >= 0; link = &next_[*link]) {
-      if (voxels[*link].cell.z() == cell.z()) return *link;
+// Half of the neighbouring cells that differ along at most `axes` axes, so that each pair is met
+// once.
+std::vector<Eigen::Vector3i> HalfNeighborhood(int axes) {
+  std::vector<Eigen::Vector3i> offsets;
+  for (int x = 0; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      for (int z = -1; z <= 1; ++z) {
+        const bool second_half = x > 0 || y > 0 || (y == 0 && z > 0);
+        const int moved = (x != 0) + (y != 0) + (z != 0);
+        if (second_half && moved <= axes) offsets.emplace_back(x, y, z);
+      }
     }
-    *link = next;
-    next_.push_back(-1);
-    return next;
   }
-
-  // Calls visit(voxel) for the voxels of this x and y.
-  template <typename Visit>
-  void ForEachIn(int x, int y, Visit visit) const {
-    const int column = index_.Find({x, y, 0});
-    if (column < 0) return;
-    for (int v = first_[column]; v >= 0; v = next_[v]) visit(v);
-  }
-
- private:
-  CellIndex index_;
-  std::vector<int> first_;  // of each column
-  std::vector<int> next_;   // of each voxel; -1 = none
-};
+  return offsets;
+}
 
 // The edge of cells. With round intrinsics whole columns and rows of pixels would lie on faces of
 // perspective ones (of 0.01 at 525 px every 21st), where rounding decides anew for each pixel.
@@ -134,18 +117,18 @@ void AddNormals(const NormalMap& normals, int row, int first, int end, Voxel& vo
 }
 
 // The voxel of a cell: mostly that of the pixel above.
-int FindOrAdd(const Eigen::Vector3i& cell, int above, VoxelColumns& columns, VoxelGrid& grid) {
+int FindOrAdd(const Eigen::Vector3i& cell, int above, CellIndex& index, VoxelGrid& grid) {
   if (above >= 0 && grid.voxels[above].cell == cell) return above;
   const int next = static_cast<int>(grid.voxels.size());
-  const int voxel = columns.FindOrAdd(cell, next, grid.voxels);
+  const int voxel = index.FindOrAdd(cell, next);
   if (voxel == next) grid.voxels.push_back({.cell = cell});
   return voxel;
 }
 
 // Adds each point to its voxel; means and normals are sums until Finish.
-VoxelColumns CollectVoxels(const cv::Mat& points, const NormalMap& normals,
-                           const VoxelOptions& options, VoxelGrid& grid) {
-  VoxelColumns columns(points.total() / 64);
+CellIndex CollectVoxels(const cv::Mat& points, const NormalMap& normals,
+                        const VoxelOptions& options, VoxelGrid& grid) {
+  CellIndex index(points.total() / 64);
   RowCells cells(points.cols, options);
   for (int row = 0; row < points.rows; ++row) {
     InterruptionPoint();
@@ -156,13 +139,13 @@ VoxelColumns CollectVoxels(const cv::Mat& points, const NormalMap& normals,
     for (int first = 0, end = 1; first < points.cols; first = end++) {
       if (std::isnan(point[first][2])) continue;
       while (end < points.cols && !std::isnan(point[end][2]) && cells.AreOne(first, end)) ++end;
-      const int voxel = FindOrAdd(cells.At(first), above[first], columns, grid);
+      const int voxel = FindOrAdd(cells.At(first), above[first], index, grid);
       AddPoints(point, first, end, grid.voxels[voxel]);
       AddNormals(normals, row, first, end, grid.voxels[voxel]);
       std::fill(voxel_of_pixel + first, voxel_of_pixel + end, voxel);
     }
   }
-  return columns;
+  return index;
 }
 
 void Finish(std::vector<Voxel>& voxels) {
@@ -175,27 +158,16 @@ void Finish(std::vector<Voxel>& voxels) {
   }
 }
 
-// Voxels whose cells differ along at most `axes` axes. Half of the columns around each one, so that
-// each pair is met once.
-std::vector<VoxelEdge> FindNeighbors(const std::vector<Voxel>& voxels, const VoxelColumns& columns,
+std::vector<VoxelEdge> FindNeighbors(const std::vector<Voxel>& voxels, const CellIndex& index,
                                      int axes) {
-  constexpr std::array<std::array<int, 2>, 4> kSteps = {{{0, 1}, {1, -1}, {1, 0}, {1, 1}}};
+  const std::vector<Eigen::Vector3i> offsets = HalfNeighborhood(axes);
   std::vector<VoxelEdge> pairs;
   LongLoop loop;
   for (int i = 0; i < static_cast<int>(voxels.size()); ++i) {
     loop.Turn();
-    const Eigen::Vector3i& cell = voxels[i].cell;
-    const auto add = [&](int x, int y, int min_rise, int max_rise) {
-      columns.ForEachIn(cell.x() + x, cell.y() + y, [&](int other) {
-        const int rise = voxels[other].cell.z() - cell.z();
-        if (rise < min_rise || rise > max_rise) return;
-        pairs.push_back({std::min(i, other), std::max(i, other)});
-      });
-    };
-    add(0, 0, 1, 1);
-    for (const auto& [x, y] : kSteps) {
-      const int left = axes - (x != 0) - (y != 0);
-      if (left >= 0) add(x, y, left > 0 ? -1 : 0, left > 0 ? 1 : 0);
+    for (const Eigen::Vector3i& offset : offsets) {
+      const int neighbor = index.Find(voxels[i].cell + offset);
+      if (neighbor >= 0) pairs.push_back({std::min(i, neighbor), std::max(i, neighbor)});
     }
   }
   return pairs;
@@ -223,9 +195,9 @@ VoxelGrid BuildVoxelGrid(const cv::Mat& points, const NormalMap& normals,
                          const VoxelOptions& options) {
   VoxelGrid grid;
   grid.voxel_of_pixel = cv::Mat(points.size(), CV_32SC1, cv::Scalar(-1));
-  const VoxelColumns columns = CollectVoxels(points, normals, options, grid);
+  const CellIndex index = CollectVoxels(points, normals, options, grid);
   Finish(grid.voxels);
-  grid.edges = FindNeighbors(grid.voxels, columns, options.neighbor_axes);
+  grid.edges = FindNeighbors(grid.voxels, index, options.neighbor_axes);
   for (int pass = 0; pass < options.normal_smoothing; ++pass) SmoothNormals(grid);
   return grid;
 }

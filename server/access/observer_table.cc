@@ -3,13 +3,10 @@
 #include <fnmatch.h>
 
 #include <algorithm>
-#include <fstream>
 #include <sstream>
-#include <stdexcept>
 #include <utility>
 
 #include "server/access/token_line.h"
-#include "server/access/unauthenticated.h"
 #include "server/conversion/field_error.h"
 
 namespace fovea::server {
@@ -61,13 +58,8 @@ bool ObserverEntry::MaySee(const std::string& robot) const {
 }
 
 ObserverTable ObserverTable::FromFile(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw std::runtime_error("--observers: cannot read " + path);
   ObserverTable table;
-  int number = 0;
-  for (std::string line; std::getline(file, line);) {
-    InField("--observers: " + path + ":" + std::to_string(++number), [&] { table.Add(line); });
-  }
+  ForEachTokenLine("--observers", path, [&](const std::string& line) { table.Add(line); });
   return table;
 }
 
@@ -79,19 +71,14 @@ void ObserverTable::Add(const std::string& line) {
   RequireField(rest.empty(), "\"" + rest + "\"",
                "is too much; a line is NAME SHA256 RIGHTS ROBOTS [EXPIRES]");
   RequireField(name.size() <= kMaxName, "the name", "has more than 64 characters");
-  RequireHash(hash);
   ObserverEntry entry{.name = name, .rights = ParseRights(rights), .robots = ParsePatterns(robots)};
   if (!expires.empty()) entry.expires = ParseExpiry(expires);
-  RequireField(by_hash_.emplace(hash, std::move(entry)).second, "the token",
-               "is there twice; each belongs to one observer");
+  entries_.Add(hash, std::move(entry), "observer");
 }
 
 const ObserverEntry& ObserverTable::EntryOf(std::string_view token,
                                             std::chrono::sys_seconds now) const {
-  const auto found = by_hash_.find(HashOfToken(token));
-  if (found == by_hash_.end()) throw Unauthenticated("the token is not known");
-  if (now >= found->second.expires) throw Unauthenticated("the token has expired");
-  return found->second;
+  return entries_.Of(token, now);
 }
 
 }  // namespace fovea::server

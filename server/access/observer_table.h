@@ -2,10 +2,11 @@
 #pragma once
 
 #include <chrono>
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "server/access/token_file.h"
 
 namespace fovea::server {
 
@@ -36,7 +37,7 @@ class ObserverTable {
   // commas between, and when it ends. The rest is as in TokenTable::FromFile.
   static ObserverTable FromFile(const std::string& path);
 
-  std::size_t size() const { return by_hash_.size(); }
+  std::size_t size() const { return entries_.size(); }
 
   // Throws Unauthenticated for a token that is not known or has expired.
   const ObserverEntry& EntryOf(std::string_view token, std::chrono::sys_seconds now) const;
@@ -44,7 +45,7 @@ class ObserverTable {
  private:
   void Add(const std::string& line);
 
-  std::map<std::string, ObserverEntry> by_hash_;
+  TokenEntries<ObserverEntry> entries_;
 };
 
 }  // namespace fovea::server

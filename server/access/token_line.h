@@ -1,4 +1,4 @@
-// What files of tokens have in common: hashes, ends, and how callers show a token.
+// Tokens: their hashes and ends, and how callers show them.
 #pragma once
 
 #include <chrono>

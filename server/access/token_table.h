@@ -2,11 +2,10 @@
 #pragma once
 
 #include <chrono>
-#include <map>
 #include <string>
 #include <string_view>
 
-#include "server/access/unauthenticated.h"
+#include "server/access/token_file.h"
 
 namespace fovea::server {
 
@@ -22,7 +21,7 @@ class TokenTable {
   static TokenTable FromFile(const std::string& path);
 
   // How many tokens it holds, those that have expired among them.
-  std::size_t size() const { return by_hash_.size(); }
+  std::size_t size() const { return entries_.size(); }
 
   struct Entry {
     std::string robot;
@@ -36,7 +35,7 @@ class TokenTable {
  private:
   void Add(const std::string& line);
 
-  std::map<std::string, Entry> by_hash_;
+  TokenEntries<Entry> entries_;
 };
 
 }  // namespace fovea::server

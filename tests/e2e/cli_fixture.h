@@ -5,35 +5,28 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "tests/e2e/server_process.h"
 #include "tests/server/frames.h"
+#include "tests/support/temporary_folder.h"
 
 namespace fovea::testing {
 
-inline void Write(const std::filesystem::path& path, const std::string& bytes) {
-  std::ofstream(path, std::ios::binary) << bytes;
-}
-
 class CliTest : public ::testing::Test {
  protected:
-  CliTest() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "fovea_cli_XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
-    WriteFrame("a");
-  }
-  ~CliTest() override { std::filesystem::remove_all(folder_); }
+  CliTest() { WriteFrame("a"); }
 
-  std::string At(const std::string& name) const { return (folder_ / name).string(); }
+  std::string Folder() const { return folder_.At("."); }
+  std::string At(const std::string& name) const { return folder_.At(name); }
+  void Write(const std::string& name, const std::string& bytes) const {
+    folder_.Write(name, bytes);
+  }
 
   void WriteFrame(const std::string& name) const {
-    Write(At(name + "_color.png"), PngOf(TestColor()));
-    Write(At(name + "_depth.png"), PngOf(TestDepth()));
+    Write(name + "_color.png", PngOf(TestColor()));
+    Write(name + "_depth.png", PngOf(TestDepth()));
   }
 
   Finished Detect(std::vector<std::string> flags) {
@@ -55,7 +48,7 @@ class CliTest : public ::testing::Test {
   }
 
   ServerProcess server_;
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 }  // namespace fovea::testing

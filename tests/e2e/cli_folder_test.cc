@@ -20,9 +20,9 @@ using ::testing::StartsWith;
 TEST_F(CliTest, RunsOverAFolderAndGoesOnAfterAFrameThatFailed) {
   for (const char* name : {"b", "c", "d"}) WriteFrame(name);
   fs::remove(At("b_depth.png"));
-  Write(At("c_depth.png"), PngOf(TestColor()));
-  Write(At("notes.txt"), "not a frame");
-  const Finished finished = Detect({"--input", folder_.string(), "--output", At("out")});
+  Write("c_depth.png", PngOf(TestColor()));
+  Write("notes.txt", "not a frame");
+  const Finished finished = Detect({"--input", Folder(), "--output", At("out")});
   EXPECT_EQ(finished.exit_code, 1);
   EXPECT_THAT(finished.out, HasSubstr("2 of 4 frames done"));
   EXPECT_THAT(finished.out, HasSubstr("2 failed"));
@@ -30,20 +30,20 @@ TEST_F(CliTest, RunsOverAFolderAndGoesOnAfterAFrameThatFailed) {
   EXPECT_THAT(finished.err, HasSubstr("fovea: b: no " + At("b_depth.png")));
   EXPECT_THAT(finished.err, HasSubstr("fovea: c: INVALID_ARGUMENT: frame.depth.data: "));
   for (const char* file : {"a.png", "a.json", "a_overlay.jpg", "d.png"}) {
-    EXPECT_TRUE(fs::exists(folder_ / "out" / file)) << file;
+    EXPECT_TRUE(fs::exists(fs::path(At("out")) / file)) << file;
   }
-  EXPECT_FALSE(fs::exists(folder_ / "out" / "b.png"));
+  EXPECT_FALSE(fs::exists(fs::path(At("out")) / "b.png"));
 }
 
 TEST_F(CliTest, GoesOnWithAFolderWhereItStopped) {
   for (const char* name : {"b", "c"}) WriteFrame(name);
-  const std::vector<std::string> flags{"--input", folder_.string(), "--output", At("out"), "--jobs",
-                                       "3",       "--no-overlay",   "--cloud",  "pcd"};
+  const std::vector<std::string> flags{"--input", Folder(),       "--output", At("out"), "--jobs",
+                                       "3",       "--no-overlay", "--cloud",  "pcd"};
   EXPECT_THAT(Detect(flags).out, HasSubstr("3 of 3 frames done"));
   EXPECT_FALSE(fs::exists(At("out/a_overlay.jpg")));
   EXPECT_GT(fs::file_size(At("out/a.pcd")), 16U * kWidth);
   fs::remove(At("out/b.json"));
-  Write(At("out/c.json"), "kept");
+  Write("out/c.json", "kept");
   std::vector<std::string> again = flags;
   again.emplace_back("--resume");
   EXPECT_THAT(Detect(again).out, HasSubstr("1 of 1 frames done, 0 objects, 0 failed; 2 were done"));
@@ -55,8 +55,7 @@ TEST_F(CliTest, GoesOnWithAFolderWhereItStopped) {
 
 TEST_F(CliTest, PrintsAnswersAsLinesOfJson) {
   for (const char* name : {"b", "c", "d", "e"}) WriteFrame(name);
-  const Finished many =
-      Detect({"--input", folder_.string(), "--json", "-", "--jobs", "4", "--no-masks"});
+  const Finished many = Detect({"--input", Folder(), "--json", "-", "--jobs", "4", "--no-masks"});
   EXPECT_EQ(many.exit_code, 0) << many.err;
   EXPECT_THAT(many.err, HasSubstr("5 of 5 frames done"));
   std::istringstream lines(many.out);
@@ -75,17 +74,17 @@ TEST_F(CliTest, PrintsAnswersAsLinesOfJson) {
 }
 
 TEST_F(CliTest, TakesIntrinsicsFromFiles) {
-  Write(At("k.json"), R"({"fx": 30, "fy": 30, "cx": 15.5, "cy": 11.5, "width": 32, "height": 24})");
+  Write("k.json", R"({"fx": 30, "fy": 30, "cx": 15.5, "cy": 11.5, "width": 32, "height": 24})");
   const auto detect = [&](const std::string& intrinsics) {
     return Execute({FOVEA_CLI, "detect", "--server", server_.address(), "--intrinsics", intrinsics,
                     "--color", At("a_color.png"), "--depth", At("a_depth.png")});
   };
   EXPECT_EQ(detect(At("k.json")).exit_code, 0);
-  Write(At("k.json"), R"({"fx": 30, "fy": 30, "cx": 15.5, "cy": 11.5, "width": 64, "height": 48})");
+  Write("k.json", R"({"fx": 30, "fy": 30, "cx": 15.5, "cy": 11.5, "width": 64, "height": 48})");
   ExpectOneLineError(detect(At("k.json")),
                      At("k.json") + " is for images of 64x48, this one has 32x24");
 
-  Write(At("k.json"), R"({"width": 32, "height": 24, "k": [30, 0, 15.5, 0, 30, 11.5, 0, 0, 1],
+  Write("k.json", R"({"width": 32, "height": 24, "k": [30, 0, 15.5, 0, 30, 11.5, 0, 0, 1],
                           "distortion_model": "plumb_bob", "d": [-0.1, 0.01, 0, 0, 0]})");
   const Finished bent = detect(At("k.json"));
   EXPECT_EQ(bent.exit_code, 0) << bent.err;
@@ -101,10 +100,10 @@ TEST_F(CliTest, TakesIntrinsicsFromFiles) {
   ExpectOneLineError(with("plumb_bob"), "--distortion: \"plumb_bob\" is not MODEL=K1,K2,");
 
   // Of a folder without --intrinsics the one that lies there.
-  const std::vector<std::string> folder{FOVEA_CLI, "detect",         "--server", server_.address(),
-                                        "--input", folder_.string(), "--output", At("out")};
+  const std::vector<std::string> folder{FOVEA_CLI, "detect", "--server", server_.address(),
+                                        "--input", Folder(), "--output", At("out")};
   ExpectOneLineError(Execute(folder), "--intrinsics is required");
-  Write(At("intrinsics.txt"), "30,30,15.5,11.5\n");
+  Write("intrinsics.txt", "30,30,15.5,11.5\n");
   const Finished finished = Execute(folder);
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
   EXPECT_THAT(finished.err, HasSubstr("note: intrinsics from " + At("intrinsics.txt")));
@@ -112,8 +111,8 @@ TEST_F(CliTest, TakesIntrinsicsFromFiles) {
 
 TEST_F(CliTest, ReadsTumFolders) {
   fs::create_directory(At("tum"));
-  Write(At("tum/rgb.txt"), "# time path\n1305031102.175304 ../a_color.png\n");
-  Write(At("tum/depth.txt"), "1305031102.160407 ../a_depth.png\n1305031109.1 none.png\n");
+  Write("tum/rgb.txt", "# time path\n1305031102.175304 ../a_color.png\n");
+  Write("tum/depth.txt", "1305031102.160407 ../a_depth.png\n1305031109.1 none.png\n");
   const Finished finished = Detect({"--input", At("tum"), "--json", "-"});
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
   const auto answer = nlohmann::json::parse(finished.out);
@@ -123,9 +122,9 @@ TEST_F(CliTest, ReadsTumFolders) {
 }
 
 TEST_F(CliTest, WritesNothingIntoTheFolderOfTheFrames) {
-  Write(At("a.json"), "the truth");
-  const Finished finished = Detect({"--input", At(""), "--output", folder_.string()});
-  ExpectOneLineError(finished, "--output: " + folder_.string() + " is the folder of --input");
+  Write("a.json", "the truth");
+  const Finished finished = Detect({"--input", At(""), "--output", Folder()});
+  ExpectOneLineError(finished, "--output: " + Folder() + " is the folder of --input");
   EXPECT_EQ(fs::file_size(At("a.json")), 9U);
 }
 
@@ -141,7 +140,7 @@ TEST_F(CliTest, ReadsBags) {
   writer.Add("/depth/image", "Image",
              ImageMessage(kTime_ns, "16UC1", kWidth, kHeight, 2 * kWidth, data(TestDepth())));
   writer.EndChunk("lz4");
-  Write(At("b.mcap"), writer.Finish());
+  Write("b.mcap", writer.Finish());
   const auto detect = [&](std::vector<std::string> flags) {
     flags.insert(flags.begin(), {FOVEA_CLI, "detect", "--server", server_.address(), "--input",
                                  At("b.mcap"), "--output", At("out")});
@@ -158,7 +157,7 @@ TEST_F(CliTest, ReadsBags) {
 
   ExpectOneLineError(detect({"--depth-topic", "/d"}),
                      "b.mcap: --depth-topic: it has no images of /d");
-  Write(At("b.mcap"), "no bag");
+  Write("b.mcap", "no bag");
   ExpectOneLineError(detect({}), "b.mcap: it is no MCAP file");
 }
 

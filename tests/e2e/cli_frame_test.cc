@@ -48,7 +48,7 @@ TEST_F(CliTest, WritesEveryOutputOfAFrame) {
 TEST_F(CliTest, ExplainsEveryStep) {
   const cv::Size frame(kWidth, kHeight);
   for (const std::string profile : {"default", "paper"}) {
-    const fs::path steps = folder_ / "steps" / profile;
+    const fs::path steps = fs::path(At("steps")) / profile;
     const Finished finished =
         DetectFrame({"--explain", steps.string(), "--profile", profile, "--labels", At("l.png")});
     ASSERT_EQ(finished.exit_code, 0) << finished.err;
@@ -68,7 +68,7 @@ TEST_F(CliTest, ExplainsEveryStep) {
     const cv::Mat depth = cv::imread((steps / "02_depth.png").string(), cv::IMREAD_GRAYSCALE);
     EXPECT_EQ(cv::countNonZero((depth == 0) != (TestDepth() == 0)), 0);
   }
-  Write(At("taken"), "");
+  Write("taken", "");
   ExpectOneLineError(DetectFrame({"--explain", At("taken")}), "--explain: cannot write");
   ExpectOneLineError(Detect({"--input", At(""), "--output", At("o"), "--explain", At("s")}),
                      "a single frame");
@@ -76,10 +76,10 @@ TEST_F(CliTest, ExplainsEveryStep) {
 
 TEST_F(CliTest, ExplainsWhatItDoesNotReport) {
   const cv::Size size(320, 240);
-  scenes::WriteFrame(folder_, "s",
+  scenes::WriteFrame(Folder(), "s",
                      scenes::MakeFrame(scenes::RandomScene("tabletop", /*seed=*/1, size),
                                        scenes::SensorKind::kKinect, /*seed=*/1));
-  const fs::path steps = folder_ / "steps";
+  const fs::path steps = At("steps");
   const Finished finished = Execute({FOVEA_CLI, "detect", "--server", server_.address(),
                                      "--intrinsics", "262.5,262.5,159.5,119.5", "--color",
                                      At("s_color.png"), "--depth", At("s_depth.png"), "--explain",
@@ -93,7 +93,7 @@ TEST_F(CliTest, ExplainsWhatItDoesNotReport) {
 }
 
 TEST_F(CliTest, SendsJpegAsItIs) {
-  Write(At("a.jpg"), JpegOf(TestColor()));
+  Write("a.jpg", JpegOf(TestColor()));
   const Finished finished = Detect({"--color", At("a.jpg"), "--depth", At("a_depth.png")});
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
 }

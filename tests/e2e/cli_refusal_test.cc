@@ -22,7 +22,7 @@ TEST_F(CliTest, ChecksOutputsBeforeItAsksTheServer) {
   ExpectOneLineError(DetectFrame({"--overlay", At("a_color.png")}), "is an image of the frame");
   ExpectOneLineError(DetectFrame({"--labels", At("l.jpg")}), "labels need a format without loss");
   ExpectOneLineError(DetectFrame({"--cloud", At("c.stl")}), "--cloud: \"stl\" is not a kind");
-  ExpectOneLineError(Detect({"--input", folder_.string(), "--output", At("a_depth.png")}),
+  ExpectOneLineError(Detect({"--input", Folder(), "--output", At("a_depth.png")}),
                      "--output: cannot write " + At("a_depth.png"));
 }
 
@@ -31,7 +31,7 @@ TEST_F(CliTest, SaysWhyAFrameHasNoObjects) {
   const Finished one = DetectFrame();
   EXPECT_THAT(one.out, StartsWith("a: 0 objects in"));
   EXPECT_THAT(one.out, HasSubstr("\nnote: "));
-  const Finished many = Detect({"--input", folder_.string(), "--output", At("out")});
+  const Finished many = Detect({"--input", Folder(), "--output", At("out")});
   EXPECT_THAT(many.out, StartsWith("1/1  a: 0 objects\n  note: "));
 }
 
@@ -51,14 +51,13 @@ TEST_F(CliTest, SaysInOneLineWhatIsWrong) {
                      "--server: \"localhost\" is not HOST:PORT");
   ExpectOneLineError(DetectFrame({"--tls-ca", At("a_color.png")}),
                      "--tls-ca: " + At("a_color.png") + " holds no CERTIFICATE in PEM");
-  ExpectOneLineError(DetectFrame({"--input", folder_.string()}), "--output");
+  ExpectOneLineError(DetectFrame({"--input", Folder()}), "--output");
   ExpectOneLineError(Detect({}), "--color");
   ExpectOneLineError(Execute({FOVEA_CLI, "detect", "--colour", "c.png"}), "--colour");
   ExpectOneLineError(Execute({FOVEA_CLI, "detect", "--color", "c.png"}), "--intrinsics");
   ExpectOneLineError(Detect({"--color", At("none.png"), "--depth", At("a_depth.png")}),
                      "cannot read " + At("none.png"));
-  ExpectOneLineError(Detect({"--color", folder_.string(), "--depth", At("a_depth.png")}),
-                     "is a folder");
+  ExpectOneLineError(Detect({"--color", Folder(), "--depth", At("a_depth.png")}), "is a folder");
   ExpectOneLineError(Detect({"--input", At("none"), "--output", At("out")}), "cannot read");
   fs::create_directory(At("empty"));
   ExpectOneLineError(Detect({"--input", At("empty"), "--output", At("out")}), "no NAME_color.png");
@@ -74,7 +73,7 @@ TEST_F(CliTest, AsksForHealth) {
   server_.process().Wait();
   ExpectOneLineError(Execute({FOVEA_CLI, "health", "--server", server_.address()}), text);
   ExpectOneLineError(DetectFrame(), text);
-  const Finished folder = Detect({"--input", folder_.string(), "--output", At("out")});
+  const Finished folder = Detect({"--input", Folder(), "--output", At("out")});
   EXPECT_EQ(folder.exit_code, 1);
   EXPECT_THAT(folder.err, StartsWith("fovea: a: " + text));
 }

@@ -8,6 +8,10 @@
 namespace fovea {
 namespace {
 
+std::vector<char> Minimize(const BinaryEnergy& energy) {
+  return BinaryMinimizer().Minimize(energy);
+}
+
 // `taken` has one bit a node.
 float EnergyOf(const BinaryEnergy& energy, unsigned taken) {
   const auto is_taken = [&](int v) { return (taken >> static_cast<unsigned>(v) & 1U) != 0; };
