@@ -7,11 +7,18 @@ namespace fovea::observer {
 BoardEvents::BoardEvents(std::shared_ptr<Feed> feed, std::string close, bool with_depth)
     : feed_(std::move(feed)),
       close_(std::move(close)),
-      look_(close_.empty() ? nullptr : feed_->LookAt(close_, with_depth)) {}
+      with_depth_(with_depth) {
+  LookClosely();
+}
 
 BoardEvents::~BoardEvents() { subscription_.reset(); }
 
+void BoardEvents::LookClosely() {
+  if (!close_.empty() && !look_) look_ = feed_->LookAt(close_, with_depth_);
+}
+
 std::string BoardEvents::Take() {
+  LookClosely();  // there may have been no room before
   if (told_end_) return {};
   if (feed_->board().IsRefused()) {
     told_end_ = true;

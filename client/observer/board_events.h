@@ -22,9 +22,12 @@ class BoardEvents : public EventSource {
   void OnNews(std::function<void()> wake) override;
 
  private:
+  void LookClosely();
+
   const std::shared_ptr<Feed> feed_;
   const std::string close_;
-  const Feed::CloseLook look_;
+  const bool with_depth_;
+  Feed::CloseLook look_;  // null where there has been no room for it yet
   std::uint64_t version_ = 0;
   bool told_end_ = false;
   Board::Subscription subscription_;
