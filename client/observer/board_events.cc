@@ -5,9 +5,7 @@
 namespace fovea::observer {
 
 BoardEvents::BoardEvents(std::shared_ptr<Feed> feed, std::string close, bool with_depth)
-    : feed_(std::move(feed)),
-      close_(std::move(close)),
-      with_depth_(with_depth) {
+    : feed_(std::move(feed)), close_(std::move(close)), with_depth_(with_depth) {
   LookClosely();
 }
 
