@@ -71,6 +71,7 @@ void ObserverTable::Add(const std::string& line) {
   RequireField(rest.empty(), "\"" + rest + "\"",
                "is too much; a line is NAME SHA256 RIGHTS ROBOTS [EXPIRES]");
   RequireField(name.size() <= kMaxName, "the name", "has more than 64 characters");
+  RequireHash(hash);
   ObserverEntry entry{.name = name, .rights = ParseRights(rights), .robots = ParsePatterns(robots)};
   if (!expires.empty()) entry.expires = ParseExpiry(expires);
   entries_.Add(hash, std::move(entry), "observer");

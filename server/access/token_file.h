@@ -23,9 +23,9 @@ void ForEachTokenLine(const std::string& flag, const std::string& path,
 template <typename Entry>
 class TokenEntries {
  public:
-  // Throws std::invalid_argument for what is no hash or is there already; `whose`: "robot".
+  // `hash`: as RequireHash wants it. Throws std::invalid_argument for one that is there already;
+  // `whose`: "robot".
   void Add(const std::string& hash, Entry entry, const std::string& whose) {
-    RequireHash(hash);
     RequireField(by_hash_.emplace(hash, std::move(entry)).second, "the token",
                  "is there twice; each belongs to one " + whose);
   }

@@ -26,6 +26,7 @@ void TokenTable::Add(const std::string& line) {
   words >> hash >> expires >> rest;
   RequireField(rest.empty(), "\"" + rest + "\"", "is too much; a line is ROBOT SHA256 [EXPIRES]");
   RequireField(robot.size() <= kMaxName, "the robot's name", "has more than 64 characters");
+  RequireHash(hash);
   Entry entry{.robot = robot};
   if (!expires.empty()) entry.expires = ParseExpiry(expires);
   entries_.Add(hash, std::move(entry), "robot");

@@ -18,7 +18,7 @@ class CliTest : public ::testing::Test {
  protected:
   CliTest() { WriteFrame("a"); }
 
-  std::string Folder() const { return folder_.At("."); }
+  std::string Folder() const { return folder_.Path(); }
   std::string At(const std::string& name) const { return folder_.At(name); }
   void Write(const std::string& name, const std::string& bytes) const {
     folder_.Write(name, bytes);

@@ -19,6 +19,7 @@ class TemporaryFolder {
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
+  std::string Path() const { return path_.string(); }
   std::string At(const std::string& name) const { return (path_ / name).string(); }
 
   // Replaces the whole file at once. Returns its path.
