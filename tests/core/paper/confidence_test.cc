@@ -21,6 +21,16 @@ TEST(Confidence, FallsWithTheDistanceBeyondAMetre) {
   EXPECT_GT(Confidence(0.01, 2), Confidence(0.01, 3));
 }
 
+double LogOdds(double probability) { return std::log(probability / (1 - probability)); }
+
+// As fitted: the odds of what is ample and near, and what they lose with area and distance.
+TEST(Confidence, HasTheSlopesOfItsFit) {
+  const double ample = LogOdds(Confidence(0.005, 1));
+  EXPECT_NEAR(ample, 3.5, 1e-3);
+  EXPECT_NEAR(LogOdds(Confidence(0.0025, 1)) - ample, -2.53 * std::log(2), 1e-3);
+  EXPECT_NEAR(LogOdds(Confidence(0.005, 3)) - ample, -0.71 * 2, 1e-3);
+}
+
 TEST(Confidence, IsAProbabilityForAnyInput) {
   for (const double area : {0.0, 1e-300, 1e-4, 1.0, 1e300}) {
     for (const double distance : {0.0, 1.0, 100.0, std::numeric_limits<double>::infinity()}) {

@@ -111,6 +111,23 @@ TEST(DataTerm, BackgroundOfSinglePointsKnowsTheirNearestSeed) {
   }
 }
 
+// A voxel of two points, 2 cm apart: the right one is nearest to the seed that is farther from
+// their mean. The third seed is farther from both.
+TEST(DataTerm, BackgroundOfWideVoxelsKnowsTheNearestSeedOfEachPoint) {
+  Scene scene;
+  scene.points = cv::Mat(1, 2, CV_32FC3, cv::Scalar(0.02, 0.05, 1.01));
+  scene.points.at<cv::Vec3f>(0, 1)[0] = 0.04F;
+  const cv::Mat normals(scene.points.size(), CV_32FC3, cv::Scalar(0, 0, -1));
+  scene.grid = BuildVoxelGrid(scene.points, {normals}, {.size_m = 0.05});
+  ASSERT_EQ(scene.grid.voxels.size(), 1U);
+  for (const float x_m : {0.01F, 0.065F, 0.2F}) scene.seeds.push_back({{}, {x_m, 0.05F, 1.01F}});
+  const DataTermOptions options{.gamma_per_m2 = 1000};
+  const auto choices = DataTerm(scene.grid, scene.points, {0}, {}, scene.seeds, options);
+  EXPECT_NEAR(choices[0].front().cost, LiteralCost(scene, 0, 0, options), 1e-4);
+  scene.seeds[1] = scene.seeds[2];  // and it matters
+  EXPECT_LT(LiteralCost(scene, 0, 0, options), choices[0].front().cost - 0.1);
+}
+
 TEST(DataTerm, OffersNothingOnTheSupportAndBeyondReach) {
   Scene scene = RandomScene(12);
   scene.seeds[2].position.z() = 3.0F;  // two metres off: Eq. 5 is below min_probability

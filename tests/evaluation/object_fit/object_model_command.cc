@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <set>
@@ -14,6 +16,7 @@
 #include "tests/evaluation/output.h"
 #include "tests/evaluation/parallel.h"
 #include "tests/evaluation/real_frames/boxed_run.h"
+#include "tests/evaluation/settings.h"
 
 namespace fovea::evaluation {
 namespace {
@@ -32,7 +35,14 @@ struct Flags {
   bool leave_one_out = false;
   int num_threads = 1;
   std::string source;
+  std::vector<std::string> settings;  // name=value
 };
+
+DetectorOptions OptionsOf(const Flags& flags) {
+  DetectorOptions options = OptionsOfProfile("default");
+  ApplySettings(options, flags.settings);
+  return options;
+}
 
 std::pair<std::string, double> Weighted(const std::string& text) {
   const std::size_t equals = text.find('=');
@@ -42,16 +52,16 @@ std::pair<std::string, double> Weighted(const std::string& text) {
 
 // Samples `count` scenes with each size of voxels, the original first.
 template <typename LoadScene>
-void Sample(const std::string& what, std::size_t count, double weight, int num_threads,
+void Sample(const std::string& what, std::size_t count, double weight, const Flags& flags,
             const LoadScene& load, std::vector<TreeSample>& samples) {
   const std::size_t first = samples.size();
   samples.resize(first + count * kVoxelShares.size());
   std::mutex mutex;  // guards done
   std::size_t done = 0;
-  ForEachIndex(count, num_threads, [&](std::size_t i) {
+  ForEachIndex(count, flags.num_threads, [&](std::size_t i) {
     const auto scene = load(i);
     for (std::size_t k = 0; k < kVoxelShares.size(); ++k) {
-      DetectorOptions options = OptionsOfProfile("default");
+      DetectorOptions options = OptionsOf(flags);
       options.voxels.size_m *= kVoxelShares[k];
       TreeSample& sample = samples[first + i * kVoxelShares.size() + k];
       sample = SampleOf(scene, options);
@@ -70,7 +80,7 @@ std::vector<TreeSample> SampleAll(const Flags& flags, std::vector<BoxedFrame>& f
     const std::vector<std::string> names = SceneNames(folder);
     const std::vector<double>& k = flags.intrinsics;
     Sample(
-        folder, names.size(), weight, flags.num_threads,
+        folder, names.size(), weight, flags,
         [&, &dir = folder](std::size_t i) {
           return LoadScene(dir, names[i], encoding, {k[0], k[1], k[2], k[3]});
         },
@@ -82,8 +92,7 @@ std::vector<TreeSample> SampleAll(const Flags& flags, std::vector<BoxedFrame>& f
     const auto [folder, weight] = Weighted(text);
     const std::vector<BoxedFrame> loaded = LoadBoxedFrames(folder);
     Sample(
-        folder, loaded.size(), weight, flags.num_threads, [&](std::size_t i) { return loaded[i]; },
-        samples);
+        folder, loaded.size(), weight, flags, [&](std::size_t i) { return loaded[i]; }, samples);
     frames.insert(frames.end(), loaded.begin(), loaded.end());
   }
   return samples;
@@ -94,35 +103,72 @@ struct LeftOut {
   double loss = 0;  // summed over the frames, not their variants
 };
 
-// The frames of each group of sources by a model that was fitted to everything but it.
-LeftOut LeaveOneOut(const Flags& flags, const std::vector<TreeSample>& samples,
-                    const std::vector<BoxedFrame>& frames, const ObjectModel& start) {
-  std::set<std::string> groups;
-  for (const BoxedFrame& frame : frames) groups.insert(GroupOf(frame.source));
-  LeftOut left_out;
-  for (const std::string& group : groups) {
-    ShowProgress("leaving one out", left_out.results.size(), frames.size());
-    const ObjectModel model = FitModel(samples, start, group, flags.penalty, kMaxIterations);
-    std::vector<BoxedFrame> own;
-    for (const BoxedFrame& frame : frames) {
-      if (GroupOf(frame.source) == group) own.push_back(frame);
-    }
-    DetectorOptions options = OptionsOfProfile("default");
-    options.object_model = &model;
-    const auto detect = [&](const RgbdFrame& frame) { return Detect(frame, options); };
-    for (const BoxedFrameResult& result : RunBoxedFrames(own, detect, flags.num_threads)) {
-      left_out.results.push_back(result);
-    }
-    for (const TreeSample& sample : samples) {
-      if (sample.group == group && sample.is_original) left_out.loss += LossOf(sample, model);
-    }
+// The frames of one group of sources by a model that was fitted to everything but it.
+LeftOut LeaveOut(const std::string& group, const Flags& flags,
+                 const std::vector<TreeSample>& samples, const std::vector<BoxedFrame>& frames,
+                 const ObjectModel& start) {
+  const ObjectModel model = FitModel(samples, start, group, flags.penalty, kMaxIterations);
+  std::vector<BoxedFrame> own;
+  for (const BoxedFrame& frame : frames) {
+    if (GroupOf(frame.source) == group) own.push_back(frame);
+  }
+  DetectorOptions options = OptionsOf(flags);
+  options.object_model = &model;
+  const auto detect = [&](const RgbdFrame& frame) { return Detect(frame, options); };
+  LeftOut left_out{RunBoxedFrames(own, detect, 1)};
+  for (const TreeSample& sample : samples) {
+    if (sample.group == group && sample.is_original) left_out.loss += LossOf(sample, model);
   }
   return left_out;
+}
+
+LeftOut LeaveOneOut(const Flags& flags, const std::vector<TreeSample>& samples,
+                    const std::vector<BoxedFrame>& frames, const ObjectModel& start) {
+  std::set<std::string> names;
+  for (const BoxedFrame& frame : frames) names.insert(GroupOf(frame.source));
+  const std::vector<std::string> groups(names.begin(), names.end());
+  std::vector<LeftOut> of_group(groups.size());
+  std::mutex mutex;  // guards done
+  std::size_t done = 0;
+  ForEachIndex(groups.size(), flags.num_threads, [&](std::size_t g) {
+    of_group[g] = LeaveOut(groups[g], flags, samples, frames, start);
+    const std::scoped_lock lock(mutex);
+    ShowProgress("leaving one out", ++done, groups.size());
+  });
+  LeftOut all;
+  for (const LeftOut& one : of_group) {
+    all.results.insert(all.results.end(), one.results.begin(), one.results.end());
+    all.loss += one.loss;
+  }
+  return all;
+}
+
+// Of each group of sources the required objects that some union of segments shows.
+void PrintInTree(const std::vector<TreeSample>& samples, const std::vector<BoxedFrame>& frames) {
+  std::map<std::string, int> required, found;
+  for (const BoxedFrame& frame : frames) {
+    required[GroupOf(frame.source)] +=
+        static_cast<int>(std::count_if(frame.objects.begin(), frame.objects.end(),
+                                       [](const BoxedObject& object) { return !object.optional; }));
+  }
+  for (const TreeSample& sample : samples) {
+    if (sample.group.empty() || !sample.is_original) continue;
+    found[sample.group] +=
+        static_cast<int>(std::count(sample.states.begin(), sample.states.end(), NodeState::kIs));
+  }
+  int all_required = 0, all_found = 0;
+  for (const auto& [group, count] : required) {
+    fmt::print("{:<20} {:>4} of {:>4} in the tree\n", group, found[group], count);
+    all_required += count;
+    all_found += found[group];
+  }
+  fmt::print("{:<20} {:>4} of {:>4} in the tree\n", "all", all_found, all_required);
 }
 
 void Run(const Flags& flags) {
   std::vector<BoxedFrame> frames;
   const std::vector<TreeSample> samples = SampleAll(flags, frames);
+  PrintInTree(samples, frames);
   const ObjectModel start = ModelWithKnots(samples);
   const ObjectModel model = FitModel(samples, start, "", flags.penalty, kMaxIterations);
   double loss = 0;
@@ -166,7 +212,8 @@ void AddObjectModelCommand(CLI::App& app) {
                     "Also score the frames of each group of sources by a model fitted without it");
   command->add_option("--source", flags->source,
                       "Write the model there: core/objects/fitted_object_model.cc");
-  command->add_option("--threads", flags->num_threads, "Scenes at a time")
+  command->add_option("--set", flags->settings, "name=value of a detector option; repeatable");
+  command->add_option("--threads", flags->num_threads, "Scenes, or groups left out, at a time")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
   command->callback([flags] { Run(*flags); });
