@@ -1,7 +1,9 @@
 # Flags for our own code: warnings are errors, arithmetic is the same on every build.
 find_program(CCACHE ccache)
 if(CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+  # Objects of precompiled headers are kept too.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+                                  CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE})
 endif()
 
 # No fused multiply-add: the same frame gives the same bits on any machine.

@@ -11,7 +11,6 @@ namespace fovea {
 namespace {
 
 constexpr float kLevelCosine = 0.9F;
-constexpr float kUprightCosine = 0.4F;
 
 bool IsCovered(const std::vector<Support>& supports, const Eigen::Vector3f& point,
                const SupportOptions& options) {
@@ -24,20 +23,9 @@ bool IsCovered(const std::vector<Support>& supports, const Eigen::Vector3f& poin
 
 Placement PlacementOf(const Voxel& voxel, const Eigen::Vector3f& up,
                       const std::vector<Support>& supports, const SupportOptions& options) {
-  Placement placement;
-  const float cosine = voxel.normal.dot(up);
-  placement.num_level = cosine > kLevelCosine ? 1 : 0;
-  placement.num_upright = !voxel.normal.isZero() && std::abs(cosine) < kUprightCosine ? 1 : 0;
-  if (const auto below = SupportBelow(supports, voxel.mean, options)) {
-    const Support& support = supports[*below];
-    placement.num_above = 1;
-    placement.lowest_m = placement.highest_m = support.surface.HeightOf(voxel.mean);
-    placement.rise =
-        placement.highest_m / (support.LargestShare() * SupportTolerance(voxel.mean.z(), options));
-  }
-  placement.num_flat = IsOnSupport(supports, voxel.mean, options) ? 1 : 0;
-  placement.num_covered = IsCovered(supports, voxel.mean, options) ? 1 : 0;
-  return placement;
+  return {.num_flat = IsOnSupport(supports, voxel.mean, options) ? 1 : 0,
+          .num_covered = IsCovered(supports, voxel.mean, options) ? 1 : 0,
+          .num_level = voxel.normal.dot(up) > kLevelCosine ? 1 : 0};
 }
 
 // Of the segments in `labels`, an image of them.
@@ -136,14 +124,9 @@ class Summation {
 }  // namespace
 
 void Placement::Add(const Placement& other) {
-  num_above += other.num_above;
   num_flat += other.num_flat;
   num_covered += other.num_covered;
-  lowest_m = std::min(lowest_m, other.lowest_m);
-  highest_m = std::max(highest_m, other.highest_m);
-  rise = std::max(rise, other.rise);
   num_level += other.num_level;
-  num_upright += other.num_upright;
 }
 
 std::vector<ObjectEvidence> CollectEvidence(const LabelledScene& scene,

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <limits>
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
@@ -14,18 +13,11 @@
 
 namespace fovea {
 
-// Where voxels are in relation to the surfaces that things stand on; sums and extremes.
+// Numbers of voxels by where they are in relation to the surfaces that things stand on.
 struct Placement {
-  int num_above = 0;    // voxels with a support below them
-  int num_flat = 0;     // voxels that no height tells from a support
-  int num_covered = 0;  // voxels that a support covers from above
-  // Above the support below: the lowest and the highest voxel in metres, and the highest one as a
-  // multiple of what may be noise there.
-  float lowest_m = std::numeric_limits<float>::max();
-  float highest_m = 0;
-  float rise = 0;
-  int num_level = 0;    // voxels that face up,
-  int num_upright = 0;  // and to the side
+  int num_flat = 0;     // no height tells them from a support
+  int num_covered = 0;  // a support covers them from above
+  int num_level = 0;    // they face up
 
   void Add(const Placement& other);
 };
