@@ -70,11 +70,16 @@ void AddFlags(CLI::App& app, Flags& flags) {
       "open files every minute");
   app.add_option("--kind", flags.kind, "Kind of the generated scene, as for fovea-scenes")
       ->capture_default_str();
+  app.add_option("--size", flags.size_px, "Pixels of a frame, as WIDTHxHEIGHT")
+      ->delimiter('x')
+      ->expected(2)
+      ->check(CLI::Range(16, 4096))
+      ->capture_default_str();
 }
 
-// Raw 640x480: 1.5 MB.
-fovea::v1::Frame MakeFrame(const std::string& kind) {
-  const auto scene = fovea::scenes::RandomScene(kind, /*seed=*/7);
+// Raw; 640x480 are 1.5 MB.
+fovea::v1::Frame MakeFrame(const std::string& kind, const cv::Size& size_px) {
+  const auto scene = fovea::scenes::RandomScene(kind, /*seed=*/7, size_px);
   const fovea::RgbdFrame rgbd =
       fovea::scenes::MakeFrame(scene, fovea::scenes::SensorKind::kKinect, 7).frame;
   const auto width = static_cast<std::uint32_t>(rgbd.depth_m.cols);
@@ -152,7 +157,7 @@ std::jthread CutLater(const Flags& flags, Links* links) {
 }
 
 std::vector<Outcome> RunAll(const Flags& flags) {
-  const fovea::v1::Frame frame = MakeFrame(flags.kind);
+  const fovea::v1::Frame frame = MakeFrame(flags.kind, {flags.size_px[0], flags.size_px[1]});
   Links links;
   const std::vector<RobotPlan> plans = fovea::load::MakePlans(flags, frame, &links);
   std::stop_source stop;

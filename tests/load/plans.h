@@ -13,6 +13,7 @@ namespace fovea::load {
 struct Flags {
   std::string server = "127.0.0.1:50051", kind = "tabletop";
   std::vector<int> hold;  // robots at each of the servers; empty = the client chooses
+  std::vector<int> size_px = {640, 480};
   int robots = 1, warm_up = 3, seconds = 20, saboteurs = 0, pid = 0;
   int greedy_calls = 0, slow_kb_per_s = 0;
   double rate_hz = 0, greedy = 1;
