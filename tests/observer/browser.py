@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import shutil
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -78,6 +79,26 @@ class Browser:
         width, height, text = self.driver.execute_script(READ_CANVAS, canvas)
         return np.frombuffer(base64.b64decode(text), np.uint8).reshape(height, width, 4)
 
+    def drawn(self, canvas: WebElement) -> np.ndarray[Any, Any]:
+        """The pixels of a canvas in 3D."""
+        script = """
+        const copy = document.createElement("canvas");
+        copy.width = arguments[0].width;
+        copy.height = arguments[0].height;
+        copy.getContext("2d").drawImage(arguments[0], 0, 0);
+        return copy;
+        """
+        return self.pixels(self.driver.execute_script(script, canvas))
+
+    def downloads_to(self, folder: Path) -> None:
+        command = {"behavior": "allow", "downloadPath": str(folder)}
+        self.driver.execute_cdp_cmd("Browser.setDownloadBehavior", command)
+
+    def click(self, canvas: WebElement, x: float, y: float) -> None:
+        """At this share of its width and height."""
+        self.hover(canvas, x, y)
+        ActionChains(self.driver).click().perform()
+
     def hover(self, canvas: WebElement, x: float, y: float) -> None:
         """At this share of its width and height."""
         self.driver.execute_script("arguments[0].scrollIntoView({block: 'center'})", canvas)
@@ -88,7 +109,8 @@ class Browser:
 
     def complaints(self) -> list[str]:
         """What the page had to say in its console."""
-        known = ("401", "404")  # no session yet; a frame that has passed
+        # No session yet; a frame that has passed; options and picks that were refused.
+        known = ("401", "404", "400", "409")
         return [
             entry["message"]
             for entry in self.driver.get_log("browser")

@@ -11,12 +11,11 @@
 
 #include "client/client.h"
 #include "fovea/v1/observation_service.grpc.pb.h"
-#include "server/access/token_line.h"
 #include "tests/server/detectors.h"
 #include "tests/server/frames.h"
 #include "tests/server/loopback.h"
 #include "tests/server/metric_value.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/server/observers.h"
 
 namespace fovea::testing {
 namespace {
@@ -79,32 +78,6 @@ std::string Gunzip(const std::string& file, std::size_t num_bytes) {
   inflateEnd(&stream);
   return bytes;
 }
-
-class Observers : public ::testing::Test {
- protected:
-  Observers() {
-    options_.observers =
-        folder_.Write("observers", Line("ann", "all-of-it", "view,download", "*") +
-                                       Line("ben", "kitchens", "view", "kitchen-*,hall"));
-  }
-
-  static std::string Line(const std::string& name, const std::string& token,
-                          const std::string& rights, const std::string& robots,
-                          const std::string& expires = "") {
-    return name + " " + server::HashOfToken(token) + " " + rights + " " + robots + " " + expires +
-           "\n";
-  }
-
-  static void Detect(const Loopback& loopback, const std::string& robot,
-                     const v1::DetectRequest& request = TestRequest()) {
-    client::ClientOptions options = PatientOptions();
-    options.robot = robot;
-    client::Client(loopback.server.Address(), options).Detect(request);
-  }
-
-  const TemporaryFolder folder_;
-  server::ServerOptions options_ = LoopbackOptions();
-};
 
 TEST_F(Observers, AreToldWhoTheyAre) {
   const Loopback loopback(FindOne, options_);
