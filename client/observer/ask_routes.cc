@@ -65,7 +65,10 @@ struct Asked {
 
 std::optional<Asked> AskedIn(const std::string& body) {
   const json asked = json::parse(body, nullptr, /*allow_exceptions=*/false);
-  if (!asked.is_object()) return std::nullopt;
+  const auto is_number = [&](const char* name) {
+    return !asked.contains(name) || asked[name].is_number_unsigned();
+  };
+  if (!asked.is_object() || !is_number("id") || !is_number("label")) return std::nullopt;
   try {
     return Asked{.robot = asked.at("robot").get<std::string>(),
                  .id = asked.at("id").get<std::uint64_t>(),

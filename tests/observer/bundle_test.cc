@@ -97,7 +97,7 @@ TEST(ObserverBundle, HasNoImageFileOfWhatIsNoImage) {
 TEST(ObserverBundle, ThatIsSpoiledIsRefused) {
   const std::string good = bundle::WriteBundle({TestBundledFrame()}, {.made_by = "test"});
   EXPECT_EQ(ErrorOf(good), "none");
-  EXPECT_THAT(ErrorOf(""), HasSubstr("zip"));
+  EXPECT_THAT(ErrorOf(""), HasSubstr("no bundle.json"));
   EXPECT_THAT(ErrorOf(good.substr(0, good.size() / 2)), HasSubstr("no readable zip file"));
   for (std::size_t at = 0; at < good.size(); at += 97) {  // ends in words, whatever is wrong
     std::string bad = good;

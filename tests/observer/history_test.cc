@@ -89,7 +89,7 @@ TEST_F(ObserverHistory, IsBoundedByRobotAndInAll) {
   for (int i = 0; i < 100; ++i) history.Add(Record("a", 5000), kStart + seconds(i));
   EXPECT_LE(history.counts().bytes, kMost / 2);
   for (int i = 100; i < 200; ++i) {
-    for (const char* robot : {"b", "c"}) history.Add(Record(robot, 5000), kStart + seconds(i));
+    for (const char* robot : {"b", "c", "d"}) history.Add(Record(robot, 5000), kStart + seconds(i));
   }
   EXPECT_LE(history.counts().bytes, kMost);
   EXPECT_THAT(IdsOf(history, "a"), ::testing::IsEmpty());  // the oldest

@@ -264,11 +264,11 @@ def test_steps_back_into_the_history_and_on_again(browser: Browser, past: Any) -
     browser.until(lambda: "frames recorded" in browser.texts("#moment")[0])
     stop(browser)
     body = browser.find("body")
-    kept = int(past.get_attribute("data-id"))
-    while not shown(browser).startswith("before"):
+    while shown(browser) == "now":
+        at = past.get_attribute("data-id")
         body.send_keys(",")
-        browser.until(lambda: int(past.get_attribute("data-id")) != kept or None)
-    browser.until(lambda: shown(browser) == "before 3")
+        browser.until(lambda at=at: past.get_attribute("data-id") != at)
+    assert shown(browser) == "before 3"
     assert past.get_attribute("data-past") == "true"
     assert "of the history" in browser.texts("#facts")[0]
     assert browser.all("#objects tbody tr")

@@ -2,7 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <future>
+#include <thread>
 
 #include "client/detect_stream.h"
 #include "server/observing/pick_board.h"
@@ -56,7 +58,7 @@ class ObserversPick : public Observers {
 TEST_F(ObserversPick, ReachTheRobotWithItsNextAnswer) {
   const Loopback loopback(FindOne, options_);
   const client::Client robot = Robot(loopback, "hall");
-  const auto stream = robot.OpenStream();
+  const auto stream = robot.OpenStream(kPatience);
   stream->Send(Frame(true));
   EXPECT_FALSE(stream->Receive()->has_pick());
   v1::SelectObjectRequest request = Selection("hall", 7);
@@ -86,7 +88,7 @@ TEST_F(ObserversPick, ReachTheRobotWithItsNextAnswer) {
 TEST_F(ObserversPick, AreForRobotsThatAskForThem) {
   const Loopback loopback(FindOne, options_);
   const client::Client robot = Robot(loopback, "hall"), other = Robot(loopback, "kitchen-1");
-  const auto stream = robot.OpenStream(), listening = other.OpenStream();
+  const auto stream = robot.OpenStream(kPatience), listening = other.OpenStream(kPatience);
   stream->Send(Frame(false));
   listening->Send(Frame(true));
   stream->Receive();
@@ -109,7 +111,7 @@ TEST_F(ObserversPick, NeedTheRightAndTheRobot) {
                                  Line("cat", "viewer", "view", "*"));
   const Loopback loopback(FindOne, options_);
   const client::Client robot = Robot(loopback, "hall");
-  const auto stream = robot.OpenStream();
+  const auto stream = robot.OpenStream(kPatience);
   stream->Send(Frame(true));
   stream->Receive();
   const std::string address = loopback.server.Address();
@@ -126,7 +128,7 @@ TEST_F(ObserversPick, NeedTheRightAndTheRobot) {
 TEST_F(ObserversPick, NewestWins) {
   const Loopback loopback(FindOne, options_);
   const client::Client robot = Robot(loopback, "hall");
-  const auto stream = robot.OpenStream();
+  const auto stream = robot.OpenStream(kPatience);
   stream->Send(Frame(true));
   stream->Receive();
   const auto pick = [&](std::uint32_t label) {
@@ -150,7 +152,7 @@ TEST_F(ObserversPick, NewestWins) {
 TEST_F(ObserversPick, EndWithTheStream) {
   const Loopback loopback(FindOne, options_);
   const client::Client robot = Robot(loopback, "hall");
-  auto stream = robot.OpenStream();
+  auto stream = robot.OpenStream(kPatience);
   stream->Send(Frame(true));
   stream->Receive();
   auto picked = std::async(std::launch::async, [&] {

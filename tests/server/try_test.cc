@@ -4,6 +4,8 @@
 
 #include <future>
 #include <memory>
+#include <thread>
+#include <vector>
 
 #include "tests/server/detectors.h"
 #include "tests/server/metric_value.h"
