@@ -248,10 +248,11 @@ void Server::Listen() {
 }
 
 void Server::Serve() {
-  environment_ = std::make_unique<CallEnvironment>(CallEnvironment{
-      service_, loop_->queue(), scheduler_, answerer_, live_calls_, *metrics_, gate_keeper_,
-      stream_places_, connections_, pick_board_.get(), std::chrono::seconds(options_.max_transfer_s),
-      std::chrono::seconds(options_.max_connection_age_s)});
+  environment_ = std::make_unique<CallEnvironment>(
+      CallEnvironment{service_, loop_->queue(), scheduler_, answerer_, live_calls_, *metrics_,
+                      gate_keeper_, stream_places_, connections_, pick_board_.get(),
+                      std::chrono::seconds(options_.max_transfer_s),
+                      std::chrono::seconds(options_.max_connection_age_s)});
   DetectCall::Accept(*environment_);
   StreamCall::Accept(*environment_);
   if (watch_hub_) AcceptObservers();
@@ -267,7 +268,8 @@ void Server::Serve() {
 void Server::AcceptObservers() {
   observation_environment_ = std::make_unique<ObservationEnvironment>(ObservationEnvironment{
       observation_service_, loop_->queue(), live_calls_, observer_gate_, *watch_hub_, answerer_,
-      *trial_bench_, *pick_board_, service_.options(), connections_, std::chrono::seconds(options_.max_transfer_s)});
+      *trial_bench_, *pick_board_, service_.options(), connections_,
+      std::chrono::seconds(options_.max_transfer_s)});
   observation_service_.Use(*observation_environment_);
   WatchCall::Accept(*observation_environment_);
 }

@@ -53,7 +53,7 @@ std::string IntrinsicsOf(const BundledFrame& frame) {
   const std::uint32_t height = frame.answer ? frame.answer->height() : sent.color().height();
   const v1::CameraIntrinsics& k = sent.intrinsics();
   if (width == 0 || height == 0 || !sent.has_intrinsics()) return {};
-  json file{{"fx", k.fx()}, {"fy", k.fy()}, {"cx", k.cx()},
+  json file{{"fx", k.fx()}, {"fy", k.fy()},   {"cx", k.cx()},
             {"cy", k.cy()}, {"width", width}, {"height", height}};
   if (k.has_distortion()) {
     const auto& numbers = k.distortion().coefficients();
@@ -100,7 +100,8 @@ std::string ReadMe(const BundleNote& note) {
       "sends them once more and says whether the answers are the same. Unpacked, this is a folder\n"
       "for --input as well: NAME_color, NAME_depth.png (units: depth_unit_m in bundle.json, for\n"
       "--depth-unit) and intrinsics.json. NAME_request.pb is what was sent, byte for byte\n"
-      "(fovea.v1.DetectRequest), NAME_answer.pb what came back (fovea.v1.Detections), each also as\n"
+      "(fovea.v1.DetectRequest), NAME_answer.pb what came back (fovea.v1.Detections), each also "
+      "as\n"
       "JSON. Images that no program could read have no file of their own.\n";
   if (note.num_left_out > 0) {
     text += fmt::format("\n{} more frames of that time found no room.\n", note.num_left_out);

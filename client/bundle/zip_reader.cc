@@ -93,8 +93,8 @@ std::string ZipReader::Read(const std::string& name) const {
   auto* const zip = static_cast<zip_t*>(zip_.get());
   zip_stat_t stat;
   if (zip_stat(zip, name.c_str(), ZIP_FL_ENC_RAW, &stat) != 0) Fail("has no " + name);
-  const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> file(
-      zip_fopen_index(zip, stat.index, 0), zip_fclose);
+  const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> file(zip_fopen_index(zip, stat.index, 0),
+                                                               zip_fclose);
   if (!file) Fail(name + " in it cannot be unpacked");
   std::string bytes(static_cast<std::size_t>(std::min(stat.size, limits_.max_entry_bytes)), '\0');
   const zip_int64_t got = zip_fread(file.get(), bytes.data(), bytes.size());

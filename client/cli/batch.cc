@@ -64,7 +64,8 @@ std::vector<std::string> ComparisonOf(const FrameFiles& files, const v1::Detecti
 
 void WriteComparable(const Outputs& outputs, const FrameFiles& files, const v1::Detections& found) {
   if (!files.sent_before || outputs.json == kStandardOutput) return;
-  const std::string path = outputs.json.substr(0, outputs.json.size() - std::string(".json").size());
+  const std::string path =
+      outputs.json.substr(0, outputs.json.size() - std::string(".json").size());
   WriteFile(path + "_answer.pb",
             bundle::BytesOf(bundle::Comparable(found, files.sent_before->request.options(),
                                                /*with_times=*/true)));

@@ -28,8 +28,8 @@ struct Batch {
   std::optional<double> depth_unit_m;  // none = as such folders have it
 };
 
-// Frames that were sent before also get NAME_answer.pb, the answer to what was asked then, and a note
-// on how it compares.
+// Frames that were sent before also get NAME_answer.pb, the answer to what was asked then, and a
+// note on how it compares.
 //
 // Answers every frame → NAME.png (labels), NAME_overlay.jpg and NAME.json, the last of which is
 // there only if all are, and fovea_request.json, what was asked. Results are printed in the order

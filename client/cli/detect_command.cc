@@ -81,7 +81,8 @@ FrameSettings SettingsOf(const DetectFlags& flags, const std::optional<Bag>& bag
   FrameSettings settings;
   if (IsBundle(flags.input)) {
     RequireNoCamera(flags);
-  } else if (!bag || !SetIntrinsicsFrom(*bag, flags, &settings)) SetIntrinsics(flags, &settings);
+  } else if (!bag || !SetIntrinsicsFrom(*bag, flags, &settings))
+    SetIntrinsics(flags, &settings);
   settings.depth_camera = ParseDepthCamera(flags.depth_intrinsics, flags.color_from_depth);
   settings.gravity = ParseGravity(flags.gravity);
   settings.options = ParseOptions(flags.profile, flags.settings);

@@ -132,9 +132,9 @@ std::optional<AskRoutes::Named> AskRoutes::Find(const std::string& robot, std::u
 
 HttpResponse AskRoutes::Options(const HttpRequest& request, Feed& feed) const {
   const auto id = NumberOf(request.Query("id"));
-  const auto named = id ? Find(request.Query("robot"), *id, /*past=*/true, feed.board(),
-                               v1::OBSERVER_RIGHT_TRY)
-                        : std::nullopt;
+  const auto named =
+      id ? Find(request.Query("robot"), *id, /*past=*/true, feed.board(), v1::OBSERVER_RIGHT_TRY)
+         : std::nullopt;
   const ServerLink* const link = named ? LinkOf(feed, named->server) : nullptr;
   if (link == nullptr) return NotFound();
   v1::ListOptionsResponse options;

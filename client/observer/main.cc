@@ -131,8 +131,8 @@ Recording Record(const Flags& flags, const std::vector<ServerLink>& servers) {
       .max_bytes = flags.history_bytes};
   Recording recording;
   recording.history = std::make_unique<History>(flags.history, limits);
-  recording.recorder = std::make_unique<Recorder>(servers, token, flags.history_rate_hz,
-                                                  *recording.history);
+  recording.recorder =
+      std::make_unique<Recorder>(servers, token, flags.history_rate_hz, *recording.history);
   return recording;
 }
 

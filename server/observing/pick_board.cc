@@ -56,8 +56,9 @@ PickBoard::Outcome PickBoard::Deliver(const std::string& robot, bool may_see, v1
   std::unique_lock lock(mutex_);
   const auto found = robots_.find(robot);
   if (found == robots_.end() || !may_see) {
-    throw NoPicksTaken(robot + " takes no picks: it has no stream that asks for them "
-                               "(DetectStreamRequest.accept_picks)");
+    throw NoPicksTaken(robot +
+                       " takes no picks: it has no stream that asks for them "
+                       "(DetectStreamRequest.accept_picks)");
   }
   if (num_waiting_ >= kMaxWaiting) {
     throw Overloaded("PICKS", std::to_string(num_waiting_) + " picks wait for their robots",

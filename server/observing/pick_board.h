@@ -21,8 +21,8 @@ class NoPicksTaken : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Brings what people mark to the streams of robots that take that. Of each robot one pick waits, the
-// newest. Thread-safe.
+// Brings what people mark to the streams of robots that take that. Of each robot one pick waits,
+// the newest. Thread-safe.
 class PickBoard {
  public:
   struct Outcome {

@@ -18,7 +18,8 @@ void Require(bool right, const char* name) {
 }
 
 void RequireRobot(const std::string& robot) {
-  RequireField(!robot.empty() && robot.size() <= kMaxRobot, "robot", "must have 1 to 64 characters");
+  RequireField(!robot.empty() && robot.size() <= kMaxRobot, "robot",
+               "must have 1 to 64 characters");
 }
 
 bool IsFinite(const v1::Vector3& vector) {
@@ -105,9 +106,9 @@ grpc::Status ObservationService::SelectObject(grpc::ServerContext* context,
     pick.set_observer(observer.name);
     // A robot that the observer may not see is as one that is not there; its name is none.
     const bool may_see = observer.MaySee(request->robot());
-    const PickBoard::Outcome outcome = environment_->picks.Deliver(
-        request->robot(), may_see, std::move(pick), kPickPatience,
-        [&] { return context->IsCancelled(); });
+    const PickBoard::Outcome outcome =
+        environment_->picks.Deliver(request->robot(), may_see, std::move(pick), kPickPatience,
+                                    [&] { return context->IsCancelled(); });
     response->set_delivered(outcome.delivered);
     response->set_reason(outcome.reason);
     return grpc::Status();

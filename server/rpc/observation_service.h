@@ -16,7 +16,7 @@ namespace fovea::server {
 struct ObservationEnvironment;
 
 // Watch comes as raw bytes: one message goes to many, and one that is no request gets an answer.
-// It is WatchCall's; the others hold a thread of gRPC each, of which their limits let them have few.
+// It is WatchCall's; the others hold a thread of gRPC each, and their limits let few do so.
 class ObservationService final
     : public v1::ObservationService::WithRawMethod_Watch<v1::ObservationService::Service> {
  public:

@@ -1,5 +1,6 @@
-// What is asked of fovea-observer, as text: METHOD TARGET, lines NAME: VALUE, an empty one, the body.
-// Nothing of a robot that the session may not see is ever answered, and nothing ends in "500".
+// What is asked of fovea-observer, as text: METHOD TARGET, lines NAME: VALUE, an empty one, the
+// body. Nothing of a robot that the session may not see is ever answered, and nothing ends in
+// "500".
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
@@ -84,7 +85,8 @@ bool ParseRequest(const std::string& text, HttpRequest* request) {
 }
 
 void Check(const HttpResponse& response) {
-  const bool is_fine = response.status >= 200 && response.status < 500 && response.body != nullptr &&
+  const bool is_fine = response.status >= 200 && response.status < 500 &&
+                       response.body != nullptr &&
                        response.body->find(kSecret) == std::string::npos;
   if (!is_fine) std::abort();
 }

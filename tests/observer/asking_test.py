@@ -130,7 +130,12 @@ def test_a_robot_that_did_not_ask_gets_none(recorded: Recorded, scene: Scene) ->
 def test_only_objects_of_the_frame_are_picked(recorded: Recorded, arm: Picking) -> None:
     visitor = recorded.visitor("ann")
     for label in (0, 250):
-        body = {"robot": "picker", "id": visitor.history("picker", 1)[-1], "past": True, "label": label}
+        body = {
+            "robot": "picker",
+            "id": visitor.history("picker", 1)[-1],
+            "past": True,
+            "label": label,
+        }
         assert visitor.post("/api/pick", body).status == 404
     assert not arm.picks
 

@@ -119,8 +119,8 @@ TEST(ObserverBundle, ThatIsTooLargeIsRefusedUnopened) {
 }
 
 TEST(ObserverBundle, WithNamesThatLeadElsewhereIsRefused) {
-  for (const char* name : {"../x_request.pb", "/etc/x_request.pb", "a/b_request.pb", "a\\b_request.pb",
-                           ".x_request.pb", "x\ny_request.pb", ""}) {
+  for (const char* name : {"../x_request.pb", "/etc/x_request.pb", "a/b_request.pb",
+                           "a\\b_request.pb", ".x_request.pb", "x\ny_request.pb", ""}) {
     bundle::ZipWriter zip(0);
     zip.Add("bundle.json", R"({"format":"fovea-bundle","version":1})");
     zip.Add(name, "");
@@ -153,7 +153,8 @@ TEST(ObserverRvl, DecodesWhatWasEncodedAndNothingElse) {
   cv::Mat decoded(depth.size(), CV_16UC1);
   ASSERT_TRUE(client::DecodeRvl(codes, decoded.ptr<std::uint16_t>(), decoded.total()));
   EXPECT_EQ(cv::norm(decoded, depth, cv::NORM_INF), 0);
-  EXPECT_FALSE(client::DecodeRvl(codes.substr(0, 4), decoded.ptr<std::uint16_t>(), decoded.total()));
+  EXPECT_FALSE(
+      client::DecodeRvl(codes.substr(0, 4), decoded.ptr<std::uint16_t>(), decoded.total()));
   EXPECT_FALSE(client::DecodeRvl("abc", decoded.ptr<std::uint16_t>(), decoded.total()));
   EXPECT_FALSE(client::DecodeRvl("\xFF\xFF\xFF\xFF", decoded.ptr<std::uint16_t>(), 1));
 }

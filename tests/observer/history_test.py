@@ -56,9 +56,7 @@ def test_what_was_seen_can_be_seen_again(recorded: Recorded, scene: Scene) -> No
         assert visitor.get(past("attic", frame, "depth")).headers["Content-Encoding"] == "gzip"
 
 
-def test_each_session_sees_what_its_own_token_lets_it_see(
-    recorded: Recorded, scene: Scene
-) -> None:
+def test_each_session_sees_what_its_own_token_lets_it_see(recorded: Recorded, scene: Scene) -> None:
     """Whatever the observer's own token let it record."""
     kitchen = recorded.record("kitchen-1", scene.frame())[0]
     attic = recorded.record("attic", scene.frame())[0]
@@ -148,9 +146,7 @@ def test_a_bundle_is_answered_as_it_was(
     assert request.options.return_masks == options["return_masks"]
 
 
-def test_a_bundle_is_a_folder_of_frames(
-    recorded: Recorded, scene: Scene, tmp_path: Path
-) -> None:
+def test_a_bundle_is_a_folder_of_frames(recorded: Recorded, scene: Scene, tmp_path: Path) -> None:
     number = recorded.record("arm", scene.frame())[0]
     with zipfile.ZipFile(save(recorded, "arm", number, tmp_path)) as file:
         file.extractall(tmp_path / "saved")
@@ -214,7 +210,9 @@ def test_bundles_that_are_none_are_refused_in_words(recorded: Recorded, tmp_path
     assert "none of fovea-observer's" in refused(zip_of({"bundle.json": b"[[["}))
     assert "version" in refused(zip_of({"bundle.json": newer}))
     assert "holds no frame" in refused(zip_of({"bundle.json": about}))
-    assert "no plain file name" in refused(zip_of({"../../evil_request.pb": b"", "bundle.json": about}))
+    assert "no plain file name" in refused(
+        zip_of({"../../evil_request.pb": b"", "bundle.json": about})
+    )
     assert "no plain file name" in refused(zip_of({"a/b_request.pb": b"", "bundle.json": about}))
     garbage = zip_of({"bundle.json": about, "f_request.pb": b"\xff\xff"})
     assert "f_request.pb in it is no fovea.v1.DetectRequest" in refused(garbage)
@@ -293,7 +291,9 @@ def test_the_oldest_minutes_go(scene: Scene, tmp_path: Path) -> None:
         with ObserverProcess(server.address, "127.0.0.1:0", *flags) as observer:
             visitor = Visitor(observer.address)
             visitor.log_in(OBSERVERS["ann"][0])
-            assert visitor.history("attic") == [number - 61_000_000], "a silent robot's last minutes"
+            assert visitor.history("attic") == [
+                number - 61_000_000
+            ], "a silent robot's last minutes"
             while visitor.history("attic")[0] < number:
                 robots.detect("attic", scene.frame())
             assert not old.exists()

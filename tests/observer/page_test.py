@@ -303,9 +303,7 @@ def test_the_past_is_in_3d_too(browser: Browser, past: Any) -> None:
     browser.until(lambda: browser.drawn(cloud)[:, :, :3].max() > 0)
 
 
-def test_saves_a_frame_and_the_seconds_around(
-    browser: Browser, past: Any, tmp_path: Path
-) -> None:
+def test_saves_a_frame_and_the_seconds_around(browser: Browser, past: Any, tmp_path: Path) -> None:
     browser.downloads_to(tmp_path)
     stop(browser)
     browser.find("body").send_keys("f")

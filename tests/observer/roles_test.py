@@ -42,7 +42,8 @@ RIGHTS = {
     "may all": ("view,try,download,pick", "*"),
 }
 TABLE = {
-    name.replace(" ", "-"): (f"token {name}".replace(" ", "-"), *rest) for name, rest in RIGHTS.items()
+    name.replace(" ", "-"): (f"token {name}".replace(" ", "-"), *rest)
+    for name, rest in RIGHTS.items()
 } | {"rec": OBSERVERS["rec"]}
 
 # What is served, and the right that it needs. A pick is refused by the robot, which takes none.
@@ -204,7 +205,16 @@ def test_posts_need_the_page(world: World) -> None:
 
 
 @pytest.mark.parametrize(
-    "body", ["", "[", "[]", "{}", '{"robot": 1}', '{"robot": "attic", "id": -1}', '{"robot": "attic", "id": "x"}']
+    "body",
+    [
+        "",
+        "[",
+        "[]",
+        "{}",
+        '{"robot": 1}',
+        '{"robot": "attic", "id": -1}',
+        '{"robot": "attic", "id": "x"}',
+    ],
 )
 def test_malformed_requests_are_refused(world: World, body: str) -> None:
     visitor = world.visitors["may-all"]

@@ -64,9 +64,8 @@ TEST_F(ObserversPick, ReachTheRobotWithItsNextAnswer) {
   v1::SelectObjectRequest request = Selection("hall", 7);
   request.mutable_pick()->set_track_id(3);
   request.mutable_pick()->mutable_oriented_box()->mutable_size()->set_x(0.25);
-  auto picked = std::async(std::launch::async, [&] {
-    return PickAs(loopback.server.Address(), "all-of-it", request);
-  });
+  auto picked = std::async(std::launch::async,
+                           [&] { return PickAs(loopback.server.Address(), "all-of-it", request); });
   v1::DetectStreamResponse answer;
   while (!answer.has_pick()) {  // it is on its way
     stream->Send(Frame(false));
@@ -176,7 +175,8 @@ TEST_F(ObserversPick, MistakesAreNamed) {
     return status.error_message();
   };
   EXPECT_THAT(error_of([](auto& r) { r.clear_robot(); }), StartsWith("robot: "));
-  EXPECT_THAT(error_of([](auto& r) { r.mutable_pick()->clear_label(); }), StartsWith("pick.label: "));
+  EXPECT_THAT(error_of([](auto& r) { r.mutable_pick()->clear_label(); }),
+              StartsWith("pick.label: "));
   EXPECT_THAT(error_of([](auto& r) { r.mutable_pick()->set_frame_id(std::string(2000, 'x')); }),
               StartsWith("pick.frame_id: "));
   EXPECT_THAT(error_of([](auto& r) {

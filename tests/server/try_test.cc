@@ -91,8 +91,9 @@ TEST_F(ObserversTry, AreToldOfMistakesAsRobotsAre) {
     EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
     return status.error_message();
   };
-  EXPECT_THAT(error_of([](auto& r) { (*r.mutable_options()->mutable_parameters())["no.such"] = 1; }),
-              StartsWith("options.parameters"));
+  EXPECT_THAT(
+      error_of([](auto& r) { (*r.mutable_options()->mutable_parameters())["no.such"] = 1; }),
+      StartsWith("options.parameters"));
   EXPECT_THAT(error_of([](auto& r) { r.mutable_frame()->mutable_depth()->set_data("short"); }),
               StartsWith("frame.depth.data: "));
   EXPECT_THAT(error_of([](auto& r) { r.clear_frame(); }), StartsWith("frame: "));
@@ -104,9 +105,7 @@ TEST_F(ObserversTry, AreToldOfMistakesAsRobotsAre) {
 TEST_F(ObserversTry, AreRefusedWhereTooManyDo) {
   Gate gate;
   const Loopback loopback(std::ref(gate), options_);
-  const auto try_one = [&] {
-    return TryAs(loopback.server.Address(), "all-of-it", Trial());
-  };
+  const auto try_one = [&] { return TryAs(loopback.server.Address(), "all-of-it", Trial()); };
   auto first = std::async(std::launch::async, try_one);
   gate.WaitUntilBegun();
   auto second = std::async(std::launch::async, try_one);

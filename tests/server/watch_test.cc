@@ -5,7 +5,9 @@
 #include <zlib.h>
 
 #include <cmath>
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -178,6 +180,29 @@ TEST_F(Observers, AreToldWhatTheyDidNotSee) {
     ++seen;
     dropped += response.dropped();
     EXPECT_EQ(response.frame().sequence(), seen + dropped);
+  }
+}
+
+TEST_F(Observers, SeeEveryRobotHoweverManyThereAre) {
+  constexpr std::size_t kRobots = 200;
+  const Loopback loopback(FindOne, options_);
+  Watching seldom(loopback.server.Address(), "all-of-it", RequestOf({}, 0.001));
+  Watching often(loopback.server.Address(), "all-of-it", RequestOf({}));
+  seldom.Next();
+  often.Next();
+  for (int round = 0; round < 2; ++round) {
+    for (std::size_t i = 0; i < kRobots; ++i) Detect(loopback, "robot-" + std::to_string(i));
+  }
+  std::map<std::string, std::uint64_t> shown;
+  while (shown.size() < kRobots) {
+    const v1::WatchedFrame frame = often.Next().frame();
+    EXPECT_GT(frame.sequence(), shown[frame.robot()]) << frame.robot();
+    shown[frame.robot()] = frame.sequence();
+  }
+  std::set<std::string> once;
+  while (once.size() < kRobots) {
+    const v1::WatchedFrame frame = seldom.Next().frame();
+    EXPECT_TRUE(once.insert(frame.robot()).second) << frame.robot() << " came too soon again";
   }
 }
 

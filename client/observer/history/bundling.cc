@@ -100,10 +100,10 @@ std::optional<BundleFile> BundleOf(const History& history, const std::string& ro
   if (frames.empty()) return std::nullopt;
   const std::string name = NameOf(robot, frames.front());
   std::ranges::sort(frames, {}, &bundle::BundledFrame::answered_at);
-  return BundleFile{.name = name,
-                    .bytes = bundle::WriteBundle(
-                        std::move(frames), {.made_by = "fovea-observer " FOVEA_VERSION,
-                                 .num_left_out = num_left_out})};
+  return BundleFile{
+      .name = name,
+      .bytes = bundle::WriteBundle(std::move(frames), {.made_by = "fovea-observer " FOVEA_VERSION,
+                                                       .num_left_out = num_left_out})};
 }
 
 }  // namespace fovea::observer

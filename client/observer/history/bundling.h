@@ -16,8 +16,8 @@ struct Moment {
   std::uint64_t at = 0, before = 0, after = 0;
 };
 
-// Of ?at=…&before=SECONDS&after=SECONDS; the latter are 0 where they are missing. None where that is
-// malformed.
+// Of ?at=…&before=SECONDS&after=SECONDS; the latter are 0 where they are missing. None where that
+// is malformed.
 std::optional<Moment> MomentOf(const HttpRequest& request);
 
 struct BundleFile {

@@ -164,9 +164,8 @@ void History::Bound(const std::string& name) {
   const auto robot = robots_.find(name);
   const auto span = static_cast<std::uint64_t>(std::chrono::microseconds(limits_.span).count());
   const std::uint64_t newest = robot->second.frames.back().id;
-  while (robot->second.frames.size() > 1 &&
-         (robot->second.frames.front().id + span < newest ||
-          robot->second.bytes > limits_.max_bytes / 2)) {
+  while (robot->second.frames.size() > 1 && (robot->second.frames.front().id + span < newest ||
+                                             robot->second.bytes > limits_.max_bytes / 2)) {
     DropOldest(robot);
   }
   while (robots_.size() > limits_.max_robots) {
@@ -174,8 +173,7 @@ void History::Bound(const std::string& name) {
         robots_, {}, [](const auto& each) { return each.second.frames.back().id; });
     for (std::size_t left = quietest->second.frames.size(); left > 0; --left) DropOldest(quietest);
   }
-  while (num_frames_ > limits_.max_frames ||
-         bytes_ > limits_.max_bytes) {
+  while (num_frames_ > limits_.max_frames || bytes_ > limits_.max_bytes) {
     DropOldest(std::ranges::min_element(
         robots_, {}, [](const auto& each) { return each.second.frames.front().id; }));
   }

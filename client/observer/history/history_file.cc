@@ -38,8 +38,10 @@ std::uint32_t ChecksumOf(const std::string& header, const std::string& body) {
 }
 
 std::string TextOf(const HistoryHeader& header) {
-  return json{{"robot", header.robot},     {"server", header.server},
-              {"version", header.version}, {"objects", header.objects},
+  return json{{"robot", header.robot},
+              {"server", header.server},
+              {"version", header.version},
+              {"objects", header.objects},
               {"problem", header.problem}}
       .dump(-1, ' ', false, json::error_handler_t::replace);
 }

@@ -99,8 +99,9 @@ HttpResponse HistoryRoutes::Bundle(const HttpRequest& request, const Board& boar
   const std::string robot = request.Query("robot");
   const auto moment = MomentOf(request);
   if (!moment) {
-    return ErrorResponse(400, "at: must be a time in microseconds since 1970, and before and "
-                              "after seconds up to 600");
+    return ErrorResponse(400,
+                         "at: must be a time in microseconds since 1970, and before and "
+                         "after seconds up to 600");
   }
   const auto entries = history_->List(robot, [&](const std::string& server) {
     return board.MayDo(server, robot, v1::OBSERVER_RIGHT_DOWNLOAD);

@@ -21341,13 +21341,14 @@ var Reel = class {
     if (kept) this.show(kept);
     else void this.fetch();
   }
-  // To the frame of the history that is nearest to what is shown.
+  // To the frame of the history that is nearest to what is shown; false where there is none.
   async toPast() {
     await this.refresh();
     const now = this.seen?.line.came_at_us ?? 0;
     const nearest = this.history.ids.reduce((best, each) => Math.abs(each - now) < Math.abs(best - now) ? each : best, 0);
     this.wanted = nearest;
     await this.fetch();
+    return nearest > 0;
   }
   // Once more, with what is wanted of it now.
   again() {
@@ -21950,8 +21951,10 @@ var RobotView = class {
     if (!on) return this.trial.close();
     this.hold();
     const seen = this.reel.current;
-    if (seen?.past) void this.trial.open(seen);
-    else void this.reel.toPast();
+    if (seen?.past) return void this.trial.open(seen);
+    void this.reel.toPast().then((found) => {
+      if (!found) this.told.textContent = `the history holds no frame of ${this.robot} yet`;
+    });
   }
   // What is shown stays.
   hold() {

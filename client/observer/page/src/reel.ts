@@ -73,13 +73,14 @@ export class Reel {
     else void this.fetch();
   }
 
-  // To the frame of the history that is nearest to what is shown.
-  async toPast(): Promise<void> {
+  // To the frame of the history that is nearest to what is shown; false where there is none.
+  async toPast(): Promise<boolean> {
     await this.refresh();
     const now = this.seen?.line.came_at_us ?? 0;
     const nearest = this.history.ids.reduce((best, each) => (Math.abs(each - now) < Math.abs(best - now) ? each : best), 0);
     this.wanted = nearest;
     await this.fetch();
+    return nearest > 0;
   }
 
   // Once more, with what is wanted of it now.

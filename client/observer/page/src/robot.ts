@@ -179,8 +179,10 @@ export class RobotView {
     if (!on) return this.trial.close();
     this.hold();
     const seen = this.reel.current;
-    if (seen?.past) void this.trial.open(seen);
-    else void this.reel.toPast();
+    if (seen?.past) return void this.trial.open(seen);
+    void this.reel.toPast().then((found) => {
+      if (!found) this.told.textContent = `the history holds no frame of ${this.robot} yet`;
+    });
   }
 
   // What is shown stays.
