@@ -151,6 +151,7 @@ HttpResponse AskRoutes::TryFrame(const HttpRequest& request, Feed& feed) const {
   v1::TryRequest trial;
   trial.set_robot(asked->robot);
   trial.mutable_frame()->Swap(named->frame.mutable_frame());
+  if (!asked->options.starts_with('{')) return ErrorResponse(400, "options: must be an object");
   const auto parsed = SetOptions(named->frame.options(), asked->options, trial.mutable_options());
   if (!parsed.ok()) return ErrorResponse(400, "options: " + std::string(parsed.message()));
   v1::TryResponse response;
