@@ -21805,6 +21805,7 @@ var SWITCHES = [
   ["seeds", "e"],
   ["saliency", "s"]
 ];
+var mayTry = (me2) => me2.history !== null && me2.rights.includes("try");
 var RobotView = class {
   constructor(robot, me2) {
     this.robot = robot;
@@ -21820,7 +21821,8 @@ var RobotView = class {
     const past = el("div", { class: "past" }, this.timeline.element);
     if (me2.rights.includes("download")) past.append(this.save.element);
     past.hidden = me2.history === null;
-    this.element = el("section", { "aria-label": robot }, el("h2", {}, robot), this.facts, bar, past, this.told, el("div", { class: "close" }, this.left, right), this.trial.element);
+    this.element = el("section", { "aria-label": robot }, el("h2", {}, robot), this.facts, bar, past, this.told, el("div", { class: "close" }, this.left, right));
+    if (mayTry(me2)) this.element.append(this.trial.element);
     if (me2.rights.includes("pick")) this.takePicks();
     this.reel.onShow = (seen) => this.show(seen);
     this.reel.onHistory = () => this.timeline.draw();
@@ -21878,14 +21880,13 @@ var RobotView = class {
       this.buttons.set(key, button);
       return button;
     };
-    const tries = me2.history !== null && me2.rights.includes("try");
     return [
       ...switches,
       add("3D", "3", false, (on) => this.showCloud(on)),
       add("stop", " ", false, (on) => this.reel.stop(on)),
       step("◀", ",", -1),
       step("▶", ".", 1),
-      ...tries ? [add("try", "t", false, (on) => this.openTrial(on))] : []
+      ...mayTry(me2) ? [add("try", "t", false, (on) => this.openTrial(on))] : []
     ];
   }
   // True where the key means something here.

@@ -22,6 +22,8 @@ const SWITCHES: [keyof Shown, string][] = [
   ["saliency", "s"],
 ];
 
+const mayTry = (me: Who) => me.history !== null && me.rights.includes("try");
+
 export class RobotView {
   readonly element: HTMLElement;
   onDepth: (wanted: boolean) => void = () => {};
@@ -61,7 +63,8 @@ export class RobotView {
     const past = el("div", { class: "past" }, this.timeline.element);
     if (me.rights.includes("download")) past.append(this.save.element);
     past.hidden = me.history === null;
-    this.element = el("section", { "aria-label": robot }, el("h2", {}, robot), this.facts, bar, past, this.told, el("div", { class: "close" }, this.left, right), this.trial.element);
+    this.element = el("section", { "aria-label": robot }, el("h2", {}, robot), this.facts, bar, past, this.told, el("div", { class: "close" }, this.left, right));
+    if (mayTry(me)) this.element.append(this.trial.element);
     if (me.rights.includes("pick")) this.takePicks();
     this.reel.onShow = (seen) => this.show(seen);
     this.reel.onHistory = () => this.timeline.draw();
@@ -97,14 +100,13 @@ export class RobotView {
       this.buttons.set(key, button);
       return button;
     };
-    const tries = me.history !== null && me.rights.includes("try");
     return [
       ...switches,
       add("3D", "3", false, (on) => this.showCloud(on)),
       add("stop", " ", false, (on) => this.reel.stop(on)),
       step("◀", ",", -1),
       step("▶", ".", 1),
-      ...(tries ? [add("try", "t", false, (on) => this.openTrial(on))] : []),
+      ...(mayTry(me) ? [add("try", "t", false, (on) => this.openTrial(on))] : []),
     ];
   }
 
