@@ -15,7 +15,8 @@ namespace fovea::client {
 
 // One stream of frames; Client::OpenStream makes it. One thread may send while another receives.
 // Send as fast as frames come: the server answers the newest one and drops those in between;
-// DetectStreamResponse.dropped counts them.
+// DetectStreamResponse.dropped counts them. With accept_picks in the first request, people may mark
+// objects for this robot, and answers bring the newest mark (DetectStreamResponse.pick).
 class DetectStream {
  public:
   DetectStream(v1::DetectionService::Stub& stub, const ClientOptions& options,

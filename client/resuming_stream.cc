@@ -28,21 +28,26 @@ ResumingStream::~ResumingStream() = default;
 void ResumingStream::Send(const v1::DetectStreamRequest& request) {
   std::shared_ptr<DetectStream> current;
   std::optional<v1::DetectOptions> options;
+  bool accept_picks = false;
   {
     const std::lock_guard lock(mutex_);
-    ++num_sent_;
+    if (num_sent_++ == 0) accept_picks_ = request.accept_picks();
     if (request.has_options()) last_options_ = request.options();
-    if (std::exchange(repeat_options_, false) && !request.has_options()) options = last_options_;
+    if (std::exchange(is_new_, false)) {
+      if (!request.has_options()) options = last_options_;
+      accept_picks = accept_picks_;
+    }
     current = stream_;
   }
   // Not under the lock: where the server takes nothing in, this waits, and Cancel() has to end it.
-  if (!options) {
+  if (!options && !accept_picks) {
     current->Send(request);
     return;
   }
-  v1::DetectStreamRequest with_options = request;
-  *with_options.mutable_options() = std::move(*options);
-  current->Send(with_options);
+  v1::DetectStreamRequest first = request;
+  if (options) *first.mutable_options() = std::move(*options);
+  if (accept_picks) first.set_accept_picks(true);
+  current->Send(first);
 }
 
 void ResumingStream::DoneSending() {
@@ -100,7 +105,7 @@ void ResumingStream::GoOn(std::shared_ptr<Server> server) {
   num_lost_ += num_sent_ - next_expected_;
   next_expected_ = first_of_stream_ = num_sent_;
   stream_ = Open();
-  repeat_options_ = true;
+  is_new_ = true;
   if (done_) stream_->DoneSending();
 }
 

@@ -22,8 +22,8 @@ struct Server;
 // has several, else when the server is back; Client::OpenResumingStream makes it. Where its server
 // has more to do than it can, and another one would answer it much more often, it goes there. A
 // server that has had the stream for long enough ends it between two answers (its
-// --max-connection-age-s); the stream then goes on at any of them. One thread may send while
-// another receives.
+// --max-connection-age-s); the stream then goes on at any of them. Options hold on, and so does
+// what the first request says of picks. One thread may send while another receives.
 class ResumingStream {
  public:
   struct Answer {
@@ -78,7 +78,8 @@ class ResumingStream {
   std::shared_ptr<Server> server_;   // the stream's; null = none was found
   std::shared_ptr<DetectStream> stream_;
   v1::DetectOptions last_options_;
-  bool repeat_options_ = false;  // the new stream does not know them yet
+  bool accept_picks_ = false;  // as the first request said
+  bool is_new_ = false;        // the stream does not know these yet
   bool done_ = false;
   std::atomic<bool> canceled_ = false;  // set under mutex_
   std::uint64_t num_sent_ = 0, first_of_stream_ = 0;

@@ -43,7 +43,52 @@ std::uint32_t Unsigned(int step) {
                   : 2 * static_cast<std::uint32_t>(step);
 }
 
+// The numbers again; the server's decoder also says what is wrong with them.
+class Numbers {
+ public:
+  explicit Numbers(const std::string& codes) : codes_(codes) {}
+
+  // False at the end, and for a number that no depth or run has.
+  bool Next(std::uint32_t* number) {
+    *number = 0;
+    for (unsigned bits = 0; bits < 30; bits += 3) {
+      const std::size_t byte = 4 * (at_ / 8) + 3 - at_ % 8 / 2;  // words are little-endian
+      if (byte >= codes_.size()) return false;
+      const auto both = static_cast<unsigned char>(codes_[byte]);
+      const std::uint32_t nibble = at_++ % 2 == 0 ? both >> 4U : both & 15U;
+      *number |= (nibble & 7U) << bits;
+      if ((nibble & 8U) == 0) return true;
+    }
+    return false;
+  }
+
+ private:
+  const std::string& codes_;
+  std::size_t at_ = 0;  // the next nibble
+};
+
 }  // namespace
+
+bool DecodeRvl(const std::string& codes, std::uint16_t* depth, std::size_t num_pixels) {
+  if (codes.size() % 4 != 0) return false;
+  Numbers numbers(codes);
+  std::uint16_t* const end = depth + num_pixels;
+  int value = 0;
+  while (depth != end) {
+    std::uint32_t missing = 0, measured = 0, step = 0;
+    if (!numbers.Next(&missing) || missing > static_cast<std::size_t>(end - depth)) return false;
+    depth = std::fill_n(depth, missing, std::uint16_t{0});
+    if (!numbers.Next(&measured) || measured > static_cast<std::size_t>(end - depth)) return false;
+    for (; measured > 0; --measured) {
+      if (!numbers.Next(&step)) return false;
+      const int half = static_cast<int>(step >> 1U);
+      value += (step & 1U) == 0 ? half : -half - 1;
+      if (value < 0 || value > 65535) return false;
+      *depth++ = static_cast<std::uint16_t>(value);
+    }
+  }
+  return true;
+}
 
 std::string EncodeRvl(const std::uint16_t* depth, std::size_t num_pixels) {
   Codes codes(num_pixels / 2);

@@ -18,7 +18,7 @@ rm -f "$out"/frames/* "$out"/results/* "$out/objects.png"
 # Now, not by the server once it runs: else the wait below may find the address of an earlier run.
 : >"$out/server.log"
 token=$(openssl rand -hex 16)
-(umask 077 && echo "demo $(printf %s "$token" | sha256sum | cut -d' ' -f1) view *" >"$out/observers")
+(umask 077 && echo "demo $(printf %s "$token" | sha256sum | cut -d' ' -f1) view,try,download *" >"$out/observers" && echo "$token" >"$out/recorder")
 "$build/server/fovea-server" --listen 127.0.0.1:0 --log-level warn --observers "$out/observers" >>"$out/server.log" 2>&1 &
 server=$! observer=""
 trap 'kill $server $observer 2>/dev/null; wait 2>/dev/null || true' EXIT
@@ -76,6 +76,7 @@ case ${WATCH:-} in
 esac
 : >"$out/observer.log"
 "$build/client/observer/fovea-observer" --server "$address" --listen "${LISTEN:-127.0.0.1:8080}" \
+  --history "$out/history" --history-token-file "$out/recorder" --history-minutes 5 --history-size 256MB \
   >>"$out/observer.log" 2>&1 &
 observer=$!
 await "$observer" open "$out/observer.log"

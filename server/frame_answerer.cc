@@ -1,5 +1,6 @@
 #include "server/frame_answerer.h"
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -73,7 +74,8 @@ grpc::Status FrameAnswerer::Answer(const FrameRequest& request, const Caller& ca
     if (caller.IsGone()) throw Cancelled();
     RequireField(request.frame != nullptr, "frame", "is missing");
     Trace trace;
-    detections = Compute(request, caller, &trace, &decoded, &times);
+    const Asker asker{.robot = caller.robot(), .is_gone = [&] { return caller.IsGone(); }};
+    detections = Compute(request, asker, &trace, &decoded, &times);
     detections.stage_times = times;
     *answer = ToProto(detections, trace, *request.frame, *request.options);
     answer->set_grippers_source(grippers_.SourceFor(caller.robot(), request.options->grasps()));
@@ -85,6 +87,24 @@ grpc::Status FrameAnswerer::Answer(const FrameRequest& request, const Caller& ca
   Record(request, caller, status, detections, decoded.depth_m.size());
   Show(request, caller, status, detections, decoded, answer);
   return status;
+}
+
+grpc::Status FrameAnswerer::Try(const FrameRequest& request, const Asker& asker,
+                                v1::Detections* answer) const {
+  RgbdFrame decoded;
+  std::vector<StageTime> times{{"queue", Milliseconds(request.began - request.received)}};
+  try {
+    if (asker.is_gone()) throw Cancelled();
+    RequireField(request.frame != nullptr, "frame", "is missing");
+    Trace trace;
+    Detections detections = Compute(request, asker, &trace, &decoded, &times);
+    detections.stage_times = times;
+    *answer = ToProto(detections, trace, *request.frame, *request.options);
+    answer->set_grippers_source(grippers_.SourceFor(asker.robot, request.options->grasps()));
+    return {};
+  } catch (...) {
+    return StatusOfCurrentException(/*deadline_passed=*/false);
+  }
 }
 
 void FrameAnswerer::Refuse(const FrameRequest& request, const Caller& caller,
@@ -126,7 +146,7 @@ void FrameAnswerer::Show(const FrameRequest& request, const Caller& caller,
                          const RgbdFrame& decoded, const v1::Detections* answer) const noexcept
     try {
   if (watch_hub_ == nullptr || !watch_hub_->IsWatched() || caller.robot().empty()) return;
-  watch_hub_->Show(caller.robot(), [&] {
+  watch_hub_->Show(caller.robot(), [&](WatchParts parts) {
     Sight sight{.robot = caller.robot(),
                 .answered_at = std::chrono::system_clock::now(),
                 .took = Clock::now() - request.received,
@@ -139,6 +159,9 @@ void FrameAnswerer::Show(const FrameRequest& request, const Caller& caller,
     if (answer != nullptr) {
       *sight.extras.mutable_seeds() = answer->seeds();
       *sight.extras.mutable_saliency_maps() = answer->saliency_maps();
+      if ((parts & Bit(v1::WATCH_PART_FRAME)) != 0) {
+        sight.answer = std::make_shared<const v1::Detections>(*answer);
+      }
     }
     return sight;
   });
@@ -147,31 +170,32 @@ void FrameAnswerer::Show(const FrameRequest& request, const Caller& caller,
 }
 
 Detections FrameAnswerer::DetectInTime(const RgbdFrame& frame, const DetectorOptions& options,
-                                       const Caller& caller, Trace* trace,
+                                       const Asker& asker, Trace* trace,
                                        std::vector<StageTime>* times) const {
-  const Helpers::Scope helped(helpers_, max_threads_per_frame_);
+  std::optional<Helpers::Scope> helped;
+  if (asker.is_helped) helped.emplace(helpers_, max_threads_per_frame_);
   const ComputeLimit limit(max_compute_);
   bool passed = false;
   try {
     Detections detections = detect_(frame, options, trace, [&] {
       passed = limit.HasPassed();
-      return passed || caller.IsGone();
+      return passed || asker.is_gone();
     });
     times->insert(times->end(), detections.stage_times.begin(), detections.stage_times.end());
     times->push_back({kProcessorWait, Milliseconds(limit.WaitedForProcessor())});
     return detections;
   } catch (const Cancelled& cancelled) {
     times->insert(times->end(), cancelled.stage_times.begin(), cancelled.stage_times.end());
-    if (passed && !caller.IsGone()) throw ComputeLimitPassed(cancelled.stage, max_compute_);
+    if (passed && !asker.is_gone()) throw ComputeLimitPassed(cancelled.stage, max_compute_);
     throw;
   }
 }
 
-Detections FrameAnswerer::Compute(const FrameRequest& request, const Caller& caller, Trace* trace,
+Detections FrameAnswerer::Compute(const FrameRequest& request, const Asker& asker, Trace* trace,
                                   RgbdFrame* decoded, std::vector<StageTime>* times) const {
   std::vector<std::string> losses;
   DetectorOptions options = FromProto(*request.options, policy_);
-  options.grippers = grippers_.For(caller.robot(), request.options->grasps(), options.grippers);
+  options.grippers = grippers_.For(asker.robot, request.options->grasps(), options.grippers);
   RequireStream(*request.options, request.tracker);
   std::optional<Lens> lens;
   const RgbdFrame frame = FromProto(*request.frame, max_pixels_, &losses, &lens);
@@ -182,7 +206,7 @@ Detections FrameAnswerer::Compute(const FrameRequest& request, const Caller& cal
   times->push_back({"decode", Milliseconds(Clock::now() - request.began)});
   // What the method throws from here on is no longer about the request, TooComplex apart.
   Detections detections =
-      DetectInTime(frame, options, caller, WantsTrace(*request.options) ? trace : nullptr, times);
+      DetectInTime(frame, options, asker, WantsTrace(*request.options) ? trace : nullptr, times);
   if (request.tracker != nullptr) {
     request.tracker->Add(*request.frame, request.options->tracking(), frame, detections, times);
   }

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "core/detector.h"
@@ -37,6 +38,13 @@ struct FrameRequest {
   StreamTracker* tracker = nullptr;  // of the stream that it is a frame of; null: it is alone
 };
 
+// Whom a frame is computed for.
+struct Asker {
+  const std::string& robot;
+  std::function<bool()> is_gone;
+  bool is_helped = true;  // by threads that have nothing to do
+};
+
 // Thread-safe.
 class FrameAnswerer {
  public:
@@ -49,6 +57,10 @@ class FrameAnswerer {
   grpc::Status Answer(const FrameRequest& request, const Caller& caller,
                       v1::Detections* answer) const;
 
+  // Fills `answer` as Answer() would for this robot where the status is OK, and leaves no trace: it
+  // is not logged, counted, tracked or shown, and no helper threads work for it.
+  grpc::Status Try(const FrameRequest& request, const Asker& asker, v1::Detections* answer) const;
+
   // Logs and counts a frame that is answered without being looked at.
   void Refuse(const FrameRequest& request, const Caller& caller, const grpc::Status& status) const;
 
@@ -56,14 +68,14 @@ class FrameAnswerer {
   void Record(const FrameRequest& request, const Caller& caller, const grpc::Status& status,
               const Detections& detections, cv::Size image) const noexcept;
   Detections DetectInTime(const RgbdFrame& frame, const DetectorOptions& options,
-                          const Caller& caller, Trace* trace, std::vector<StageTime>* times) const;
+                          const Asker& asker, Trace* trace, std::vector<StageTime>* times) const;
   // Shows it to those who watch; `answer` is null where there is none.
   void Show(const FrameRequest& request, const Caller& caller, const grpc::Status& status,
             const Detections& detections, const RgbdFrame& decoded,
             const v1::Detections* answer) const noexcept;
   // `decoded` gets the frame once that is decoded, `times` those of the stages that it
   // came through, whether it throws or not.
-  Detections Compute(const FrameRequest& request, const Caller& caller, Trace* trace,
+  Detections Compute(const FrameRequest& request, const Asker& asker, Trace* trace,
                      RgbdFrame* decoded, std::vector<StageTime>* times) const;
 
   // Its compute threads help each other while some have nothing to do.

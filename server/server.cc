@@ -96,6 +96,11 @@ std::unique_ptr<WatchHub> MakeWatchHub(const ServerOptions& options) {
   return std::make_unique<WatchHub>(static_cast<std::uint64_t>(options.max_pixels));
 }
 
+template <typename Part>
+std::unique_ptr<Part> MakeIfWatched(const ServerOptions& options) {
+  return options.observers.empty() ? nullptr : std::make_unique<Part>();
+}
+
 // More wait at the client until one of them is done.
 constexpr int kMaxCallsPerConnection = 64;
 
@@ -153,6 +158,8 @@ Server::Server(const ServerOptions& options, DetectFunction detect)
       tracer_(MakeTracer(options_)),
       observer_gate_(options_.observers),
       watch_hub_(MakeWatchHub(options_)),
+      trial_bench_(MakeIfWatched<TrialBench>(options_)),
+      pick_board_(MakeIfWatched<PickBoard>(options_)),
       answerer_(std::move(detect), options_, *metrics_, tracer_.get(), watch_hub_.get()),
       credentials_(options_),
       gate_keeper_(options_.tokens, credentials_.authority()),
@@ -209,6 +216,8 @@ void Server::AddWatchCounters() {
                      [this] { return static_cast<double>(watch_hub_->counts().watchers); });
   metrics_->AddGauge("fovea_watch_waiting_bytes", "What waits to be shown or sent to them",
                      [this] { return static_cast<double>(watch_hub_->counts().waiting_bytes); });
+  metrics_->AddCounter("fovea_frames_tried_total", "Frames that observers tried options on",
+                       [this] { return static_cast<double>(trial_bench_->num_done()); });
   metrics_->AddCounter("fovea_watched_frames_total", "Frames shown, to each of them",
                        [this] { return static_cast<double>(watch_hub_->counts().shown); });
   metrics_->AddCounter("fovea_watched_frames_dropped_total",
@@ -239,10 +248,11 @@ void Server::Listen() {
 }
 
 void Server::Serve() {
-  environment_ = std::make_unique<CallEnvironment>(CallEnvironment{
-      service_, loop_->queue(), scheduler_, answerer_, live_calls_, *metrics_, gate_keeper_,
-      stream_places_, connections_, std::chrono::seconds(options_.max_transfer_s),
-      std::chrono::seconds(options_.max_connection_age_s)});
+  environment_ = std::make_unique<CallEnvironment>(
+      CallEnvironment{service_, loop_->queue(), scheduler_, answerer_, live_calls_, *metrics_,
+                      gate_keeper_, stream_places_, connections_, pick_board_.get(),
+                      std::chrono::seconds(options_.max_transfer_s),
+                      std::chrono::seconds(options_.max_connection_age_s)});
   DetectCall::Accept(*environment_);
   StreamCall::Accept(*environment_);
   if (watch_hub_) AcceptObservers();
@@ -257,8 +267,10 @@ void Server::Serve() {
 
 void Server::AcceptObservers() {
   observation_environment_ = std::make_unique<ObservationEnvironment>(ObservationEnvironment{
-      observation_service_, loop_->queue(), live_calls_, observer_gate_, *watch_hub_, connections_,
+      observation_service_, loop_->queue(), live_calls_, observer_gate_, *watch_hub_, answerer_,
+      *trial_bench_, *pick_board_, service_.options(), connections_,
       std::chrono::seconds(options_.max_transfer_s)});
+  observation_service_.Use(*observation_environment_);
   WatchCall::Accept(*observation_environment_);
 }
 

@@ -17,6 +17,8 @@
 #include "server/connections/connection_table.h"
 #include "server/connections/door.h"
 #include "server/frame_answerer.h"
+#include "server/observing/pick_board.h"
+#include "server/observing/trial_bench.h"
 #include "server/observing/watch_hub.h"
 #include "server/rpc/detection_service.h"
 #include "server/rpc/event_loop.h"
@@ -92,7 +94,10 @@ class Server {
   const std::shared_ptr<Metrics> metrics_;
   const std::unique_ptr<Tracer> tracer_;  // null where no traces are wanted
   ObserverGate observer_gate_;
-  const std::unique_ptr<WatchHub> watch_hub_;  // null where there are no observers
+  // Null where there are no observers.
+  const std::unique_ptr<WatchHub> watch_hub_;
+  const std::unique_ptr<TrialBench> trial_bench_;
+  const std::unique_ptr<PickBoard> pick_board_;
   const FrameAnswerer answerer_;
   Credentials credentials_;
   GateKeeper gate_keeper_;

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "client/bundle/comparison.h"
 #include "client/cli/files.h"
 #include "client/cli/frame_list.h"
 #include "client/cli/json.h"
@@ -53,6 +54,23 @@ std::vector<std::string> NotesOf(const v1::Detections& found) {
   return {messages.begin(), messages.end()};
 }
 
+// How the answer compares with that of a frame that was sent before.
+std::vector<std::string> ComparisonOf(const FrameFiles& files, const v1::Detections& found) {
+  if (!files.sent_before) return {};
+  const SentBefore& before = *files.sent_before;
+  if (!before.answer) return {"it was refused then"};
+  return {bundle::CompareAnswers(*before.answer, found, before.request.options())};
+}
+
+void WriteComparable(const Outputs& outputs, const FrameFiles& files, const v1::Detections& found) {
+  if (!files.sent_before || outputs.json == kStandardOutput) return;
+  const std::string path =
+      outputs.json.substr(0, outputs.json.size() - std::string(".json").size());
+  WriteFile(path + "_answer.pb",
+            bundle::BytesOf(bundle::Comparable(found, files.sent_before->request.options(),
+                                               /*with_times=*/true)));
+}
+
 // What all frames have in common.
 struct Run {
   const client::Client& client;
@@ -91,17 +109,21 @@ void WriteFiles(Outputs outputs, const FrameFiles& files, const FrameSettings& s
 
 Outcome DetectFrame(const Run& run, const FrameFiles& files) {
   try {
-    if (!files.read_depth && !fs::exists(files.depth_path))
+    if (!files.read_depth && !files.sent_before && !fs::exists(files.depth_path))
       throw std::runtime_error("no " + files.depth_path);
     const Outputs outputs = OutputsOf(files.id, run.batch);
     const v1::DetectRequest request = MakeRequest(files, run.settings);
     const v1::DetectResponse response = Ask(run, request);
     const v1::Detections& found = response.detections();
     CheckSize(run.settings, found);
-    WriteFiles(outputs, files, run.settings, request, found);
+    WriteComparable(outputs, files, found);
+    WriteFiles(outputs, files, SettingsFor(files, run.settings), request, found);
+    std::vector<std::string> notes = ComparisonOf(files, found);
+    const std::vector<std::string> reasons = NotesOf(found);
+    notes.insert(notes.end(), reasons.begin(), reasons.end());
     return {{},
             found.objects_size(),
-            NotesOf(found),
+            std::move(notes),
             run.batch.json_lines ? JsonLine(outputs, request, found) : ""};
   } catch (const client::RpcError& error) {
     return {run.explain(error), 0, {}, {}};
@@ -173,7 +195,8 @@ bool DetectFolder(const client::Client& client, const Batch& batch, FrameSetting
   FrameList list = batch.list ? *batch.list : ListFrames(batch.input);
   for (const std::string& note : list.notes) std::cerr << "note: " << note << '\n';
   settings.depth_unit_m = batch.depth_unit_m.value_or(list.depth_unit_m);
-  RequestFor(OutputsOf("any", batch), &settings.options);
+  const auto request_for = batch.sent_before ? RequestForPictures : RequestFor;
+  request_for(OutputsOf("any", batch), &settings.options);
   if (!batch.output.empty()) {
     PrepareFolder(batch.input, batch.output);
     SaveRequest(batch, settings);

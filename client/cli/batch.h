@@ -22,11 +22,15 @@ struct Batch {
   std::string clouds;       // ending of NAME.ply or NAME.pcd; empty = none
   bool json_lines = false;  // an answer a line to stdout; progress then goes to stderr
   bool json_masks = true;
+  bool sent_before = false;            // the frames of `list` were
   bool resume = false;                 // leave out frames whose NAME.json is there
   int jobs = 1;                        // frames in flight at once
   std::optional<double> depth_unit_m;  // none = as such folders have it
 };
 
+// Frames that were sent before also get NAME_answer.pb, the answer to what was asked then, and a
+// note on how it compares.
+//
 // Answers every frame → NAME.png (labels), NAME_overlay.jpg and NAME.json, the last of which is
 // there only if all are, and fovea_request.json, what was asked. Results are printed in the order
 // of the frames. A frame that fails is named and the run goes on; one without objects or support

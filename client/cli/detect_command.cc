@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "client/cli/batch.h"
+#include "client/cli/bundled_frames.h"
 #include "client/cli/explain.h"
 #include "client/cli/intrinsics_flag.h"
 #include "client/cli/mcap/bag.h"
@@ -66,9 +67,22 @@ void SetTimeBudget(double seconds, v1::DetectOptions* options) {
       google::protobuf::util::TimeUtil::NanosecondsToDuration(std::llround(seconds * 1e9));
 }
 
+// What a bundle says of cameras is sent again; a flag for that would be ignored.
+void RequireNoCamera(const DetectFlags& flags) {
+  Require((flags.intrinsics + flags.depth_intrinsics + flags.color_from_depth + flags.distortion +
+           flags.gravity + flags.color_topic + flags.depth_topic)
+                  .empty() &&
+              !flags.depth_unit_m,
+          "a bundle's frames are sent as they were: flags of cameras and gravity do not go with "
+          "them");
+}
+
 FrameSettings SettingsOf(const DetectFlags& flags, const std::optional<Bag>& bag = {}) {
   FrameSettings settings;
-  if (!bag || !SetIntrinsicsFrom(*bag, flags, &settings)) SetIntrinsics(flags, &settings);
+  if (IsBundle(flags.input)) {
+    RequireNoCamera(flags);
+  } else if (!bag || !SetIntrinsicsFrom(*bag, flags, &settings))
+    SetIntrinsics(flags, &settings);
   settings.depth_camera = ParseDepthCamera(flags.depth_intrinsics, flags.color_from_depth);
   settings.gravity = ParseGravity(flags.gravity);
   settings.options = ParseOptions(flags.profile, flags.settings);
@@ -146,6 +160,8 @@ Batch BatchOf(const DetectFlags& flags) {
 int DetectMany(const DetectFlags& flags, const client::Client& client) {
   Batch batch = BatchOf(flags);
   std::optional<Bag> bag;
+  batch.sent_before = IsBundle(flags.input);
+  if (batch.sent_before) batch.list = ListBundle(flags.input);
   if (IsBag(flags.input)) {
     bag = OpenBag(flags.input, {flags.color_topic, flags.depth_topic});
     std::cerr << "note: colour of " << bag->color_topic << ", depth of " << bag->depth_topic

@@ -34,13 +34,16 @@ void WriteCloud(const std::string& path, const cv::Mat& color, const cv::Mat& de
 void WritePictures(const Outputs& outputs, const FrameFiles& files, const FrameSettings& settings,
                    const v1::DetectRequest& request, const v1::Detections& detections) {
   if (outputs.overlay.empty() && outputs.cloud.empty() && outputs.steps.empty()) return;
-  const cv::Mat color = DecodeColor(request.frame().color().data(), files.color_path);
+  const bool was_sent = files.sent_before != nullptr;  // perhaps as bytes that are no file
+  const cv::Mat color =
+      DecodeColor(was_sent ? files.read_color() : request.frame().color().data(), files.color_path);
   if (!outputs.overlay.empty()) {
     WriteImage(outputs.overlay,
                DrawOverlay(color, settings.intrinsics, detections, outputs.extras));
   }
   if (outputs.cloud.empty() && outputs.steps.empty()) return;
-  const cv::Mat depth = DecodeDepth(request.frame().depth().data(), files.depth_path);
+  const cv::Mat depth =
+      DecodeDepth(was_sent ? files.read_depth() : request.frame().depth().data(), files.depth_path);
   if (!outputs.steps.empty()) WriteSteps(outputs.steps, color, depth, settings, detections);
   if (!outputs.cloud.empty()) WriteCloud(outputs.cloud, color, depth, settings, detections);
 }
@@ -57,6 +60,12 @@ v1::Detections ForJson(const Outputs& outputs, const v1::Detections& detections)
 }
 
 }  // namespace
+
+void RequestForPictures(const Outputs& outputs, v1::DetectOptions* options) {
+  Outputs pictures = outputs;
+  pictures.json.clear();
+  RequestFor(pictures, options);
+}
 
 void RequestFor(const Outputs& outputs, v1::DetectOptions* options) {
   const bool draws = !outputs.overlay.empty(), explains = !outputs.steps.empty();

@@ -21,6 +21,9 @@ inline constexpr const char* kStandardOutput = "-";
 // Asks for what these outputs need.
 void RequestFor(const Outputs& outputs, v1::DetectOptions* options);
 
+// The same without what only the JSON would tell.
+void RequestForPictures(const Outputs& outputs, v1::DetectOptions* options);
+
 // Writes all but a JSON line; NAME.json comes last. Throws std::exception
 // with one line of text.
 void WriteOutputs(const Outputs& outputs, const FrameFiles& files, const FrameSettings& settings,

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "client/bundle/readable_files.h"
 #include "client/cli/files.h"
 #include "client/cli/intrinsics_flag.h"
 #include "client/cli/parsing.h"
@@ -107,7 +108,26 @@ void CheckSize(const FrameSettings& settings, const v1::Detections& detections) 
       settings.size.width, settings.size.height, size.width, size.height));
 }
 
+FrameSettings SettingsFor(const FrameFiles& files, const FrameSettings& settings) {
+  if (!files.sent_before) return settings;
+  const v1::Frame& sent = files.sent_before->request.frame();
+  FrameSettings own = settings;
+  own.intrinsics = sent.intrinsics();
+  own.depth_unit_m = bundle::UnitOf(sent.depth());
+  own.depth_camera.reset();
+  if (sent.has_depth_intrinsics()) {
+    own.depth_camera = DepthCamera{sent.depth_intrinsics(), sent.color_from_depth()};
+  }
+  return own;
+}
+
 v1::DetectRequest MakeRequest(const FrameFiles& files, const FrameSettings& settings) {
+  if (files.sent_before) {
+    v1::DetectRequest request = files.sent_before->request;
+    request.mutable_options()->clear_tracking();  // there is no stream
+    request.mutable_options()->MergeFrom(settings.options);
+    return request;
+  }
   v1::DetectRequest request = CommonRequest(settings);
   v1::Frame& frame = *request.mutable_frame();
   frame.set_id(files.id);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <opencv2/core/types.hpp>
 #include <optional>
 #include <string>
@@ -28,13 +29,21 @@ struct FrameSettings {
   v1::DetectOptions options;
 };
 
+// A frame that a robot sent once, and what it was answered.
+struct SentBefore {
+  v1::DetectRequest request;
+  std::optional<v1::Detections> answer;  // none: it was refused
+};
+
 struct FrameFiles {
-  std::string id;
-  std::string color_path;
-  std::string depth_path;
+  std::string id = {};
+  std::string color_path = {};
+  std::string depth_path = {};
   std::optional<google::protobuf::Timestamp> captured_at = {};
   // The bytes of both files, where they are no files; the paths are names for people then.
   std::function<std::string()> read_color = {}, read_depth = {};
+  // Of frames that were sent before, which are sent again as they were.
+  std::shared_ptr<const SentBefore> sent_before = nullptr;
 };
 
 // The values of --depth-intrinsics and --color-from-depth, which go together (both empty = none);
@@ -49,11 +58,15 @@ void ParsePlace(const std::string& text, v1::DetectOptions* options);
 // What all requests have in common: everything but the images, their id and time.
 v1::DetectRequest CommonRequest(const FrameSettings& settings);
 
+// The settings of a frame that was sent before are its own, as far as pictures need them.
+FrameSettings SettingsFor(const FrameFiles& files, const FrameSettings& settings);
+
 // Throws std::runtime_error where the intrinsics are for images of another size than the one that
 // was answered.
 void CheckSize(const FrameSettings& settings, const v1::Detections& detections);
 
-// The bytes of the files travel as they are. Throws std::exception with one line of text.
+// The bytes of the files travel as they are, and a frame that was sent before goes with its own
+// options, which `settings` only adds to. Throws std::exception with one line of text.
 v1::DetectRequest MakeRequest(const FrameFiles& files, const FrameSettings& settings);
 
 }  // namespace fovea::cli

@@ -1,5 +1,8 @@
 #include "client/observer/board.h"
 
+#include <fnmatch.h>
+#include <google/protobuf/util/time_util.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -14,6 +17,18 @@ constexpr std::size_t kMaxRobots = 1024, kClose = 4;
 
 bool Has(const v1::Observer& observer, v1::ObserverRight right) {
   return std::ranges::find(observer.rights(), right) != observer.rights().end();
+}
+
+// As the server does it.
+bool Covers(const v1::Observer& observer, const std::string& robot) {
+  return std::ranges::any_of(observer.robots(), [&](const std::string& pattern) {
+    return fnmatch(pattern.c_str(), robot.c_str(), 0) == 0;
+  });
+}
+
+bool IsValid(const v1::Observer& observer) {
+  return !observer.has_expires() ||
+         google::protobuf::util::TimeUtil::GetCurrentTime() < observer.expires();
 }
 
 }  // namespace
@@ -53,6 +68,10 @@ void Board::OnFrame(std::size_t server, v1::WatchResponse response, bool is_clos
   auto shown = std::make_shared<ShownFrame>();
   shown->server = server;
   shown->dropped = response.dropped();
+  shown->came_at_us = static_cast<std::uint64_t>(
+      std::chrono::floor<std::chrono::microseconds>(std::chrono::system_clock::now())
+          .time_since_epoch()
+          .count());
   shown->frame = std::move(*response.mutable_frame());
   const std::lock_guard lock(mutex_);
   shown->id = ++last_id_;
@@ -109,10 +128,14 @@ ShownFramePtr Board::Frame(const std::string& robot, std::uint64_t id) const {
   return newest && newest->id == id ? newest : nullptr;
 }
 
-bool Board::MayDo(const ShownFrame& shown, v1::ObserverRight right) const {
+bool Board::MayDo(const std::string& address, const std::string& robot,
+                  v1::ObserverRight right) const {
   const std::lock_guard lock(mutex_);
-  const std::optional<v1::Observer>& observer = servers_.at(shown.server).observer;
-  return observer && Has(*observer, right);
+  return std::ranges::any_of(servers_, [&](const Server& server) {
+    return server.address == address && server.observer && IsValid(*server.observer) &&
+           Has(*server.observer, v1::OBSERVER_RIGHT_VIEW) && Has(*server.observer, right) &&
+           Covers(*server.observer, robot);
+  });
 }
 
 std::optional<std::string> Board::Who() const {

@@ -22,7 +22,8 @@ struct ShownFrame {
   std::uint64_t id = 0;
   std::size_t server = 0;  // which one showed it
   std::uint64_t dropped = 0;
-  v1::WatchedFrame frame;
+  std::uint64_t came_at_us = 0;  // here, since 1970
+  v1::WatchedFrame frame = {};
 };
 using ShownFramePtr = std::shared_ptr<const ShownFrame>;
 
@@ -46,8 +47,10 @@ class Board {
   // Null where it is not there any more, or never was.
   ShownFramePtr Frame(const std::string& robot, std::uint64_t id) const;
 
-  // What the one who watches is, by the server that this robot's frame came from.
-  bool MayDo(const ShownFrame& shown, v1::ObserverRight right) const;
+  // Whether the one who watches has this right, and `view`, over a robot of this server, as that
+  // said when it let it in, and until it says otherwise.
+  bool MayDo(const std::string& server, const std::string& robot, v1::ObserverRight right) const;
+  const std::string& AddressOf(std::size_t server) const { return servers_.at(server).address; }
 
   // {"name": …, "rights": […], "robots": […]}; none where no server has let it in.
   std::optional<std::string> Who() const;

@@ -70,6 +70,7 @@ json RobotJson(const ShownFrame& shown, double rate_hz) {
              {"id", shown.id},
              {"frame_id", frame.frame_id()},
              {"answered_at_ms", TimeUtil::TimestampToMilliseconds(frame.answered_at())},
+             {"came_at_us", shown.came_at_us},
              {"took_ms", Milliseconds(frame.took())},
              {"rate_hz", rate_hz},
              {"objects", frame.num_objects()},
@@ -99,6 +100,7 @@ std::string FrameJson(const ShownFrame& shown) {
   frame.clear_preview();
   frame.clear_picture();
   frame.clear_frame();
+  frame.clear_answer();
   frame.mutable_depth()->clear_data();
   if (!shown.frame.has_depth()) frame.clear_depth();
   google::protobuf::util::JsonPrintOptions options;

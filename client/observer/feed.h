@@ -23,6 +23,8 @@ class Feed {
   Feed& operator=(const Feed&) = delete;
 
   Board& board() { return board_; }
+  const std::vector<ServerLink>& servers() const { return servers_; }
+  const std::string& token() const { return token_; }
 
   // Looks at one robot closely, with whole pictures and more often, as long as this is held. Null
   // where as many are looked at as may.

@@ -256,7 +256,7 @@ class HttpServer::Impl {
   const int max_connections_;
   int num_connections_ = 0;
   asio::io_context context_{1};
-  asio::thread_pool slow_{2};
+  asio::thread_pool slow_{8};
   std::optional<asio::ssl::context> tls_;
   tcp::acceptor acceptor_{context_};
 };

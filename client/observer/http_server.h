@@ -15,7 +15,7 @@ struct HttpOptions {
 };
 
 // Serves HTTP/1.1 on one thread, its caller's, as coroutines that wait for nobody. What is slow
-// goes to two threads of its own.
+// goes to eight threads of its own.
 class HttpServer {
  public:
   struct Handler {

@@ -1,7 +1,8 @@
 #include "client/observer/http_types.h"
 
+#include <algorithm>
+#include <charconv>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string_view>
 
 namespace fovea::observer {
@@ -73,6 +74,19 @@ bool ParseTarget(const std::string& target, HttpRequest* request) {
   }
   return true;
 }
+
+std::optional<std::uint64_t> NumberOf(const std::string& text) {
+  std::uint64_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+HttpResponse BytesResponse(std::string type, std::string bytes) {
+  return {.type = std::move(type), .body = std::make_shared<const std::string>(std::move(bytes))};
+}
+
+HttpResponse NotFound() { return ErrorResponse(404, "there is nothing here"); }
 
 HttpResponse ErrorResponse(int status, const std::string& text) {
   const nlohmann::json body{{"error", text}};

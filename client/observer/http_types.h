@@ -1,9 +1,11 @@
 // What the routes know of HTTP; the server that speaks it is in http_server.h.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,6 +46,11 @@ struct HttpResponse {
   std::shared_ptr<EventSource> events = nullptr;  // instead of a body
 };
 
+// Digits alone; none where it is something else, or too large.
+std::optional<std::uint64_t> NumberOf(const std::string& text);
+
+HttpResponse BytesResponse(std::string type, std::string bytes);
+HttpResponse NotFound();
 // {"error": …}.
 HttpResponse ErrorResponse(int status, const std::string& text);
 

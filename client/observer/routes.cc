@@ -1,7 +1,6 @@
 #include "client/observer/routes.h"
 
 #include <algorithm>
-#include <charconv>
 #include <exception>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -24,19 +23,6 @@ std::string NameOfHost(const std::string& host) {
   return host.substr(0, colon);
 }
 
-HttpResponse BytesResponse(std::string type, std::string bytes) {
-  return {.type = std::move(type), .body = std::make_shared<const std::string>(std::move(bytes))};
-}
-
-HttpResponse NotFound() { return ErrorResponse(404, "there is nothing here"); }
-
-std::optional<std::uint64_t> NumberOf(const std::string& text) {
-  std::uint64_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
 std::string TokenIn(const std::string& body) {
   const auto parsed = nlohmann::json::parse(body, nullptr, /*allow_exceptions=*/false);
   if (!parsed.is_object() || !parsed.contains("token") || !parsed["token"].is_string()) return {};
@@ -56,10 +42,18 @@ HttpResponse AssetResponse(const std::string& path) {
 
 }  // namespace
 
-Routes::Routes(std::vector<ServerLink> servers, std::vector<std::string> hosts, bool is_secure)
-    : sessions_(std::move(servers)), hosts_(std::move(hosts)), is_secure_(is_secure) {}
+Routes::Routes(std::vector<ServerLink> servers, std::vector<std::string> hosts, bool is_secure,
+               const HistoryRoutes& history)
+    : sessions_(std::move(servers)),
+      history_(history),
+      asks_(history),
+      hosts_(std::move(hosts)),
+      is_secure_(is_secure) {}
 
-bool Routes::IsSlow(const HttpRequest& request) { return request.path == "/api/login"; }
+bool Routes::IsSlow(const HttpRequest& request) {
+  return request.path == "/api/login" || HistoryRoutes::IsOne(request.path) ||
+         AskRoutes::IsOne(request.path);
+}
 
 HttpResponse Routes::Answer(const HttpRequest& request) {
   try {
@@ -93,9 +87,11 @@ HttpResponse Routes::Route(const HttpRequest& request) {
   if (is_post && request.Header("x-fovea-csrf") != session->csrf) {
     return ErrorResponse(403, "the request does not come from the page");
   }
+  if (AskRoutes::IsOne(request.path)) return asks_.Answer(request, *session->feed);
   if (is_post) return request.path == "/api/logout" ? LogOut(request, *session) : NotFound();
   if (request.path == "/api/session") return Who(*session);
   if (request.path == "/api/events") return Events(request, *session);
+  if (HistoryRoutes::IsOne(request.path)) return history_.Answer(request, session->feed->board());
   return OfFrame(request, *session);
 }
 
@@ -125,6 +121,7 @@ HttpResponse Routes::LogOut(const HttpRequest&, const Session& session) {
 HttpResponse Routes::Who(const Session& session) const {
   auto who = nlohmann::json::parse(session.feed->board().Who().value_or("{}"));
   who["csrf"] = session.csrf;
+  who["history"] = nlohmann::json::parse(history_.About());
   return BytesResponse("application/json",
                        who.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }

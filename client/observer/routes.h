@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "client/observer/ask_routes.h"
+#include "client/observer/history/history_routes.h"
 #include "client/observer/http_types.h"
 #include "client/observer/sessions.h"
 
@@ -14,9 +16,10 @@ class Routes {
  public:
   // `hosts` are the names that browsers may know this server by (DNS rebinding); `is_secure` = it
   // is reached over TLS.
-  Routes(std::vector<ServerLink> servers, std::vector<std::string> hosts, bool is_secure);
+  Routes(std::vector<ServerLink> servers, std::vector<std::string> hosts, bool is_secure,
+         const HistoryRoutes& history = HistoryRoutes());
 
-  // Whether answering takes its time, as it asks the servers.
+  // Whether answering takes its time, as it asks the servers or reads the disk.
   static bool IsSlow(const HttpRequest& request);
   // Never throws for what is asked.
   HttpResponse Answer(const HttpRequest& request);
@@ -33,6 +36,8 @@ class Routes {
   std::string CookieOf(const std::string& id, bool ends) const;
 
   Sessions sessions_;
+  const HistoryRoutes history_;
+  AskRoutes asks_;
   const std::vector<std::string> hosts_;
   const bool is_secure_;
 };

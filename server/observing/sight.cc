@@ -14,8 +14,10 @@ bool Sight::IsProblem() const {
 
 std::size_t Sight::NumBytes() const {
   constexpr std::size_t kRest = 16 << 10;  // names, options, objects
-  return frame.color().data().size() + frame.depth().data().size() + BytesOf(decoded.color_rgb) +
-         BytesOf(decoded.depth_m) + BytesOf(detections.labels) + extras.SpaceUsedLong() + kRest;
+  const std::size_t answered = answer ? answer->SpaceUsedLong() : 0;
+  return answered + frame.color().data().size() + frame.depth().data().size() +
+         BytesOf(decoded.color_rgb) + BytesOf(decoded.depth_m) + BytesOf(detections.labels) +
+         extras.SpaceUsedLong() + kRest;
 }
 
 }  // namespace fovea::server

@@ -26,6 +26,8 @@ struct Sight {
   RgbdFrame decoded = {};      // empty images where it was not
   Detections detections = {};  // where the status is OK
   v1::Detections extras = {};  // seeds and saliency maps, where the robot asked for them
+  // What the robot got, where somebody wants that.
+  std::shared_ptr<const v1::Detections> answer = nullptr;
 
   bool IsProblem() const;
   // What it holds of memory, roughly.

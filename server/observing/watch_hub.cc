@@ -35,6 +35,7 @@ std::shared_ptr<WatchHub::Watcher> WatchHub::Join(Wish wish, std::function<void(
   auto watcher = std::make_shared<Watcher>(std::move(wish), std::move(on_news), mail_bytes_);
   watchers_.push_back(watcher);
   num_watchers_ = static_cast<int>(watchers_.size());
+  EnqueueAll();
   return watcher;
 }
 
@@ -42,29 +43,30 @@ void WatchHub::Leave(const std::shared_ptr<Watcher>& watcher) {
   const std::lock_guard lock(mutex_);
   std::erase(watchers_, watcher);
   num_watchers_ = static_cast<int>(watchers_.size());
-  for (auto& [name, robot] : robots_) {
-    if (!IsWanted(name)) Drop(robot);
-  }
+  EnqueueAll();
 }
 
-void WatchHub::Show(const std::string& name, const std::function<Sight()>& make) {
+void WatchHub::Show(const std::string& name, const std::function<Sight(WatchParts)>& make) {
   if (!IsWatched()) return;
+  WatchParts parts = 0;
   {
     const std::lock_guard lock(mutex_);
     if (!IsWanted(name)) return;
+    parts = PartsWanted(name);
   }
-  auto sight = std::make_shared<Sight>(make());
+  auto sight = std::make_shared<Sight>(make(parts));
   const std::lock_guard lock(mutex_);
   Robot& robot = Of(name);
-  sight->sequence = ++robot.sequence;
-  robot.seen = Clock::now();
   const std::size_t bytes = sight->NumBytes();
   if (robot.newest) ++num_dropped_;
   Drop(robot);
   MakeRoom(bytes);
+  sight->sequence = ++robot.sequence;
+  robot.seen = Clock::now();
   robot.newest = std::move(sight);
   robot.bytes = bytes;
   pending_bytes_ += bytes;
+  Enqueue(robot);
   has_news_ = true;
   changed_.notify_one();
 }
@@ -79,6 +81,14 @@ WatchHub::Counts WatchHub::counts() const {
 
 bool WatchHub::IsWanted(const std::string& robot) const {
   return std::ranges::any_of(watchers_, [&](const auto& each) { return each->wish.Covers(robot); });
+}
+
+WatchParts WatchHub::PartsWanted(const std::string& robot) const {
+  WatchParts parts = 0;
+  for (const auto& watcher : watchers_) {
+    if (watcher->wish.Covers(robot)) parts |= watcher->wish.parts;
+  }
+  return parts;
 }
 
 WatchHub::Robot& WatchHub::Of(const std::string& name) {
@@ -98,6 +108,7 @@ WatchHub::Robot& WatchHub::Of(const std::string& name) {
 }
 
 void WatchHub::Drop(Robot& robot) {
+  Dequeue(robot);
   pending_bytes_ -= std::exchange(robot.bytes, 0);
   robot.newest.reset();
 }
@@ -105,11 +116,7 @@ void WatchHub::Drop(Robot& robot) {
 // One frame always has room, however large; else those that wait longest make it.
 void WatchHub::MakeRoom(std::size_t bytes) {
   while (pending_bytes_ > 0 && pending_bytes_ + bytes > kMaxPending) {
-    Robot* oldest = nullptr;
-    for (auto& [name, each] : robots_) {
-      if (each.newest && (oldest == nullptr || each.seen < oldest->seen)) oldest = &each;
-    }
-    Drop(*oldest);
+    Drop(*by_age_.begin()->second);
     ++num_dropped_;
   }
 }
@@ -128,22 +135,34 @@ WatchHub::Clock::time_point WatchHub::DueOf(const Sight& sight) const {
   return due;
 }
 
-std::map<std::string, WatchHub::Robot>::iterator WatchHub::NextDue(Clock::time_point now,
-                                                                   Clock::time_point* next) {
-  auto chosen = robots_.end();
-  *next = Clock::time_point::max();
-  for (auto each = robots_.begin(); each != robots_.end(); ++each) {
-    if (!each->second.newest) continue;
-    const Clock::time_point due = DueOf(*each->second.newest);
-    if (due == Clock::time_point::max()) {
-      Drop(each->second);  // all who want it have it
-    } else if (due > now) {
-      *next = std::min(*next, due);
-    } else if (chosen == robots_.end() || each->second.seen < chosen->second.seen) {
-      chosen = each;
-    }
+void WatchHub::Enqueue(Robot& robot) {
+  Dequeue(robot);
+  robot.due = DueOf(*robot.newest);
+  if (robot.due == Clock::time_point::max()) return Drop(robot);
+  by_due_.insert({robot.due, robot.seen, &robot});
+  by_age_.insert({robot.seen, &robot});
+}
+
+void WatchHub::Dequeue(Robot& robot) {
+  by_due_.erase({robot.due, robot.seen, &robot});
+  by_age_.erase({robot.seen, &robot});
+}
+
+void WatchHub::EnqueueAll() {
+  for (auto& [name, robot] : robots_) {
+    if (robot.newest) Enqueue(robot);
   }
-  return chosen;
+  has_news_ = true;
+  changed_.notify_one();
+}
+
+WatchHub::Robot* WatchHub::NextDue(Clock::time_point now, Clock::time_point* next) const {
+  *next = Clock::time_point::max();
+  if (by_due_.empty()) return nullptr;
+  const auto& [due, seen, robot] = *by_due_.begin();
+  if (due <= now) return robot;
+  *next = due;
+  return nullptr;
 }
 
 std::vector<std::shared_ptr<WatchHub::Watcher>> WatchHub::TakeDue(const Sight& sight,
@@ -184,11 +203,12 @@ void WatchHub::Step(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
   const Clock::time_point now = Clock::now();
   Clock::time_point next;
-  const auto robot = NextDue(now, &next);
-  if (robot == robots_.end()) return Await(stop, next, lock);
+  Robot* const robot = NextDue(now, &next);
+  if (robot == nullptr) return Await(stop, next, lock);
   // It waits on for those who may have it only later, unless a newer one comes.
-  const std::shared_ptr<const Sight> sight = robot->second.newest;
+  const std::shared_ptr<const Sight> sight = robot->newest;
   const auto takers = TakeDue(*sight, now);
+  Enqueue(*robot);
   lock.unlock();
   Deliver(*sight, takers);
 }

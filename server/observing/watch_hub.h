@@ -8,8 +8,11 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 #include <thread>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "server/observing/mailbox.h"
@@ -53,8 +56,9 @@ class WatchHub {
   // Whether there is anybody; costs one read.
   bool IsWatched() const { return num_watchers_.load(std::memory_order_relaxed) > 0; }
 
-  // Shows what `make` makes, which is asked only where somebody wants it. `robot` must be its name.
-  void Show(const std::string& robot, const std::function<Sight()>& make);
+  // Shows what `make` makes, which is asked only where somebody wants it, with the parts that
+  // anybody wants. `robot` must be its name.
+  void Show(const std::string& robot, const std::function<Sight(WatchParts)>& make);
 
   // Throws Overloaded where too many watch already.
   std::shared_ptr<Watcher> Join(Wish wish, std::function<void()> on_news);
@@ -70,16 +74,22 @@ class WatchHub {
     Clock::time_point seen;
     std::shared_ptr<const Sight> newest;  // waits to be shown
     std::size_t bytes = 0;                // of that
+    Clock::time_point due;                // of the first of those who want it
   };
 
   // mutex_ is held for these.
   bool IsWanted(const std::string& robot) const;
+  WatchParts PartsWanted(const std::string& robot) const;
   Robot& Of(const std::string& robot);
   void Drop(Robot& robot);
   void MakeRoom(std::size_t bytes);
   Clock::time_point DueOf(const Sight& sight) const;  // of the first of those who want it
-  // The robot to show now; end where none is due, when `*next` is the time to look again.
-  std::map<std::string, Robot>::iterator NextDue(Clock::time_point now, Clock::time_point* next);
+  // Puts what waits of the robot where it belongs, or drops it where all who want it have it.
+  void Enqueue(Robot& robot);
+  void Dequeue(Robot& robot);
+  void EnqueueAll();  // who watches is another
+  // The robot to show now; null where none is due, when `*next` is the time to look again.
+  Robot* NextDue(Clock::time_point now, Clock::time_point* next) const;
   std::vector<std::shared_ptr<Watcher>> TakeDue(const Sight& sight, Clock::time_point now);
   void Await(const std::stop_token& stop, Clock::time_point next,
              std::unique_lock<std::mutex>& lock);
@@ -97,6 +107,10 @@ class WatchHub {
   bool has_news_ = false;
   std::vector<std::shared_ptr<Watcher>> watchers_;
   std::map<std::string, Robot> robots_;
+  // Of what waits: the first to be shown, and the first to make room. A step costs time in
+  // proportion to those who watch, however many robots there are.
+  std::set<std::tuple<Clock::time_point, Clock::time_point, Robot*>> by_due_;  // and when it came
+  std::set<std::pair<Clock::time_point, Robot*>> by_age_;
   std::size_t pending_bytes_ = 0;
   std::jthread thread_;
 };

@@ -65,7 +65,10 @@ grpc::Slice WatchedMessages::With(WatchParts parts) {
   const auto wants = [&](v1::WatchPart part) { return (parts & Bit(part)) != 0; };
   if (sight_.status.ok()) AddAnswer(wants(v1::WATCH_PART_ANSWER), &frame);
   AddPictures(parts, &frame);
-  if (wants(v1::WATCH_PART_FRAME)) *frame.mutable_frame() = sight_.frame;
+  if (wants(v1::WATCH_PART_FRAME)) {
+    *frame.mutable_frame() = sight_.frame;
+    if (sight_.answer && sight_.status.ok()) *frame.mutable_answer() = *sight_.answer;
+  }
   return {response.SerializeAsString()};
 }
 

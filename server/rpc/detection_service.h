@@ -8,6 +8,7 @@
 #include "server/access/stream_places.h"
 #include "server/connections/connection_table.h"
 #include "server/frame_answerer.h"
+#include "server/observing/pick_board.h"
 #include "server/rpc/live_calls.h"
 #include "server/scheduling/scheduler.h"
 #include "server/watching/metrics.h"
@@ -26,6 +27,8 @@ class DetectionService final : public AsyncDetectionService {
   DetectionService(v1::GetServerInfoResponse info, v1::ListOptionsResponse options,
                    const Metrics& metrics, const GateKeeper& gate_keeper,
                    ConnectionTable& connections);
+
+  const v1::ListOptionsResponse& options() const { return options_; }
 
   // Completes when a call of Detect begins; its message is read thereafter, so that a call can be
   // refused before it uploads its frame.
@@ -63,6 +66,7 @@ struct CallEnvironment {
   const GateKeeper& gate_keeper;
   StreamPlaces& stream_places;
   ConnectionTable& connections;
+  PickBoard* picks;  // null where nobody picks
   std::chrono::seconds max_transfer;
   // After which a stream is ended; zero = never.
   std::chrono::seconds max_stream_age;

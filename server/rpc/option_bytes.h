@@ -12,4 +12,7 @@ namespace fovea::server {
 // fields than ours, or options of more than 64 KiB, is taken for one without.
 std::optional<std::string> OptionBytesOf(const grpc::ByteBuffer& message);
 
+// Whether a DetectStreamRequest says accept_picks; costs as little.
+bool AcceptsPicks(const grpc::ByteBuffer& message);
+
 }  // namespace fovea::server

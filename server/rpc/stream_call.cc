@@ -134,6 +134,9 @@ void StreamCall::OnRead() {
   environment_.metrics.OnReceivedBytes(bytes_.Length());
   caller_.OnMessage(bytes_.Length());
   const std::lock_guard lock(mutex_);
+  if (num_received_ == 0 && environment_.picks != nullptr && AcceptsPicks(bytes_)) {
+    listening_ = environment_.picks->Listen(caller_.robot());
+  }
   if (newest_) {
     if (auto options = OptionBytesOf(newest_->bytes)) newer_options_ = std::move(options);
     ++num_dropped_;
@@ -155,6 +158,8 @@ void StreamCall::OnGone() {
 }
 
 void StreamCall::OnWritten(bool ok) {
+  if (pick_ && ok) pick_->OnSent();
+  pick_.reset();
   const std::lock_guard lock(mutex_);
   busy_ = false;
   broken_ = !ok;
@@ -214,6 +219,8 @@ void StreamCall::TakeTurn() {
 }
 
 void StreamCall::Deliver() {
+  if (listening_) pick_ = environment_.picks->Take(caller_.robot());
+  if (pick_) *response_.mutable_pick() = pick_->pick();
   const grpc::ByteBuffer bytes = BytesOf(response_);
   environment_.metrics.OnSent(bytes.Length());
   transfer_.Begin(shared_from_this());
@@ -265,6 +272,7 @@ void StreamCall::Compute() {
 
 void StreamCall::Finish(const grpc::Status& status) {
   finished_ = true;
+  listening_.reset();
   age_.Cancel();
   stream_.Finish(status, Then([self = shared_from_this()](bool) {}));
 }

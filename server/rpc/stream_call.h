@@ -67,6 +67,8 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   v1::DetectStreamResponse response_;  // of the frame that is worked on
   v1::DetectOptions options_;          // the last ones given, up to that frame
   StreamTracker tracker_;              // of the frames that were answered
+  PickBoard::Listening listening_;     // null where the stream takes no picks
+  PickBoard::TakenPtr pick_;           // in response_
 
   std::mutex mutex_;
   std::optional<std::string> newer_options_;  // of the frames that were dropped since then

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <string>
 
+#include "client/bundle/bundle.h"
 #include "client/images.h"
 #include "tests/server/frames.h"
 #include "tests/support/bag_writer.h"
@@ -74,6 +75,42 @@ void WriteBags(const fs::path& folder) {
   }
 }
 
+void WriteBundles(const fs::path& folder) {
+  fovea::bundle::BundledFrame frame{.request = TestRequest(), .answer = fovea::v1::Detections()};
+  frame.answer->add_objects()->set_label(1);
+  Write(folder, "answered", fovea::bundle::WriteBundle({frame}, {.made_by = "seeds"}));
+  frame.answer.reset();
+  frame.error = fovea::v1::FrameError();
+  *frame.request.mutable_frame()->mutable_depth() = DepthMessage(
+      fovea::v1::DEPTH_ENCODING_16UC1_RVL_ZSTD, ZstdOf(RvlOf(TestDepth())), kWidth, kHeight);
+  Write(folder, "refused", fovea::bundle::WriteBundle({frame}, {.made_by = "seeds"}));
+}
+
+// As routes_fuzzer.cc reads them.
+void WriteHttpRequests(const fs::path& folder) {
+  const std::string own = "host: localhost\norigin: http://localhost\n";
+  const std::string cookie = "cookie: a=b; fovea_session=0123\nx-fovea-csrf: 0123\n";
+  const auto get = [&](const std::string& name, const std::string& target) {
+    Write(folder, name, "GET " + target + " HTTP/1.1\n" + own + cookie + "\n");
+  };
+  const auto post = [&](const std::string& name, const std::string& path, const std::string& body) {
+    Write(folder, name, "POST " + path + " HTTP/1.1\n" + own + cookie + "\n" + body);
+  };
+  get("page", "/index.html");
+  get("events", "/api/events?close=kitchen%2D1&depth=1");
+  get("history", "/api/history?robot=kitchen-1");
+  for (const std::string part : {"answer", "picture", "depth"}) {
+    get("past_" + part, "/api/history/" + part + "?robot=kitchen-1&id=1700000000000000");
+  }
+  get("bundle", "/api/history/bundle?robot=kitchen-1&at=1700000000000000&before=5&after=5");
+  get("foreign", "/api/history/bundle?robot=attic&at=1700000000000000");
+  get("options", "/api/options?robot=kitchen-1&id=1700000000000000");
+  post("login", "/api/login", R"({"token": "token"})");
+  post("try", "/api/try",
+       R"({"robot":"kitchen-1","id":1700000000000000,"options":{"parameters":{"a":1}}})");
+  post("pick", "/api/pick", R"({"robot":"kitchen-1","id":1,"past":false,"label":1})");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -91,5 +128,7 @@ int main(int argc, char** argv) {
   Write(corpus / "rvl", "depth", RvlOf(TestDepth()));
   WriteRequests(corpus / "request");
   WriteBags(corpus / "mcap");
+  WriteBundles(corpus / "bundle");
+  WriteHttpRequests(corpus / "routes");
   return 0;
 }

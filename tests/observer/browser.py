@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import shutil
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -21,13 +22,21 @@ CHROMIUM, DRIVER = shutil.which("chromium"), shutil.which("chromedriver")
 
 # As base64, since a list of numbers takes a second.
 READ_CANVAS = """
-const canvas = arguments[0];
 const data = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
 let text = "";
 for (let i = 0; i < data.length; i += 8192) {
   text += String.fromCharCode(...data.subarray(i, i + 8192));
 }
 return [canvas.width, canvas.height, btoa(text)];
+"""
+
+# One in 3D cannot be read as it is.
+COPY_CANVAS = """
+const copy = document.createElement("canvas");
+copy.width = canvas.width;
+copy.height = canvas.height;
+copy.getContext("2d").drawImage(canvas, 0, 0);
+canvas = copy;
 """
 
 
@@ -74,9 +83,23 @@ class Browser:
                 return
         raise AssertionError(f"there is no button {label}")
 
-    def pixels(self, canvas: WebElement) -> np.ndarray[Any, Any]:
-        width, height, text = self.driver.execute_script(READ_CANVAS, canvas)
+    def pixels(self, canvas: WebElement, before: str = "") -> np.ndarray[Any, Any]:
+        script = "let canvas = arguments[0];" + before + READ_CANVAS
+        width, height, text = self.driver.execute_script(script, canvas)
         return np.frombuffer(base64.b64decode(text), np.uint8).reshape(height, width, 4)
+
+    def drawn(self, canvas: WebElement) -> np.ndarray[Any, Any]:
+        """The pixels of a canvas in 3D."""
+        return self.pixels(canvas, COPY_CANVAS)
+
+    def downloads_to(self, folder: Path) -> None:
+        command = {"behavior": "allow", "downloadPath": str(folder)}
+        self.driver.execute_cdp_cmd("Browser.setDownloadBehavior", command)
+
+    def click(self, canvas: WebElement, x: float, y: float) -> None:
+        """At this share of its width and height."""
+        self.hover(canvas, x, y)
+        ActionChains(self.driver).click().perform()
 
     def hover(self, canvas: WebElement, x: float, y: float) -> None:
         """At this share of its width and height."""
@@ -88,7 +111,8 @@ class Browser:
 
     def complaints(self) -> list[str]:
         """What the page had to say in its console."""
-        known = ("401", "404")  # no session yet; a frame that has passed
+        # No session yet; a frame that has passed; options and picks that were refused.
+        known = ("401", "404", "400", "409")
         return [
             entry["message"]
             for entry in self.driver.get_log("browser")

@@ -12,7 +12,15 @@ from typing import Any
 import numpy as np
 import pytest
 from PIL import Image
-from processes import PATIENCE, ObserverProcess, ServerProcess, Visitor, write_observers
+from processes import (
+    OBSERVERS,
+    PATIENCE,
+    ObserverProcess,
+    ServerProcess,
+    Visitor,
+    history_flags,
+    write_observers,
+)
 
 import fovea
 
@@ -56,11 +64,6 @@ def observer(server: ServerProcess) -> Iterator[ObserverProcess]:
         yield process
 
 
-@pytest.fixture
-def visitor(observer: ObserverProcess) -> Visitor:
-    return Visitor(observer.address)
-
-
 class Robots:
     """Robots of a server, by name."""
 
@@ -70,6 +73,56 @@ class Robots:
     def detect(self, robot: str, frame: fovea.Frame, **options: Any) -> fovea.Detections:
         with fovea.Client(self.address, robot=robot, timeout=PATIENCE) as client:
             return client.detect_frame(frame, fovea.DetectOptions(**options))
+
+
+@dataclass
+class Recorded:
+    """An observer that keeps a history of a server of its own."""
+
+    observer: ObserverProcess
+    robots: Robots
+
+    def visitor(self, name: str) -> Visitor:
+        visitor = Visitor(self.observer.address)
+        assert visitor.log_in(OBSERVERS[name][0]).status == 200
+        return visitor
+
+    def record(self, robot: str, *frames: fovea.Frame, **options: Any) -> list[int]:
+        """Sends them, and waits until they are in the history; their numbers there."""
+        visitor = self.visitor("ann")
+        for frame in frames:
+            before = len(visitor.history(robot))
+            self.robots.detect(robot, frame, **options)
+            ids = visitor.history(robot, before + 1)
+        return ids[-len(frames) :]
+
+
+@pytest.fixture(scope="module")
+def recorded(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Recorded]:
+    folder = tmp_path_factory.mktemp("recorded")
+    with (
+        ServerProcess(write_observers(folder)) as server,
+        ObserverProcess(server.address, "127.0.0.1:0", *history_flags(folder)) as observer,
+    ):
+        recorded = Recorded(observer, Robots(server.address))
+        recorder_is_ready(recorded.visitor("ann"), recorded.robots)
+        yield recorded
+
+
+def recorder_is_ready(visitor: Visitor, robots: Robots) -> None:
+    """Once anything of it is recorded, all is."""
+    blank = np.zeros((48, 64), np.uint16)
+    camera = fovea.CameraIntrinsics(50, 50, 31.5, 23.5)
+    frame = fovea.Frame(
+        color=np.zeros((48, 64, 3), np.uint8), depth=blank, intrinsics=camera, id="first"
+    )
+    while not visitor.history("first"):
+        robots.detect("first", frame)
+
+
+@pytest.fixture
+def visitor(observer: ObserverProcess) -> Visitor:
+    return Visitor(observer.address)
 
 
 @pytest.fixture

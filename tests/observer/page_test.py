@@ -3,15 +3,25 @@
 from __future__ import annotations
 
 import itertools
+import json
 import threading
+import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from conftest import Robots, Scene
-from processes import OBSERVERS, ObserverProcess, ServerProcess, write_observers
+from conftest import Recorded, Robots, Scene, recorder_is_ready
+from picking import Picking
+from processes import (
+    OBSERVERS,
+    ObserverProcess,
+    ServerProcess,
+    Visitor,
+    history_flags,
+    write_observers,
+)
 
 import fovea
 
@@ -233,6 +243,263 @@ def test_says_what_is_away_and_goes_on(browser: Browser, scene: Scene, tmp_path:
             with ObserverProcess(again.address, observer.address):
                 browser.find("#token")  # it knows no browser any more
                 assert "has started anew" in browser.texts("#failure")[0]
+
+
+@pytest.fixture
+def past(browser: Browser, recorded: Recorded, scene: Scene) -> Iterator[Any]:
+    """The canvas of a robot that sends, and of which there is a history from before."""
+    frames = [scene.frame(id=f"before {number}") for number in range(4)]
+    recorded.record("arm", *frames)
+    browser.log_in(recorded.observer.url, OBSERVERS["ann"][0])
+    with Sending(recorded.robots, "arm", scene.frame(id="now")):
+        browser.find("[data-robot=arm] button").click()
+        yield browser.find("#picture[data-id]")
+
+
+def shown(browser: Browser) -> str:
+    """The name of the frame that is shown."""
+    return browser.texts("#facts")[0].split(" · ")[0].removeprefix("frame ")
+
+
+def test_steps_back_into_the_history_and_on_again(browser: Browser, past: Any) -> None:
+    browser.until(lambda: "frames recorded" in browser.texts("#moment")[0])
+    stop(browser)
+    body = browser.find("body")
+    while shown(browser) == "now":
+        at = past.get_attribute("data-id")
+        body.send_keys(",")
+        browser.until(lambda at=at: past.get_attribute("data-id") != at)
+    assert shown(browser) == "before 3"
+    assert past.get_attribute("data-past") == "true"
+    assert "of the history" in browser.texts("#facts")[0]
+    assert browser.all("#objects tbody tr")
+    for name in ("before 2", "before 1"):
+        body.send_keys(",")
+        browser.until(lambda name=name: shown(browser) == name)
+    for name in ("before 2", "before 3", "now"):
+        body.send_keys(".")
+        browser.until(lambda name=name: shown(browser) == name)
+    body.send_keys(" ")
+    browser.until(lambda: past.get_attribute("data-past") == "false")
+
+
+def test_the_time_line_leads_to_moments(browser: Browser, past: Any) -> None:
+    line = browser.find("#timeline")
+    browser.until(lambda: "frames recorded" in browser.texts("#moment")[0])
+    # Long before there was anything: the nearest is the first.
+    browser.click(line, 0.01, 0.5)
+    browser.until(lambda: past.get_attribute("data-past") == "true")
+    assert shown(browser).startswith("before")
+    first = shown(browser)
+    line.send_keys("\ue014")  # the right arrow
+    browser.until(lambda: shown(browser) != first)
+
+
+def test_the_past_is_in_3d_too(browser: Browser, past: Any) -> None:
+    browser.press("3D")
+    browser.until(lambda: "frames recorded" in browser.texts("#moment")[0])
+    browser.click(browser.find("#timeline"), 0.01, 0.5)
+    browser.until(lambda: past.get_attribute("data-past") == "true")
+    cloud = browser.find("#cloud")
+    browser.until(lambda: browser.drawn(cloud)[:, :, :3].max() > 0)
+
+
+def test_saves_a_frame_and_the_seconds_around(browser: Browser, past: Any, tmp_path: Path) -> None:
+    browser.downloads_to(tmp_path)
+    stop(browser)
+    browser.find("body").send_keys("f")
+    browser.until(lambda: list(tmp_path.glob("fovea_arm_*.zip")))
+    browser.until(lambda: "saved fovea_arm_" in browser.texts("#saved")[0])
+    with zipfile.ZipFile(next(tmp_path.glob("*.zip"))) as file:
+        frames = json.loads(file.read("bundle.json"))["frames"]
+        assert len(frames) == 1 and frames[0]["robot"] == "arm"
+    for path in tmp_path.iterdir():
+        path.unlink()
+    around = browser.find("#around")
+    around.clear()
+    around.send_keys("1")
+    browser.press("save")
+    browser.until(lambda: list(tmp_path.glob("fovea_arm_*.zip")))
+    with zipfile.ZipFile(next(tmp_path.glob("*.zip"))) as file:
+        assert len(json.loads(file.read("bundle.json"))["frames"]) > 1
+
+
+def test_tries_options_beside_the_answer(browser: Browser, past: Any) -> None:
+    browser.press("try")
+    browser.until(lambda: browser.all("#options tbody tr"))
+    before = browser.pixels(browser.find("#before"))
+    assert browser.all("#options tbody tr .words")[0].text
+    browser.find("#run").click()
+    browser.until(lambda: "nothing changed" in browser.texts("#tried")[0])
+    rows = browser.texts("#changes tbody tr td:last-child")
+    assert rows and set(rows) == {"the same"}
+    assert np.array_equal(browser.pixels(browser.find("#after")), before)
+    find = browser.find("#find")
+    find.send_keys("min_probability")
+    assert 0 < len(browser.all("#options tbody tr")) < 5
+    set_option(browser, "objects.min_probability", 1)
+    browser.until(lambda: browser.texts("#command")[0].endswith(" --set objects.min_probability=1"))
+    browser.find("#run").click()
+    browser.until(lambda: "gone" in browser.texts("#changes tbody tr td:last-child"))
+    assert "changed" in browser.texts("#tried")[0]
+    set_option(browser, "objects.min_probability", 7)
+    browser.find("#run").click()
+    browser.until(lambda: browser.texts("#tried.bad"))
+    assert "objects.min_probability" in browser.texts("#tried.bad")[0]
+
+
+def set_option(browser: Browser, name: str, value: float) -> None:
+    script = "arguments[0].value = arguments[1]; arguments[0].dispatchEvent(new Event('change'))"
+    field = browser.find(f"[data-option='{name}']")
+    browser.driver.execute_script(script, field, str(value))
+
+
+def test_a_click_marks_an_object_for_the_robot(
+    browser: Browser, recorded: Recorded, scene: Scene
+) -> None:
+    with Picking(recorded.robots.address, "hand", scene.frame(id="picked")) as robot:
+        browser.log_in(recorded.observer.url, OBSERVERS["ann"][0])
+        browser.find("[data-robot=hand] button").click()
+        picture = browser.find("#picture[data-id]")
+        assert robot.first is not None
+        found = robot.first.objects[0]
+        box = found.bounding_box
+        width, height = scene.depth.shape[1], scene.depth.shape[0]
+        labels = scene.labels[box.y : box.y + box.height, box.x : box.x + box.width]
+        ys, xs = np.nonzero(labels)
+        at = np.argmin((xs - xs.mean()) ** 2 + (ys - ys.mean()) ** 2)
+        browser.click(picture, (box.x + xs[at] + 0.5) / width, (box.y + ys[at] + 0.5) / height)
+        browser.until(lambda: "hand got object" in browser.texts("#picked")[0])
+        browser.until(lambda: robot.picks)
+        assert robot.picks[0].label == found.label and robot.picks[0].observer == "ann"
+
+
+def test_a_robot_that_takes_no_picks_is_said(
+    browser: Browser, past: Any, recorded: Recorded
+) -> None:
+    row = browser.find("#objects tbody tr")
+    stop(browser)
+    row = browser.find("#objects tbody tr")
+    browser.driver.execute_script("arguments[0].focus()", row)
+    row.send_keys("\ue007")  # Enter
+    browser.until(lambda: browser.texts("#picked.bad"))
+    assert "arm takes no picks" in browser.texts("#picked.bad")[0]
+
+
+def test_who_may_only_look_is_shown_no_more(
+    browser: Browser, recorded: Recorded, scene: Scene
+) -> None:
+    recorded.record("kitchen-1", scene.frame())
+    browser.log_in(recorded.observer.url, OBSERVERS["ben"][0])
+    with Sending(recorded.robots, "kitchen-1", scene.frame()):
+        browser.find("[data-robot=kitchen-1] button").click()
+        browser.find("#picture[data-id]")
+        browser.until(lambda: "frames recorded" in browser.texts("#moment")[0])
+        labels = browser.texts(".bar button")
+        assert "stop" in labels and not {"save", "save frame", "try"} & set(labels)
+        assert not browser.all(".picks")
+
+
+def test_without_a_history_there_is_no_time_line(browser: Browser, picture: Any) -> None:
+    assert not browser.find("#timeline").is_displayed()
+
+
+def test_the_history_goes_on_after_both_were_killed(
+    browser: Browser, scene: Scene, tmp_path: Path
+) -> None:
+    observers, flags = write_observers(tmp_path), history_flags(tmp_path)
+    says = lambda text: browser.until(lambda: text in browser.texts("#servers")[0])  # noqa: E731
+    with (
+        ServerProcess(observers) as server,
+        ObserverProcess(server.address, "127.0.0.1:0", *flags) as observer,
+    ):
+        visitor = Visitor(observer.address)
+        visitor.log_in(OBSERVERS["ann"][0])
+        recorder_is_ready(visitor, Robots(server.address))
+        Robots(server.address).detect("arm", scene.frame(id="before both"))
+        visitor.history("arm", 1)
+        browser.log_in(observer.url, OBSERVERS["ann"][0])
+        with Sending(Robots(server.address), "arm", scene.frame(id="before both")):
+            browser.find("[data-robot=arm] button").click()
+            browser.find("#picture[data-id]")
+            browser.until(lambda: "frames recorded" in browser.texts("#moment")[0])
+        server.kill()
+        says("is away: ")
+        browser.click(browser.find("#timeline"), 0.01, 0.5)  # what is there can still be seen
+        browser.until(lambda: browser.find("#picture").get_attribute("data-past") == "true")
+        observer.kill()
+        says("the observer is away")
+        with (
+            ServerProcess(observers, server.address) as again,
+            ObserverProcess(server.address, observer.address, *flags),
+        ):
+            browser.find("#token").send_keys(OBSERVERS["ann"][0] + "\n")
+            with Sending(Robots(again.address), "arm", scene.frame(id="after both")):
+                browser.find("#picture[data-id]")
+                browser.until(lambda: shown(browser) == "after both")
+                browser.until(lambda: "frames recorded" in browser.texts("#moment")[0])
+                browser.click(browser.find("#timeline"), 0.01, 0.5)
+                browser.until(lambda: shown(browser) == "before both")
+
+
+@pytest.mark.parametrize(
+    "lens",
+    [
+        fovea.LensDistortion("plumb_bob", [-0.3, 0.1, 0.002, -0.003, 0.0]),
+        fovea.LensDistortion("equidistant", [-0.05, 0.02, 0.0, 0.0]),
+    ],
+)
+def test_points_have_the_colours_of_their_pixels_with_any_lens(
+    browser: Browser, observer: ObserverProcess, robots: Robots, lens: fovea.LensDistortion
+) -> None:
+    """A wall whose colour says which pixel of the picture it is in."""
+    width, height, focal = 320, 240, 200.0
+    us, vs = np.meshgrid(np.arange(width), np.arange(height))
+    color = np.stack([us * 255 // width, vs * 255 // height, np.full_like(us, 128)], 2)
+    camera = fovea.CameraIntrinsics(focal, focal, 159.5, 119.5, lens)
+    frame = fovea.Frame(color.astype(np.uint8), np.full((height, width), 1000, np.uint16), camera)
+    browser.log_in(observer.url, OBSERVERS["ann"][0])
+    with Sending(robots, "wall", frame):
+        browser.find("[data-robot=wall] button").click()
+        browser.find("#picture[data-id]")
+        browser.press("3D")
+        cloud = browser.find("#cloud")
+        browser.until(lambda: browser.drawn(cloud)[:, :, 2].max() > 100)
+        stop(browser)
+        drawn = browser.drawn(cloud).astype(int)
+    rows, columns = drawn.shape[:2]
+    tried = 0
+    for x, y in itertools.product((0.25, 0.5, 0.75), (0.25, 0.5, 0.75)):
+        # The eye stands in the camera, and looks through no lens.
+        ray = ((x - 0.5) * width / focal, (y - 0.5) * height / focal)
+        u, v = bent(lens, ray, focal, (159.5, 119.5))
+        red, green, blue = drawn[int(y * rows), int(x * columns), :3]
+        if abs(blue - 128) > 20:
+            continue  # between points
+        assert abs(red - u * 255 / width) < 8 and abs(green - v * 255 / height) < 8, (x, y)
+        tried += 1
+    assert tried >= 5
+
+
+def bent(
+    lens: fovea.LensDistortion, ray: tuple[float, float], focal: float, middle: tuple[float, float]
+) -> tuple[float, float]:
+    """The pixel of the picture that was sent."""
+    x, y = ray
+    r2 = x * x + y * y
+    k = list(lens.coefficients)
+    if lens.model == "equidistant":
+        theta = np.arctan(np.sqrt(r2))
+        bend = theta * (1 + sum(k[i] * theta ** (2 * i + 2) for i in range(4)))
+        scale = bend / np.sqrt(r2) if r2 > 0 else 1.0
+        x, y = x * scale, y * scale
+    else:
+        radial = 1 + k[0] * r2 + k[1] * r2**2 + k[4] * r2**3
+        x, y = (
+            x * radial + 2 * k[2] * x * y + k[3] * (r2 + 2 * x * x),
+            y * radial + k[2] * (r2 + 2 * y * y) + 2 * k[3] * x * y,
+        )
+    return focal * x + middle[0], focal * y + middle[1]
 
 
 def test_the_page_complains_of_nothing(browser: Browser, picture: Any) -> None:

@@ -7,8 +7,10 @@ import http.client
 import json
 import os
 import subprocess
+import time
 from pathlib import Path
 from typing import Any
+from urllib.parse import quote
 
 PATIENCE = 60.0  # seconds; only a broken test waits that long
 
@@ -17,17 +19,28 @@ OBSERVERS = {
     "ann": ("token-of-ann", "view,try,download,pick", "*"),
     "ben": ("token-of-ben", "view", "kitchen-*"),
     "cat": ("token-of-cat", "view", "nobody"),
+    # fovea-observer itself, where it records.
+    "rec": ("token-of-rec", "view,download", "*"),
 }
 
 
-def write_observers(folder: Path) -> Path:
+def write_observers(folder: Path, observers: dict[str, tuple[str, str, str]] = OBSERVERS) -> Path:
     lines = [
         f"{name} {hashlib.sha256(token.encode()).hexdigest()} {rights} {robots}\n"
-        for name, (token, rights, robots) in OBSERVERS.items()
+        for name, (token, rights, robots) in observers.items()
     ]
     path = folder / "observers"
     path.write_text("".join(lines))
     return path
+
+
+def history_flags(folder: Path, **flags: Any) -> list[str]:
+    """Of an observer that records to a folder here."""
+    token = folder / "recorder"
+    token.write_text(OBSERVERS["rec"][0] + "\n")
+    named = {"history": folder / "history", "history-token-file": token, "history-rate": 30}
+    named |= {f"history-{name}": value for name, value in flags.items()}
+    return [part for name, value in named.items() for part in (f"--{name}", str(value))]
 
 
 class Process:
@@ -98,6 +111,21 @@ class Visitor:
 
     def get(self, path: str, **headers: str) -> Answer:
         return self.ask("GET", path, **headers)
+
+    def post(self, path: str, body: Any) -> Answer:
+        """As the page does it."""
+        own = {"Origin": f"http://{self.address}", "X_Fovea_CSRF": self.csrf}
+        return self.ask("POST", path, json.dumps(body), **own)
+
+    def history(self, robot: str, count: int = 0) -> list[int]:
+        """The frames that are there; waits for so many."""
+        end = time.monotonic() + PATIENCE
+        while time.monotonic() < end:
+            ids = self.get(f"/api/history?robot={quote(robot)}").json()["ids"]
+            if len(ids) >= count:
+                return list(ids)
+            time.sleep(0.02)
+        raise AssertionError(f"{robot} has no {count} frames in the history")
 
     def log_in(self, token: str) -> Answer:
         body = json.dumps({"token": token})

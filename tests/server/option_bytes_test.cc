@@ -56,5 +56,20 @@ TEST(OptionBytes, OfWhatWouldTakeLongToReadAreNone) {
   EXPECT_FALSE(OptionsOf(many));
 }
 
+TEST(OptionBytes, OfMessagesThatAcceptPicksAreThereToo) {
+  v1::DetectStreamRequest request;
+  request.mutable_frame()->set_id("f");
+  request.mutable_options()->set_profile("paper");
+  const auto accepts = [&](const std::string& text) {
+    const grpc::Slice slice(text);
+    return server::AcceptsPicks(grpc::ByteBuffer(&slice, 1));
+  };
+  EXPECT_FALSE(accepts(request.SerializeAsString()));
+  request.set_accept_picks(true);
+  EXPECT_TRUE(accepts(request.SerializeAsString()));
+  EXPECT_EQ(OptionsOf(request.SerializeAsString())->profile(), "paper");
+  EXPECT_FALSE(accepts("\xFF\xFF\xFF"));
+}
+
 }  // namespace
 }  // namespace fovea::testing

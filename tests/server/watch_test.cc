@@ -5,18 +5,19 @@
 #include <zlib.h>
 
 #include <cmath>
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "client/client.h"
 #include "fovea/v1/observation_service.grpc.pb.h"
-#include "server/access/token_line.h"
 #include "tests/server/detectors.h"
 #include "tests/server/frames.h"
 #include "tests/server/loopback.h"
 #include "tests/server/metric_value.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/server/observers.h"
 
 namespace fovea::testing {
 namespace {
@@ -79,32 +80,6 @@ std::string Gunzip(const std::string& file, std::size_t num_bytes) {
   inflateEnd(&stream);
   return bytes;
 }
-
-class Observers : public ::testing::Test {
- protected:
-  Observers() {
-    options_.observers =
-        folder_.Write("observers", Line("ann", "all-of-it", "view,download", "*") +
-                                       Line("ben", "kitchens", "view", "kitchen-*,hall"));
-  }
-
-  static std::string Line(const std::string& name, const std::string& token,
-                          const std::string& rights, const std::string& robots,
-                          const std::string& expires = "") {
-    return name + " " + server::HashOfToken(token) + " " + rights + " " + robots + " " + expires +
-           "\n";
-  }
-
-  static void Detect(const Loopback& loopback, const std::string& robot,
-                     const v1::DetectRequest& request = TestRequest()) {
-    client::ClientOptions options = PatientOptions();
-    options.robot = robot;
-    client::Client(loopback.server.Address(), options).Detect(request);
-  }
-
-  const TemporaryFolder folder_;
-  server::ServerOptions options_ = LoopbackOptions();
-};
 
 TEST_F(Observers, AreToldWhoTheyAre) {
   const Loopback loopback(FindOne, options_);
@@ -205,6 +180,29 @@ TEST_F(Observers, AreToldWhatTheyDidNotSee) {
     ++seen;
     dropped += response.dropped();
     EXPECT_EQ(response.frame().sequence(), seen + dropped);
+  }
+}
+
+TEST_F(Observers, SeeEveryRobotHoweverManyThereAre) {
+  constexpr std::size_t kRobots = 200;
+  const Loopback loopback(FindOne, options_);
+  Watching seldom(loopback.server.Address(), "all-of-it", RequestOf({}, 0.001));
+  Watching often(loopback.server.Address(), "all-of-it", RequestOf({}));
+  seldom.Next();
+  often.Next();
+  for (int round = 0; round < 2; ++round) {
+    for (std::size_t i = 0; i < kRobots; ++i) Detect(loopback, "robot-" + std::to_string(i));
+  }
+  std::map<std::string, std::uint64_t> shown;
+  while (shown.size() < kRobots) {
+    const v1::WatchedFrame frame = often.Next().frame();
+    EXPECT_GT(frame.sequence(), shown[frame.robot()]) << frame.robot();
+    shown[frame.robot()] = frame.sequence();
+  }
+  std::set<std::string> once;
+  while (once.size() < kRobots) {
+    const v1::WatchedFrame frame = seldom.Next().frame();
+    EXPECT_TRUE(once.insert(frame.robot()).second) << frame.robot() << " came too soon again";
   }
 }
 

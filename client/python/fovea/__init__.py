@@ -48,6 +48,7 @@ from fovea.objects import (
     Shape,
 )
 from fovea.options import DetectOptions, Gripper, RetryOptions, TlsOptions
+from fovea.picks import Pick
 from fovea.planning import CollisionPrimitive, HeightMap
 from fovea.server_info import Option, ServerInfo, StageStatistics, Statistics
 from fovea.stream import StreamAnswer
@@ -83,6 +84,7 @@ __all__ = [
     "Option",
     "OrientedBox",
     "Overloaded",
+    "Pick",
     "PointCloud",
     "RejectedObject",
     "RemovedSeed",

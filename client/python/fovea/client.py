@@ -206,6 +206,7 @@ class Client:
         *,
         timeout: float | None = None,
         every_frame: bool = False,
+        picks: bool = False,
     ) -> Generator[StreamAnswer, None, None]:
         """Sends frames as `frames` yields them and yields the answers in order.
 
@@ -226,8 +227,9 @@ class Client:
         has no answer yet is cancelled.
 
         timeout: longest wait for an answer while a frame has none; the stream itself has no end.
+        picks: people who watch the robot may mark objects for it: StreamAnswer.pick.
         """
-        feed = FrameFeed(frames, options.to_proto(), every_frame)
+        feed = FrameFeed(frames, options.to_proto(), every_frame, picks)
         seconds = self._timeout_of(timeout)
         return ResumingStream(
             feed,

@@ -26,13 +26,18 @@ class FrameFeed:
     """
 
     def __init__(
-        self, frames: Iterable[Frame], options: detection_pb2.DetectOptions, every_frame: bool
+        self,
+        frames: Iterable[Frame],
+        options: detection_pb2.DetectOptions,
+        every_frame: bool,
+        picks: bool,
     ) -> None:
         self.has_ended = False  # the caller's frames
         self.failure: BaseException | None = None  # of the caller's iterator
         self.waiting_since: float | None = None  # None = there is no answer to come
         self._frames = iter(frames)
         self._options = options
+        self._picks = picks
         self._every_frame = every_frame
         self._lock = threading.Lock()
         self._num_sent = 0
@@ -142,11 +147,14 @@ class FrameFeed:
             inbox.put(request)
 
     def _request_of(self, frame: Frame) -> tuple[Request, InvalidArgument | None]:
-        """Each holds the options, since any may be the first of a connection."""
         if not isinstance(frame, Frame):
             raise TypeError(f"frames must be fovea.Frame, not {type(frame).__name__}")
         try:
-            return Request(frame=frame.to_proto(), options=self._options), None
+            return self._request_with(frame.to_proto()), None
         except InvalidArgument as error:
             # It keeps its place: the server refuses it, and its answer gets this error.
-            return Request(frame=frame_pb2.Frame(id=frame.id), options=self._options), error
+            return self._request_with(frame_pb2.Frame(id=frame.id)), error
+
+    def _request_with(self, frame: frame_pb2.Frame) -> Request:
+        """Each holds what the first of a connection has to say, since any may be that."""
+        return Request(frame=frame, options=self._options, accept_picks=self._picks)

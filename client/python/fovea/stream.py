@@ -23,6 +23,7 @@ from fovea.errors import (
 )
 from fovea.frame_feed import FrameFeed
 from fovea.options import RetryOptions
+from fovea.picks import Pick, pick_from_proto
 from fovea.retry import backoff_after, is_worth_retrying
 from fovea.server_info import Statistics
 from fovea.servers import Server, Servers
@@ -42,6 +43,8 @@ class StreamAnswer:
     lost: int
     detections: Detections | None
     error: FoveaError | None
+    # What somebody has marked since the answer before; with picks=True alone.
+    pick: Pick | None = None
 
 
 class ResumingStream:
@@ -183,6 +186,7 @@ class ResumingStream:
             lost=lost,
             detections=None if error else detections_from_proto(response.detections),
             error=error,
+            pick=pick_from_proto(response.pick) if response.HasField("pick") else None,
         )
 
 

@@ -1,3 +1,20 @@
+// src/dom.ts
+function el(name, attributes = {}, ...children) {
+  const element = document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
+  element.append(...children);
+  return element;
+}
+function toggle(label, key, on, change) {
+  const button = el("button", { type: "button", "aria-pressed": String(on), title: `key ${key}` }, label);
+  button.addEventListener("click", () => {
+    const now = button.getAttribute("aria-pressed") !== "true";
+    button.setAttribute("aria-pressed", String(now));
+    change(now);
+  });
+  return button;
+}
+
 // src/api.ts
 var csrf = "";
 var Refused = class extends Error {
@@ -27,6 +44,47 @@ async function logIn(token) {
 async function logOut() {
   await fetch("/api/logout", { method: "POST", headers: { "X-Fovea-CSRF": csrf } });
 }
+async function historyOf(robot) {
+  const response = await get(`/api/history?robot=${encodeURIComponent(robot)}`);
+  return response ? await response.json() : null;
+}
+async function pastFrame(robot, id, withDepth) {
+  const response = await get(ofFrame("history/answer", robot, id));
+  if (!response) return null;
+  const { line, frame } = await response.json();
+  const [picture, depth] = await Promise.all([
+    pictureOf("history/picture", robot, id),
+    withDepth ? depthOf(robot, id, "history/depth") : null
+  ]);
+  return { line, frame, picture, depth, past: true };
+}
+async function saveBundle(robot, at, before, after) {
+  const query = `robot=${encodeURIComponent(robot)}&at=${at}&before=${before}&after=${after}`;
+  const response = await fetch(`/api/history/bundle?${query}`);
+  if (!response.ok) throw new Error(response.status === 404 ? "the history holds nothing of that time" : (await response.json()).error);
+  const name = /filename="([^"]+)"/.exec(response.headers.get("Content-Disposition") ?? "")?.[1] ?? "bundle.zip";
+  const url = URL.createObjectURL(await response.blob());
+  el("a", { href: url, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(url), 6e4);
+  return name;
+}
+async function answerOr(response) {
+  const answer = await response.json();
+  if (!response.ok) throw new Error(response.status === 404 ? "this frame cannot be had any more" : answer.error);
+  return answer;
+}
+var post = (path, body) => fetch(path, { method: "POST", headers: { "X-Fovea-CSRF": csrf }, body: JSON.stringify(body) });
+async function optionsOf(robot, id) {
+  return (await answerOr(await fetch(ofFrame("options", robot, id)))).options;
+}
+async function tryOptions(robot, id, parameters) {
+  const response = await post("/api/try", { robot, id, options: { parameters } });
+  return (await answerOr(response)).detections;
+}
+async function pickObject(robot, id, past, label) {
+  const { delivered, reason } = await answerOr(await post("/api/pick", { robot, id, past, label }));
+  return delivered ? "" : reason;
+}
 async function answerOf(robot, id) {
   const response = await get(ofFrame("answer", robot, id));
   return response ? await response.json() : null;
@@ -36,8 +94,8 @@ async function pictureOf(kind, robot, id) {
   if (!response) return null;
   return createImageBitmap(await response.blob(), { colorSpaceConversion: "none" });
 }
-async function depthOf(robot, id) {
-  const response = await get(ofFrame("depth", robot, id));
+async function depthOf(robot, id, kind = "depth") {
+  const response = await get(ofFrame(kind, robot, id));
   return response ? new Uint16Array(await response.arrayBuffer()) : null;
 }
 var Events = class {
@@ -75,23 +133,6 @@ var Events = class {
     this.source = null;
   }
 };
-
-// src/dom.ts
-function el(name, attributes = {}, ...children) {
-  const element = document.createElement(name);
-  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
-  element.append(...children);
-  return element;
-}
-function toggle(label, key, on, change) {
-  const button = el("button", { type: "button", "aria-pressed": String(on), title: `key ${key}` }, label);
-  button.addEventListener("click", () => {
-    const now = button.getAttribute("aria-pressed") !== "true";
-    button.setAttribute("aria-pressed", String(now));
-    change(now);
-  });
-  return button;
-}
 
 // node_modules/three/build/three.module.js
 /**
@@ -787,16 +828,16 @@ var Matrix3 = class _Matrix3 {
   }
   copy(m) {
     const te = this.elements;
-    const me = m.elements;
-    te[0] = me[0];
-    te[1] = me[1];
-    te[2] = me[2];
-    te[3] = me[3];
-    te[4] = me[4];
-    te[5] = me[5];
-    te[6] = me[6];
-    te[7] = me[7];
-    te[8] = me[8];
+    const me2 = m.elements;
+    te[0] = me2[0];
+    te[1] = me2[1];
+    te[2] = me2[2];
+    te[3] = me2[3];
+    te[4] = me2[4];
+    te[5] = me2[5];
+    te[6] = me2[6];
+    te[7] = me2[7];
+    te[8] = me2[8];
     return this;
   }
   extractBasis(xAxis, yAxis, zAxis) {
@@ -806,17 +847,17 @@ var Matrix3 = class _Matrix3 {
     return this;
   }
   setFromMatrix4(m) {
-    const me = m.elements;
+    const me2 = m.elements;
     this.set(
-      me[0],
-      me[4],
-      me[8],
-      me[1],
-      me[5],
-      me[9],
-      me[2],
-      me[6],
-      me[10]
+      me2[0],
+      me2[4],
+      me2[8],
+      me2[1],
+      me2[5],
+      me2[9],
+      me2[2],
+      me2[6],
+      me2[10]
     );
     return this;
   }
@@ -1001,9 +1042,9 @@ var Matrix3 = class _Matrix3 {
   //
   equals(matrix) {
     const te = this.elements;
-    const me = matrix.elements;
+    const me2 = matrix.elements;
     for (let i = 0; i < 9; i++) {
-      if (te[i] !== me[i]) return false;
+      if (te[i] !== me2[i]) return false;
     }
     return true;
   }
@@ -2873,8 +2914,8 @@ var Box3 = class {
     }
     return this;
   }
-  setFromCenterAndSize(center, size) {
-    const halfSize = _vector$b.copy(size).multiplyScalar(0.5);
+  setFromCenterAndSize(center, size2) {
+    const halfSize = _vector$b.copy(size2).multiplyScalar(0.5);
     this.min.copy(center).sub(halfSize);
     this.max.copy(center).add(halfSize);
     return this;
@@ -3571,46 +3612,46 @@ var Matrix4 = class _Matrix4 {
   }
   copy(m) {
     const te = this.elements;
-    const me = m.elements;
-    te[0] = me[0];
-    te[1] = me[1];
-    te[2] = me[2];
-    te[3] = me[3];
-    te[4] = me[4];
-    te[5] = me[5];
-    te[6] = me[6];
-    te[7] = me[7];
-    te[8] = me[8];
-    te[9] = me[9];
-    te[10] = me[10];
-    te[11] = me[11];
-    te[12] = me[12];
-    te[13] = me[13];
-    te[14] = me[14];
-    te[15] = me[15];
+    const me2 = m.elements;
+    te[0] = me2[0];
+    te[1] = me2[1];
+    te[2] = me2[2];
+    te[3] = me2[3];
+    te[4] = me2[4];
+    te[5] = me2[5];
+    te[6] = me2[6];
+    te[7] = me2[7];
+    te[8] = me2[8];
+    te[9] = me2[9];
+    te[10] = me2[10];
+    te[11] = me2[11];
+    te[12] = me2[12];
+    te[13] = me2[13];
+    te[14] = me2[14];
+    te[15] = me2[15];
     return this;
   }
   copyPosition(m) {
-    const te = this.elements, me = m.elements;
-    te[12] = me[12];
-    te[13] = me[13];
-    te[14] = me[14];
+    const te = this.elements, me2 = m.elements;
+    te[12] = me2[12];
+    te[13] = me2[13];
+    te[14] = me2[14];
     return this;
   }
   setFromMatrix3(m) {
-    const me = m.elements;
+    const me2 = m.elements;
     this.set(
-      me[0],
-      me[3],
-      me[6],
+      me2[0],
+      me2[3],
+      me2[6],
       0,
-      me[1],
-      me[4],
-      me[7],
+      me2[1],
+      me2[4],
+      me2[7],
       0,
-      me[2],
-      me[5],
-      me[8],
+      me2[2],
+      me2[5],
+      me2[8],
       0,
       0,
       0,
@@ -3648,21 +3689,21 @@ var Matrix4 = class _Matrix4 {
   }
   extractRotation(m) {
     const te = this.elements;
-    const me = m.elements;
+    const me2 = m.elements;
     const scaleX = 1 / _v1$5.setFromMatrixColumn(m, 0).length();
     const scaleY = 1 / _v1$5.setFromMatrixColumn(m, 1).length();
     const scaleZ = 1 / _v1$5.setFromMatrixColumn(m, 2).length();
-    te[0] = me[0] * scaleX;
-    te[1] = me[1] * scaleX;
-    te[2] = me[2] * scaleX;
+    te[0] = me2[0] * scaleX;
+    te[1] = me2[1] * scaleX;
+    te[2] = me2[2] * scaleX;
     te[3] = 0;
-    te[4] = me[4] * scaleY;
-    te[5] = me[5] * scaleY;
-    te[6] = me[6] * scaleY;
+    te[4] = me2[4] * scaleY;
+    te[5] = me2[5] * scaleY;
+    te[6] = me2[6] * scaleY;
     te[7] = 0;
-    te[8] = me[8] * scaleZ;
-    te[9] = me[9] * scaleZ;
-    te[10] = me[10] * scaleZ;
+    te[8] = me2[8] * scaleZ;
+    te[9] = me2[9] * scaleZ;
+    te[10] = me2[10] * scaleZ;
     te[11] = 0;
     te[12] = 0;
     te[13] = 0;
@@ -4234,9 +4275,9 @@ var Matrix4 = class _Matrix4 {
   }
   equals(matrix) {
     const te = this.elements;
-    const me = matrix.elements;
+    const me2 = matrix.elements;
     for (let i = 0; i < 16; i++) {
-      if (te[i] !== me[i]) return false;
+      if (te[i] !== me2[i]) return false;
     }
     return true;
   }
@@ -5497,15 +5538,15 @@ var Color = class {
       }
     } else if (m = /^\#([A-Fa-f\d]+)$/.exec(style)) {
       const hex = m[1];
-      const size = hex.length;
-      if (size === 3) {
+      const size2 = hex.length;
+      if (size2 === 3) {
         return this.setRGB(
           parseInt(hex.charAt(0), 16) / 15,
           parseInt(hex.charAt(1), 16) / 15,
           parseInt(hex.charAt(2), 16) / 15,
           colorSpace
         );
-      } else if (size === 6) {
+      } else if (size2 === 6) {
         return this.setHex(parseInt(hex, 16), colorSpace);
       } else {
         console.warn("THREE.Color: Invalid hex color " + style);
@@ -7689,10 +7730,10 @@ var CubeTexture = class extends Texture {
   }
 };
 var WebGLCubeRenderTarget = class extends WebGLRenderTarget {
-  constructor(size = 1, options = {}) {
-    super(size, size, options);
+  constructor(size2 = 1, options = {}) {
+    super(size2, size2, options);
     this.isWebGLCubeRenderTarget = true;
-    const image = { width: size, height: size, depth: 1 };
+    const image = { width: size2, height: size2, depth: 1 };
     const images = [image, image, image, image, image, image];
     this.texture = new CubeTexture(images, options.mapping, options.wrapS, options.wrapT, options.magFilter, options.minFilter, options.format, options.type, options.anisotropy, options.colorSpace);
     this.texture.isRenderTargetTexture = true;
@@ -7908,20 +7949,20 @@ var Frustum = class {
   }
   setFromProjectionMatrix(m, coordinateSystem = WebGLCoordinateSystem) {
     const planes = this.planes;
-    const me = m.elements;
-    const me0 = me[0], me1 = me[1], me2 = me[2], me3 = me[3];
-    const me4 = me[4], me5 = me[5], me6 = me[6], me7 = me[7];
-    const me8 = me[8], me9 = me[9], me10 = me[10], me11 = me[11];
-    const me12 = me[12], me13 = me[13], me14 = me[14], me15 = me[15];
+    const me2 = m.elements;
+    const me0 = me2[0], me1 = me2[1], me22 = me2[2], me3 = me2[3];
+    const me4 = me2[4], me5 = me2[5], me6 = me2[6], me7 = me2[7];
+    const me8 = me2[8], me9 = me2[9], me10 = me2[10], me11 = me2[11];
+    const me12 = me2[12], me13 = me2[13], me14 = me2[14], me15 = me2[15];
     planes[0].setComponents(me3 - me0, me7 - me4, me11 - me8, me15 - me12).normalize();
     planes[1].setComponents(me3 + me0, me7 + me4, me11 + me8, me15 + me12).normalize();
     planes[2].setComponents(me3 + me1, me7 + me5, me11 + me9, me15 + me13).normalize();
     planes[3].setComponents(me3 - me1, me7 - me5, me11 - me9, me15 - me13).normalize();
-    planes[4].setComponents(me3 - me2, me7 - me6, me11 - me10, me15 - me14).normalize();
+    planes[4].setComponents(me3 - me22, me7 - me6, me11 - me10, me15 - me14).normalize();
     if (coordinateSystem === WebGLCoordinateSystem) {
-      planes[5].setComponents(me3 + me2, me7 + me6, me11 + me10, me15 + me14).normalize();
+      planes[5].setComponents(me3 + me22, me7 + me6, me11 + me10, me15 + me14).normalize();
     } else if (coordinateSystem === WebGPUCoordinateSystem) {
-      planes[5].setComponents(me2, me6, me10, me14).normalize();
+      planes[5].setComponents(me22, me6, me10, me14).normalize();
     } else {
       throw new Error("THREE.Frustum.setFromProjectionMatrix(): Invalid coordinate system: " + coordinateSystem);
     }
@@ -8015,7 +8056,7 @@ function WebGLAttributes(gl) {
   function createBuffer(attribute, bufferType) {
     const array = attribute.array;
     const usage = attribute.usage;
-    const size = array.byteLength;
+    const size2 = array.byteLength;
     const buffer = gl.createBuffer();
     gl.bindBuffer(bufferType, buffer);
     gl.bufferData(bufferType, array, usage);
@@ -8049,7 +8090,7 @@ function WebGLAttributes(gl) {
       type,
       bytesPerElement: array.BYTES_PER_ELEMENT,
       version: attribute.version,
-      size
+      size: size2
     };
   }
   function updateBuffer(buffer, attribute, bufferType) {
@@ -9226,11 +9267,11 @@ function WebGLBindingStates(gl, attributes) {
       }
     }
   }
-  function vertexAttribPointer(index, size, type, normalized, stride, offset, integer) {
+  function vertexAttribPointer(index, size2, type, normalized, stride, offset, integer) {
     if (integer === true) {
-      gl.vertexAttribIPointer(index, size, type, stride, offset);
+      gl.vertexAttribIPointer(index, size2, type, stride, offset);
     } else {
-      gl.vertexAttribPointer(index, size, type, normalized, stride, offset);
+      gl.vertexAttribPointer(index, size2, type, normalized, stride, offset);
     }
   }
   function setupVertexAttributes(object, material, program, geometry) {
@@ -9248,7 +9289,7 @@ function WebGLBindingStates(gl, attributes) {
         }
         if (geometryAttribute !== void 0) {
           const normalized = geometryAttribute.normalized;
-          const size = geometryAttribute.itemSize;
+          const size2 = geometryAttribute.itemSize;
           const attribute = attributes.get(geometryAttribute);
           if (attribute === void 0) continue;
           const buffer = attribute.buffer;
@@ -9275,11 +9316,11 @@ function WebGLBindingStates(gl, attributes) {
             for (let i = 0; i < programAttribute.locationSize; i++) {
               vertexAttribPointer(
                 programAttribute.location + i,
-                size / programAttribute.locationSize,
+                size2 / programAttribute.locationSize,
                 type,
                 normalized,
                 stride * bytesPerElement,
-                (offset + size / programAttribute.locationSize * i) * bytesPerElement,
+                (offset + size2 / programAttribute.locationSize * i) * bytesPerElement,
                 integer
               );
             }
@@ -9300,11 +9341,11 @@ function WebGLBindingStates(gl, attributes) {
             for (let i = 0; i < programAttribute.locationSize; i++) {
               vertexAttribPointer(
                 programAttribute.location + i,
-                size / programAttribute.locationSize,
+                size2 / programAttribute.locationSize,
                 type,
                 normalized,
-                size * bytesPerElement,
-                size / programAttribute.locationSize * i * bytesPerElement,
+                size2 * bytesPerElement,
+                size2 / programAttribute.locationSize * i * bytesPerElement,
                 integer
               );
             }
@@ -9953,8 +9994,8 @@ var PMREMGenerator = class {
         cubeCamera.up.set(0, upSign[i], 0);
         cubeCamera.lookAt(0, 0, forwardSign[i]);
       }
-      const size = this._cubeSize;
-      _setViewport(cubeUVRenderTarget, col * size, i > 2 ? size : 0, size, size);
+      const size2 = this._cubeSize;
+      _setViewport(cubeUVRenderTarget, col * size2, i > 2 ? size2 : 0, size2, size2);
       renderer.setRenderTarget(cubeUVRenderTarget);
       if (useSolidColor) {
         renderer.render(backgroundBox, cubeCamera);
@@ -9984,8 +10025,8 @@ var PMREMGenerator = class {
     const mesh = new Mesh(this._lodPlanes[0], material);
     const uniforms = material.uniforms;
     uniforms["envMap"].value = texture;
-    const size = this._cubeSize;
-    _setViewport(cubeUVRenderTarget, 0, 0, 3 * size, 2 * size);
+    const size2 = this._cubeSize;
+    _setViewport(cubeUVRenderTarget, 0, 0, 3 * size2, 2 * size2);
     renderer.setRenderTarget(cubeUVRenderTarget);
     renderer.render(mesh, _flatCamera);
   }
@@ -11467,9 +11508,9 @@ function parseUniform(activeInfo, addr, container) {
   const path = activeInfo.name, pathLength = path.length;
   RePathPart.lastIndex = 0;
   while (true) {
-    const match = RePathPart.exec(path), matchEnd = RePathPart.lastIndex;
-    let id = match[1];
-    const idIsIndex = match[2] === "]", subscript = match[3];
+    const match2 = RePathPart.exec(path), matchEnd = RePathPart.lastIndex;
+    let id = match2[1];
+    const idIsIndex = match2[2] === "]", subscript = match2[3];
     if (idIsIndex) id = id | 0;
     if (subscript === void 0 || subscript === "[" && matchEnd + 2 === pathLength) {
       addUniform(container, subscript === void 0 ? new SingleUniform(id, activeInfo, addr) : new PureArrayUniform(id, activeInfo, addr));
@@ -11665,7 +11706,7 @@ function resolveIncludes(string) {
   return string.replace(includePattern, includeReplacer);
 }
 var shaderChunkMap = /* @__PURE__ */ new Map();
-function includeReplacer(match, include) {
+function includeReplacer(match2, include) {
   let string = ShaderChunk[include];
   if (string === void 0) {
     const newInclude = shaderChunkMap.get(include);
@@ -11682,7 +11723,7 @@ var unrollLoopPattern = /#pragma unroll_loop_start\s+for\s*\(\s*int\s+i\s*=\s*(\
 function unrollLoops(string) {
   return string.replace(unrollLoopPattern, loopReplacer);
 }
-function loopReplacer(match, start2, end, snippet) {
+function loopReplacer(match2, start2, end, snippet) {
   let string = "";
   for (let i = parseInt(start2); i < parseInt(end); i++) {
     string += snippet.replace(/\[\s*i\s*\]/g, "[ " + i + " ]").replace(/UNROLLED_LOOP_INDEX/g, i);
@@ -16743,10 +16784,10 @@ function WebGLUniformsGroups(gl, info, capabilities, state) {
     const bindingPointIndex = allocateBindingPointIndex();
     uniformsGroup.__bindingPointIndex = bindingPointIndex;
     const buffer = gl.createBuffer();
-    const size = uniformsGroup.__size;
+    const size2 = uniformsGroup.__size;
     const usage = uniformsGroup.usage;
     gl.bindBuffer(gl.UNIFORM_BUFFER, buffer);
-    gl.bufferData(gl.UNIFORM_BUFFER, size, usage);
+    gl.bufferData(gl.UNIFORM_BUFFER, size2, usage);
     gl.bindBuffer(gl.UNIFORM_BUFFER, null);
     gl.bindBufferBase(gl.UNIFORM_BUFFER, bindingPointIndex, buffer);
     return buffer;
@@ -20766,6 +20807,53 @@ function interceptControlUp(event) {
   }
 }
 
+// src/lens.ts
+var FISHEYE = "DISTORTION_MODEL_KANNALA_BRANDT";
+function modelOf(camera) {
+  if (!camera.distortion || camera.distortion.coefficients.every((each) => each === 0)) return 0;
+  return camera.distortion.model === FISHEYE ? 2 : 1;
+}
+function coefficientsOf(camera) {
+  const given = camera.distortion?.coefficients ?? [];
+  return Array.from({ length: 8 }, (_, i) => given[i] ?? 0);
+}
+function bend(camera, x, y) {
+  const model = modelOf(camera);
+  if (model === 0) return [x, y];
+  const [a, b, c, d, e, f, g, h] = coefficientsOf(camera);
+  const r2 = x * x + y * y;
+  if (model === 2) {
+    const r = Math.sqrt(r2);
+    const theta = Math.atan(r);
+    const t2 = theta * theta;
+    const scale = r > 1e-6 ? theta * (1 + t2 * (a + t2 * (b + t2 * (c + t2 * d)))) / r : 1;
+    return [x * scale, y * scale];
+  }
+  const radial = (1 + r2 * (a + r2 * (b + r2 * e))) / (1 + r2 * (f + r2 * (g + r2 * h)));
+  return [x * radial + 2 * c * x * y + d * (r2 + 2 * x * x), y * radial + c * (r2 + 2 * y * y) + 2 * d * x * y];
+}
+function project(camera, point) {
+  const [x, y] = bend(camera, point.x / point.z, point.y / point.z);
+  return [camera.fx * x + camera.cx, camera.fy * y + camera.cy];
+}
+var BEND_IN_SHADER = `
+uniform int lens;
+uniform float bends[8];
+vec2 bend(vec2 ray) {
+  float r2 = dot(ray, ray);
+  if (lens == 1) {
+    float radial = (1.0 + r2 * (bends[0] + r2 * (bends[1] + r2 * bends[4]))) / (1.0 + r2 * (bends[5] + r2 * (bends[6] + r2 * bends[7])));
+    return ray * radial + vec2(
+      2.0 * bends[2] * ray.x * ray.y + bends[3] * (r2 + 2.0 * ray.x * ray.x),
+      bends[2] * (r2 + 2.0 * ray.y * ray.y) + 2.0 * bends[3] * ray.x * ray.y);
+  }
+  float r = sqrt(r2);
+  if (lens == 0 || r < 1e-6) return ray;
+  float theta = atan(r);
+  float t2 = theta * theta;
+  return ray * (theta * (1.0 + t2 * (bends[0] + t2 * (bends[1] + t2 * (bends[2] + t2 * bends[3])))) / r);
+}`;
+
 // src/palette.ts
 var COLORS = [
   [230, 159, 0],
@@ -20907,10 +20995,7 @@ function drawSaliency(context, detections) {
 function drawGrasps(context, frame, chosen, scale) {
   const camera = frame.intrinsics;
   if (!camera || !frame.detections) return;
-  const at = (point) => [
-    camera.fx * point.x / point.z + camera.cx,
-    camera.fy * point.y / point.z + camera.cy
-  ];
+  const at = (point) => project(camera, point);
   context.lineWidth = 2.5 * scale;
   for (const object of frame.detections.objects) {
     if (chosen && object.label !== chosen) continue;
@@ -20948,7 +21033,9 @@ precision highp usampler2D;
 uniform usampler2D depth;
 uniform sampler2D picture;
 uniform usampler2D labels;
-uniform vec4 camera; // fx, fy, cx, cy
+uniform vec4 camera; // fx, fy, cx, cy of the depth, which is without distortion
+uniform vec4 sent; // of the picture
+${BEND_IN_SHADER}
 uniform float unit;
 uniform int width;
 uniform float size;
@@ -20957,10 +21044,15 @@ out vec3 tint;
 void main() {
   ivec2 pixel = ivec2(gl_VertexID % width, gl_VertexID / width);
   float z = float(texelFetch(depth, pixel, 0).r) * unit;
-  ivec2 colors = textureSize(picture, 0);
-  tint = texelFetch(picture, ivec2(vec2(pixel) * vec2(colors) / vec2(textureSize(depth, 0))), 0).rgb;
-  if (chosen > 0u && texelFetch(labels, pixel, 0).r != chosen) tint *= 0.35;
-  vec3 point = vec3((vec2(pixel) - camera.zw) * z / camera.xy, z);
+  vec2 ray = (vec2(pixel) - camera.zw) / camera.xy;
+  // Picture and masks are in the pixels that were sent.
+  ivec2 at = ivec2(floor(bend(ray) * sent.xy + sent.zw + 0.5));
+  ivec2 size_of_picture = textureSize(picture, 0);
+  bool is_inside = all(greaterThanEqual(at, ivec2(0))) && all(lessThan(at, size_of_picture));
+  tint = is_inside ? texelFetch(picture, at, 0).rgb : vec3(0.2);
+  bool is_chosen = is_inside && all(lessThan(at, textureSize(labels, 0))) && texelFetch(labels, at, 0).r == chosen;
+  if (chosen > 0u && !is_chosen) tint *= 0.35;
+  vec3 point = vec3(ray * z, z);
   gl_Position = z > 0.0 ? projectionMatrix * modelViewMatrix * vec4(point, 1.0) : vec4(0.0, 0.0, 2.0, 1.0);
   gl_PointSize = clamp(size / gl_Position.w, 1.0, 12.0);
 }`;
@@ -21016,6 +21108,9 @@ var Cloud = class {
       labels: { value: integerTexture(new Uint8Array(1), 1, 1) },
       picture: { value: new Texture() },
       camera: { value: new Vector4(1, 1, 0, 0) },
+      sent: { value: new Vector4(1, 1, 0, 0) },
+      lens: { value: 0 },
+      bends: { value: new Array(8).fill(0) },
       unit: { value: 1e-3 },
       width: { value: 1 },
       size: { value: 2 },
@@ -21040,6 +21135,10 @@ var Cloud = class {
     texture.needsUpdate = true;
     uniforms.picture.value = texture;
     uniforms.camera.value.set(intrinsics.fx, intrinsics.fy, intrinsics.cx, intrinsics.cy);
+    const sent = frame.intrinsics ?? intrinsics;
+    uniforms.sent.value.set(sent.fx, sent.fy, sent.cx, sent.cy);
+    uniforms.lens.value = modelOf(sent);
+    uniforms.bends.value = coefficientsOf(sent);
     uniforms.unit.value = unit_m;
     uniforms.width.value = width;
     this.points.geometry.setDrawRange(0, width * height);
@@ -21178,6 +21277,165 @@ function boxLines(box) {
   return lines;
 }
 
+// src/reel.ts
+var MAX_KEPT = 30;
+var REFRESH_MS = 5e3;
+var NONE = { minutes: 0, problem: "", ids: [], objects: [], problems: [] };
+var Reel = class {
+  constructor(robot, hasHistory, withDepth) {
+    this.robot = robot;
+    this.hasHistory = hasHistory;
+    this.withDepth = withDepth;
+    this.timer = window.setInterval(() => void this.refresh(), REFRESH_MS);
+    void this.refresh();
+  }
+  history = NONE;
+  onShow = () => {
+  };
+  onHistory = () => {
+  };
+  kept = [];
+  seen = null;
+  // what is shown
+  wanted = 0;
+  // of the history, while it is fetched
+  fetching = false;
+  timer;
+  stopped = false;
+  close() {
+    clearInterval(this.timer);
+  }
+  get newestId() {
+    return this.kept[this.kept.length - 1]?.line.id ?? 0;
+  }
+  get current() {
+    return this.seen;
+  }
+  add(seen) {
+    this.kept.push(seen);
+    const most = this.stopped ? 2 * MAX_KEPT : MAX_KEPT;
+    while (this.kept.length > most) this.release(this.kept.shift());
+    if (!this.stopped) this.show(seen);
+  }
+  stop(on) {
+    this.stopped = on;
+    this.wanted = 0;
+    if (on) void this.refresh();
+    else if (this.kept.length > 0) this.show(this.kept[this.kept.length - 1]);
+  }
+  // One frame on, or back.
+  step(by) {
+    const moments = this.moments();
+    const now = this.wanted || this.seen?.line.came_at_us || 0;
+    let at = moments.length - 1;
+    while (at > 0 && moments[at] > now) --at;
+    this.seek(moments[Math.min(moments.length - 1, Math.max(0, at + by))]);
+  }
+  // To the frame that came nearest to this time.
+  seek(time) {
+    const moments = this.moments();
+    if (moments.length === 0) return;
+    const nearest = moments.reduce((best, each) => Math.abs(each - time) < Math.abs(best - time) ? each : best);
+    const kept = this.kept.find((each) => each.line.came_at_us === nearest);
+    this.wanted = kept ? 0 : nearest;
+    if (kept) this.show(kept);
+    else void this.fetch();
+  }
+  // To the frame of the history that is nearest to what is shown; false where there is none.
+  async toPast() {
+    await this.refresh();
+    const now = this.seen?.line.came_at_us ?? 0;
+    const nearest = this.history.ids.reduce((best, each) => Math.abs(each - now) < Math.abs(best - now) ? each : best, 0);
+    this.wanted = nearest;
+    await this.fetch();
+    return nearest > 0;
+  }
+  // Once more, with what is wanted of it now.
+  again() {
+    if (!this.seen?.past) return;
+    this.wanted = this.seen.line.id;
+    void this.fetch();
+  }
+  async refresh() {
+    if (!this.hasHistory) return;
+    const list = await historyOf(this.robot).catch(() => null);
+    if (!list) return;
+    this.history = list;
+    this.onHistory();
+  }
+  // Oldest first: of the history what is older than the frames that are here.
+  moments() {
+    const first = this.kept[0]?.line.came_at_us ?? Infinity;
+    return [...this.history.ids.filter((id) => id < first), ...this.kept.map((each) => each.line.came_at_us)];
+  }
+  // The last one that was asked for, however fast the keys are pressed.
+  async fetch() {
+    if (this.fetching) return;
+    this.fetching = true;
+    try {
+      while (this.wanted) {
+        const id = this.wanted;
+        const seen = await pastFrame(this.robot, id, this.withDepth());
+        if (this.wanted !== id) {
+          seen?.picture?.close();
+          continue;
+        }
+        this.wanted = 0;
+        if (seen) this.show(seen);
+      }
+    } catch {
+      this.wanted = 0;
+    } finally {
+      this.fetching = false;
+    }
+  }
+  show(seen) {
+    const before = this.seen;
+    this.seen = seen;
+    if (before && before !== seen && !this.kept.includes(before)) this.release(before);
+    this.onShow(seen);
+  }
+  release(seen) {
+    if (seen !== this.seen) seen.picture?.close();
+  }
+};
+
+// src/save.ts
+var LATE_MS = 1500;
+var Save = class {
+  constructor(robot, reel) {
+    this.robot = robot;
+    this.reel = reel;
+    this.element = el("span", { class: "bar" }, this.frame, this.seconds, el("label", {}, "± ", this.around, " s"), this.told);
+    this.frame.addEventListener("click", () => void this.save(0));
+    this.seconds.addEventListener("click", () => void this.save(Math.round(Number(this.around.value)) || 5));
+  }
+  element;
+  frame = el("button", { type: "button", title: "key f" }, "save frame");
+  seconds = el("button", { type: "button", title: "key w" }, "save");
+  around = el("input", { type: "number", id: "around", min: "1", max: "600", value: "5", "aria-label": "seconds before and after" });
+  told = el("span", { role: "status", class: "soft", id: "saved" });
+  async save(around) {
+    const at = this.reel.current?.line.came_at_us;
+    if (!at) return;
+    try {
+      const wait = around * 1e3 + LATE_MS - (Date.now() - at / 1e3);
+      if (wait > 0) {
+        this.say(`saving in ${Math.ceil(wait / 1e3)} s, when what follows is there`);
+        await new Promise((done) => setTimeout(done, wait));
+      }
+      this.say("saving");
+      this.say(`saved ${await saveBundle(this.robot, at, around, around)}`);
+    } catch (error) {
+      this.say(error.message, true);
+    }
+  }
+  say(text, isBad = false) {
+    this.told.textContent = text;
+    this.told.classList.toggle("bad", isBad);
+  }
+};
+
 // src/stages.ts
 var MAX_BARS = 120;
 var APART = /* @__PURE__ */ new Set(["processor_wait"]);
@@ -21241,6 +21499,8 @@ var ObjectTable = class {
   element;
   onHover = () => {
   };
+  onPick = () => {
+  };
   body = el("tbody");
   constructor() {
     const heads = ["object", "what", "sure", "x y z, m", "size, cm", "grasp"];
@@ -21255,26 +21515,287 @@ var ObjectTable = class {
   }
   row(object) {
     const { position } = object.oriented_box.pose;
-    const { size } = object.oriented_box;
+    const { size: size2 } = object.oriented_box;
     const swatch = el("span", { class: "swatch" });
     swatch.style.background = cssOf(object.label);
     const cells = [
       describe(object),
       `${Math.round(100 * object.confidence)} %`,
       [position.x, position.y, position.z].map((value) => value.toFixed(3)).join(" "),
-      [size.x, size.y, size.z].map(cm).join(" × "),
+      [size2.x, size2.y, size2.z].map(cm).join(" × "),
       graspText(object)
     ];
     const row = el("tr", { tabindex: "0", "data-label": String(object.label) });
     row.append(el("td", {}, swatch, String(object.label)), ...cells.map((text) => el("td", {}, text)));
     for (const event of ["pointerenter", "focus"]) row.addEventListener(event, () => this.onHover(object.label));
     for (const event of ["pointerleave", "blur"]) row.addEventListener(event, () => this.onHover(0));
+    row.addEventListener("keydown", (event) => {
+      if (event.key === "Enter") this.onPick(object.label);
+    });
     return row;
   }
 };
 
+// src/timeline.ts
+var REDUCED = 10;
+var Timeline = class {
+  constructor(reel) {
+    this.reel = reel;
+    this.element = el("div", { class: "timeline" }, this.canvas, this.text);
+    this.canvas.addEventListener("pointerdown", (event) => {
+      this.dragging = true;
+      this.canvas.setPointerCapture(event.pointerId);
+      this.onSeek(this.timeAt(event));
+    });
+    this.canvas.addEventListener("pointermove", (event) => {
+      if (this.dragging) this.onSeek(this.timeAt(event));
+    });
+    for (const end of ["pointerup", "pointercancel"]) this.canvas.addEventListener(end, () => this.dragging = false);
+    this.canvas.addEventListener("keydown", (event) => {
+      const by = { ArrowLeft: -1, ArrowRight: 1, PageUp: 10, PageDown: -10 }[event.key];
+      if (!by) return;
+      this.onStep(by);
+      event.preventDefault();
+    });
+  }
+  element;
+  onSeek = () => {
+  };
+  onStep = () => {
+  };
+  canvas = el("canvas", { id: "timeline", role: "slider", tabindex: "0", "aria-label": "time" });
+  text = el("span", { class: "soft", id: "moment" });
+  dragging = false;
+  range() {
+    const to = Date.now() * 1e3;
+    const span = Math.max(1, this.reel.history.minutes) * 6e7;
+    const first = this.reel.history.ids[0] ?? to;
+    return [Math.min(to - span, first), to];
+  }
+  timeAt(event) {
+    const bounds = this.canvas.getBoundingClientRect();
+    const [from, to] = this.range();
+    return from + (event.clientX - bounds.left) / bounds.width * (to - from);
+  }
+  draw() {
+    const { ids, objects, problems } = this.reel.history;
+    const { clientWidth, clientHeight } = this.canvas;
+    this.canvas.width = clientWidth;
+    this.canvas.height = clientHeight;
+    const context = this.canvas.getContext("2d");
+    const style = getComputedStyle(this.canvas);
+    const [good, bad, line] = ["--accent", "--bad", "--text"].map((name) => style.getPropertyValue(name));
+    const [from, to] = this.range();
+    const x = (time) => (time - from) / (to - from) * clientWidth;
+    const most = Math.max(REDUCED, ...objects);
+    ids.forEach((id, i) => {
+      const height = problems[i] ? clientHeight : (0.15 + 0.85 * objects[i] / most) * clientHeight;
+      context.fillStyle = problems[i] ? bad : good;
+      context.fillRect(x(id), clientHeight - height, Math.max(1, clientWidth / 1200), height);
+    });
+    const now = this.reel.current?.line.came_at_us;
+    if (now) {
+      context.fillStyle = line;
+      context.fillRect(x(now) - 1.5, 0, 3, clientHeight);
+    }
+    this.say(from, to, now ?? to);
+  }
+  say(from, to, now) {
+    const seconds = Math.max(0, Math.round((Date.now() * 1e3 - now) / 1e6));
+    const clock = new Date(now / 1e3).toLocaleTimeString();
+    const { ids, problem } = this.reel.history;
+    this.text.textContent = problem ? `nothing is recorded: ${problem}` : `${clock}, ${seconds} s ago · ${ids.length} frames recorded`;
+    this.text.classList.toggle("bad", problem !== "");
+    this.canvas.setAttribute("aria-valuemin", String(Math.round(from / 1e6)));
+    this.canvas.setAttribute("aria-valuemax", String(Math.round(to / 1e6)));
+    this.canvas.setAttribute("aria-valuenow", String(Math.round(now / 1e6)));
+    this.canvas.setAttribute("aria-valuetext", `${seconds} seconds ago`);
+  }
+};
+
+// src/compare.ts
+var LEAST_IOU = 0.3;
+function match(before, after) {
+  const { width, height } = before;
+  const ours = labelsOf(before.objects, width, height);
+  const theirs = labelsOf(after.objects, width, height);
+  const area = [/* @__PURE__ */ new Map(), /* @__PURE__ */ new Map()];
+  const both = /* @__PURE__ */ new Map();
+  const add = (counts, key) => counts.set(key, (counts.get(key) ?? 0) + 1);
+  for (let i = 0; i < ours.length; ++i) {
+    if (ours[i]) add(area[0], ours[i]);
+    if (theirs[i]) add(area[1], theirs[i]);
+    if (ours[i] && theirs[i]) add(both, ours[i] * 256 + theirs[i]);
+  }
+  const candidates = [...both].map(([key, count]) => {
+    const [a, b] = [key >> 8, key & 255];
+    return { a, b, iou: count / (area[0].get(a) + area[1].get(b) - count) };
+  });
+  candidates.sort((one, other) => other.iou - one.iou);
+  const pairs = [];
+  const [left, right] = [before, after].map((each) => new Map(each.objects.map((object) => [object.label, object])));
+  for (const { a, b, iou } of candidates) {
+    if (iou < LEAST_IOU || !left.has(a) || !right.has(b)) continue;
+    pairs.push({ before: left.get(a), after: right.get(b), iou });
+    left.delete(a);
+    right.delete(b);
+  }
+  for (const object of left.values()) pairs.push({ before: object, after: null, iou: 0 });
+  for (const object of right.values()) pairs.push({ before: null, after: object, iou: 0 });
+  return pairs.sort((one, other) => (one.before?.label ?? 999) - (other.before?.label ?? 999));
+}
+var percent = (share) => `${Math.round(100 * share)} %`;
+var size = ({ oriented_box }) => [oriented_box.size.x, oriented_box.size.y, oriented_box.size.z].map((meters) => (100 * meters).toFixed(1)).join(" × ");
+function describe2({ before, after, iou }) {
+  if (!before) return "new";
+  if (!after) return "gone";
+  const changes = [];
+  if (iou < 0.9995) changes.push(`${percent(iou)} of the pixels are the same`);
+  if (percent(before.confidence) !== percent(after.confidence)) changes.push(`sure ${percent(before.confidence)} → ${percent(after.confidence)}`);
+  if (size(before) !== size(after)) changes.push(`${size(before)} → ${size(after)} cm`);
+  const [grasp, other] = [before.grasps[0], after.grasps[0]];
+  if (Boolean(grasp) !== Boolean(other)) changes.push(grasp ? "no grasp any more" : "has a grasp");
+  else if (grasp && percent(grasp.probability) !== percent(other.probability)) changes.push(`grasp ${percent(grasp.probability)} → ${percent(other.probability)}`);
+  return changes.length > 0 ? changes.join("; ") : "the same";
+}
+
+// src/trial.ts
+var SHOWN = { masks: true, boxes: true, labels: true, grasps: false, rejected: false, seeds: false, saliency: false };
+var DEFAULT = "default";
+var Trial = class {
+  constructor(robot) {
+    this.robot = robot;
+    const copy = el("button", { type: "button" }, "copy");
+    copy.addEventListener("click", () => void navigator.clipboard?.writeText(this.command.textContent ?? ""));
+    const reset = el("button", { type: "button" }, "as the robot has them");
+    reset.addEventListener("click", () => {
+      this.values.clear();
+      this.fill();
+    });
+    this.run.addEventListener("click", () => void this.try());
+    this.find.addEventListener("input", () => this.fill());
+    const heads = (...texts) => el("thead", {}, el("tr", {}, ...texts.map((text) => el("th", { scope: "col" }, text))));
+    this.element = el(
+      "section",
+      { class: "trial", "aria-label": "try other options" },
+      this.head,
+      el("div", { class: "bar" }, this.run, reset, this.find),
+      this.told,
+      el("div", { class: "close" }, el("figure", {}, this.before, el("figcaption", {}, "answered")), el("figure", {}, this.after, el("figcaption", {}, "tried"))),
+      el("div", { class: "scroll" }, el("table", { id: "changes" }, heads("object", "tried", "what changed"), this.changes)),
+      el("p", {}, this.command, " ", copy),
+      el("div", { class: "scroll options" }, el("table", { id: "options" }, heads("option", "value", "range", "meaning"), this.list))
+    );
+    this.element.hidden = true;
+  }
+  element;
+  head = el("h3", {}, "Try other options");
+  before = el("canvas", { id: "before", role: "img", "aria-label": "what was answered" });
+  after = el("canvas", { id: "after", role: "img", "aria-label": "what would be answered" });
+  changes = el("tbody");
+  told = el("p", { role: "status", id: "tried" });
+  command = el("code", { id: "command" });
+  list = el("tbody");
+  find = el("input", { type: "search", id: "find", placeholder: "name or meaning", "aria-label": "find an option" });
+  run = el("button", { type: "button", id: "run" }, "try");
+  seen = null;
+  profile = DEFAULT;
+  options = [];
+  values = /* @__PURE__ */ new Map();
+  // that are not the robot's
+  busy = false;
+  get isOpen() {
+    return !this.element.hidden;
+  }
+  close() {
+    this.element.hidden = true;
+  }
+  // Of the history, as only such frames are there as they were sent.
+  async open(seen) {
+    this.element.hidden = false;
+    if (this.seen?.line.id === seen.line.id) return;
+    this.seen = seen;
+    this.profile = seen.frame.options?.profile || DEFAULT;
+    this.head.textContent = `Try other options on frame ${seen.line.frame_id || "without a name"}`;
+    this.told.textContent = "";
+    this.changes.replaceChildren();
+    drawFrame(this.before, seen.picture, seen.frame, SHOWN, 0);
+    drawFrame(this.after, seen.picture, { ...seen.frame, detections: void 0 }, SHOWN, 0);
+    try {
+      this.options = (await optionsOf(this.robot, seen.line.id)).filter((option) => this.profile in option.defaults);
+    } catch (error) {
+      this.say(error.message, true);
+    }
+    this.fill();
+  }
+  sent(option) {
+    return this.seen?.frame.options?.parameters[option.name] ?? option.defaults[this.profile];
+  }
+  fill() {
+    const wanted = this.find.value.toLowerCase();
+    const shown = this.options.filter(({ name, description }) => `${name} ${description}`.toLowerCase().includes(wanted));
+    this.list.replaceChildren(...shown.map((option) => this.row(option)));
+    const sets = [...this.values].map(([name, value]) => ` --set ${name}=${value}`).join("");
+    this.command.textContent = `fovea detect --input bundle.zip --output tried${sets}`;
+  }
+  row(option) {
+    const value = this.values.get(option.name) ?? this.sent(option);
+    const step = option.integral ? "1" : "any";
+    const input = el("input", { type: "number", step, value: String(value), "aria-label": option.name, "data-option": option.name });
+    input.disabled = option.fixed;
+    input.addEventListener("change", () => {
+      if (Number(input.value) === this.sent(option) || input.value === "") this.values.delete(option.name);
+      else this.values.set(option.name, Number(input.value));
+      this.fill();
+      this.list.querySelector(`[data-option="${option.name}"]`)?.focus();
+    });
+    input.addEventListener("keydown", (event) => {
+      if (event.key === "Enter") input.dispatchEvent(new Event("change")), void this.try();
+    });
+    const meaning = option.fixed ? `${option.description} Fixed by the server's operator.` : option.description;
+    const range = `${option.minimum} … ${option.maximum} ${option.unit}`;
+    const row = el("tr", {}, el("td", {}, option.name), el("td", {}, input), el("td", {}, range), el("td", { class: "words" }, meaning));
+    row.classList.toggle("chosen", this.values.has(option.name));
+    return row;
+  }
+  async try() {
+    const seen = this.seen;
+    if (!seen || this.busy) return;
+    this.busy = this.run.disabled = true;
+    this.say("the server looks at it once robots leave it time");
+    try {
+      this.show(seen, await tryOptions(this.robot, seen.line.id, Object.fromEntries(this.values)));
+    } catch (error) {
+      this.say(error.message, true);
+    } finally {
+      this.busy = this.run.disabled = false;
+    }
+  }
+  show(seen, tried) {
+    if (this.seen !== seen) return;
+    drawFrame(this.after, seen.picture, { ...seen.frame, detections: tried }, SHOWN, 0);
+    const before = seen.frame.detections;
+    const pairs = before ? match(before, tried) : tried.objects.map((after) => ({ before: null, after, iou: 0 }));
+    const changed = pairs.filter((pair) => describe2(pair) !== "the same").length;
+    this.say(`${before?.objects.length ?? 0} objects then, ${tried.objects.length} tried; ${changed === 0 ? "nothing changed" : `${changed} changed`}`);
+    this.changes.replaceChildren(...pairs.map((pair) => changeRow(pair)));
+  }
+  say(text, isBad = false) {
+    this.told.textContent = text;
+    this.told.classList.toggle("bad", isBad);
+  }
+};
+function labelCell(label) {
+  if (label === void 0) return el("td", {}, "–");
+  const swatch = el("span", { class: "swatch" });
+  swatch.style.background = cssOf(label);
+  return el("td", {}, swatch, String(label));
+}
+function changeRow(pair) {
+  return el("tr", {}, labelCell(pair.before?.label), labelCell(pair.after?.label), el("td", { class: "words" }, describe2(pair)));
+}
+
 // src/robot.ts
-var MAX_KEPT = 30;
 var SWITCHES = [
   ["masks", "m"],
   ["boxes", "b"],
@@ -21284,15 +21805,36 @@ var SWITCHES = [
   ["seeds", "e"],
   ["saliency", "s"]
 ];
+var mayTry = (me2) => me2.history !== null && me2.rights.includes("try");
 var RobotView = class {
-  constructor(robot) {
+  constructor(robot, me2) {
     this.robot = robot;
+    this.reel = new Reel(robot, me2.history !== null, () => this.cloud !== null);
+    this.timeline = new Timeline(this.reel);
+    this.save = new Save(robot, this.reel);
+    this.trial = new Trial(robot);
     const back = el("button", { type: "button", title: "key Escape" }, "← all robots");
     back.addEventListener("click", () => this.onBack());
-    const bar = el("div", { class: "bar", role: "toolbar", "aria-label": "what is shown" }, back, ...this.makeButtons());
+    const bar = el("div", { class: "bar", role: "toolbar", "aria-label": "what is shown" }, back, ...this.makeButtons(me2));
     this.left = el("div", {}, el("div", { class: "view" }, this.picture));
     const right = el("div", {}, this.reasons, el("h3", {}, "Objects"), this.table.element, this.stages.element);
-    this.element = el("section", { "aria-label": robot }, el("h2", {}, robot), this.facts, bar, el("div", { class: "close" }, this.left, right));
+    const past = el("div", { class: "past" }, this.timeline.element);
+    if (me2.rights.includes("download")) past.append(this.save.element);
+    past.hidden = me2.history === null;
+    this.element = el("section", { "aria-label": robot }, el("h2", {}, robot), this.facts, bar, past, this.told, el("div", { class: "close" }, this.left, right));
+    if (mayTry(me2)) this.element.append(this.trial.element);
+    if (me2.rights.includes("pick")) this.takePicks();
+    this.reel.onShow = (seen) => this.show(seen);
+    this.reel.onHistory = () => this.timeline.draw();
+    this.timeline.onSeek = (time) => {
+      this.hold();
+      this.reel.seek(time);
+    };
+    this.timeline.onStep = (by) => this.step(by);
+    if (!past.hidden && me2.rights.includes("download")) {
+      this.buttons.set("f", this.save.frame);
+      this.buttons.set("w", this.save.seconds);
+    }
     this.table.onHover = (label) => this.choose(label);
     this.picture.addEventListener("pointermove", (event) => this.choose(this.labelAt(event)));
     this.picture.addEventListener("pointerleave", () => this.choose(0));
@@ -21310,15 +21852,17 @@ var RobotView = class {
   left;
   buttons = /* @__PURE__ */ new Map();
   shown = { masks: true, boxes: true, labels: true, grasps: false, rejected: false, seeds: false, saliency: false };
-  kept = [];
+  reel;
+  timeline;
+  save;
+  trial;
+  told = el("p", { role: "status", id: "picked" });
   cloud = null;
-  at = -1;
-  stopped = false;
   busy = false;
   newest = null;
   chosen = 0;
   labels = new Uint8Array();
-  makeButtons() {
+  makeButtons(me2) {
     const add = (label, key, on, change) => {
       const button = toggle(label, key, on, change);
       this.buttons.set(key, button);
@@ -21339,9 +21883,10 @@ var RobotView = class {
     return [
       ...switches,
       add("3D", "3", false, (on) => this.showCloud(on)),
-      add("stop", " ", false, (on) => this.stop(on)),
+      add("stop", " ", false, (on) => this.reel.stop(on)),
       step("◀", ",", -1),
-      step("▶", ".", 1)
+      step("▶", ".", 1),
+      ...mayTry(me2) ? [add("try", "t", false, (on) => this.openTrial(on))] : []
     ];
   }
   // True where the key means something here.
@@ -21357,13 +21902,16 @@ var RobotView = class {
     this.stages.add(line);
     void this.fetch();
   }
+  close() {
+    this.reel.close();
+  }
   async fetch() {
     const line = this.newest;
-    if (this.busy || !line || this.kept[this.kept.length - 1]?.line.id === line.id) return;
+    if (this.busy || !line || this.reel.newestId === line.id) return;
     this.busy = true;
     try {
       const seen = await this.load(line);
-      if (seen) this.keep(seen);
+      if (seen) this.reel.add(seen);
     } catch {
     } finally {
       this.busy = false;
@@ -21376,48 +21924,69 @@ var RobotView = class {
       line.has_picture ? pictureOf("picture", this.robot, line.id) : null,
       this.cloud ? depthOf(this.robot, line.id) : null
     ]);
-    return frame ? { line, frame, picture, depth } : null;
+    return frame ? { line, frame, picture, depth, past: false } : null;
   }
-  keep(seen) {
-    this.kept.push(seen);
-    if (this.kept.length > MAX_KEPT && !this.stopped) this.kept.shift()?.picture?.close();
-    if (this.kept.length > 2 * MAX_KEPT) {
-      this.kept.shift()?.picture?.close();
-      this.at = Math.max(0, this.at - 1);
+  // A click on an object marks it for the robot, where that has asked for it.
+  takePicks() {
+    this.picture.classList.add("picks");
+    this.picture.addEventListener("click", (event) => void this.pick(this.labelAt(event)));
+    this.table.onPick = (label) => void this.pick(label);
+  }
+  async pick(label) {
+    const seen = this.reel.current;
+    if (!seen || label === 0) return;
+    const say2 = (text, isBad) => {
+      this.told.textContent = text;
+      this.told.classList.toggle("bad", isBad);
+    };
+    say2(`object ${label} is told to ${this.robot}`, false);
+    try {
+      const reason = await pickObject(this.robot, seen.line.id, seen.past, label);
+      say2(reason ? `${this.robot} did not get object ${label}: ${reason}` : `${this.robot} got object ${label}`, reason !== "");
+    } catch (error) {
+      say2(error.message, true);
     }
-    if (!this.stopped) this.show(this.kept.length - 1);
   }
-  stop(on) {
-    this.stopped = on;
-    if (!on && this.kept.length > 0) this.show(this.kept.length - 1);
+  // With the frame that is shown, as the history has it.
+  openTrial(on) {
+    if (!on) return this.trial.close();
+    this.hold();
+    const seen = this.reel.current;
+    if (seen?.past) return void this.trial.open(seen);
+    void this.reel.toPast().then((found) => {
+      if (!found) this.told.textContent = `the history holds no frame of ${this.robot} yet`;
+    });
+  }
+  // What is shown stays.
+  hold() {
+    if (!this.reel.stopped) this.buttons.get(" ").click();
   }
   step(by) {
-    if (!this.stopped) this.buttons.get(" ").click();
-    this.show(Math.min(this.kept.length - 1, Math.max(0, this.at + by)));
+    this.hold();
+    this.reel.step(by);
   }
-  get seen() {
-    return this.kept[this.at];
-  }
-  show(at) {
-    this.at = at;
-    const seen = this.seen;
-    if (!seen) return;
-    const { line, frame, depth, picture } = seen;
+  show(seen) {
+    const { line, frame, depth, picture, past } = seen;
     const detections = frame.detections;
     this.labels = detections ? labelsOf(detections.objects, detections.width, detections.height) : new Uint8Array();
-    this.facts.textContent = `frame ${line.frame_id || "without a name"} · ${line.took_ms.toFixed(0)} ms · ${line.rate_hz.toFixed(1)} a second · ${line.objects} objects`;
+    this.facts.textContent = `frame ${line.frame_id || "without a name"} · ${line.took_ms.toFixed(0)} ms · ${past ? "of the history" : `${line.rate_hz.toFixed(1)} a second`} · ${line.objects} objects`;
     this.reasons.replaceChildren(...line.reasons.map((text) => el("li", {}, text)));
     this.table.show(frame);
     this.draw();
     if (this.cloud && depth && picture) this.cloud.show(frame, depth, picture);
+    this.timeline.draw();
+    const tries = this.buttons.get("t")?.getAttribute("aria-pressed") === "true";
+    if (past && tries) void this.trial.open(seen);
     this.picture.dataset.id = String(line.id);
+    this.picture.dataset.past = String(past);
     this.picture.dataset.shownAt = String(Date.now());
     this.picture.dataset.answeredAt = String(line.answered_at_ms);
   }
   draw() {
-    if (!this.seen) return;
-    drawFrame(this.picture, this.seen.picture, this.seen.frame, this.shown, this.chosen);
-    const count = this.seen.line.objects;
+    const seen = this.reel.current;
+    if (!seen) return;
+    drawFrame(this.picture, seen.picture, seen.frame, this.shown, this.chosen);
+    const count = seen.line.objects;
     this.picture.setAttribute("aria-label", `what ${this.robot} sees, with ${count} objects; the table tells them`);
     this.table.choose(this.chosen);
   }
@@ -21437,6 +22006,7 @@ var RobotView = class {
     this.cloud?.element.remove();
     this.cloud = on ? new Cloud() : null;
     if (this.cloud) this.left.append(this.cloud.element);
+    this.reel.again();
     this.onDepth(on);
   }
 };
@@ -21538,11 +22108,12 @@ var servers = document.getElementById("servers");
 var header = document.getElementById("who");
 var events = new Events();
 var tiles;
+var me;
 var close = null;
 var hasNews = false;
 function robotInAddress() {
-  const match = /^#robot=(.*)$/.exec(location.hash);
-  return match ? decodeURIComponent(match[1]) : "";
+  const match2 = /^#robot=(.*)$/.exec(location.hash);
+  return match2 ? decodeURIComponent(match2[1]) : "";
 }
 function say(lines) {
   const texts = lines.map(
@@ -21568,7 +22139,8 @@ function show() {
   const robot = robotInAddress();
   const before = close?.robot ?? "";
   if (robot && close?.robot === robot) return;
-  close = robot ? new RobotView(robot) : null;
+  close?.close();
+  close = robot ? new RobotView(robot, me) : null;
   main.replaceChildren(close ? close.element : tiles.element);
   if (close) {
     close.onBack = () => location.hash = "";
@@ -21578,19 +22150,22 @@ function show() {
   }
   events.open(robot, false);
 }
-function start(me) {
+function start(who2) {
+  me = who2;
   const out = el("button", { type: "button" }, "log out");
   out.addEventListener("click", async () => {
     await logOut();
     askForToken("");
   });
   header.replaceChildren(`${me.name} `, out);
+  close?.close();
   tiles = new Tiles((robot) => location.hash = `robot=${encodeURIComponent(robot)}`);
   close = null;
   show();
 }
 function askForToken(problem) {
   events.stop();
+  close?.close();
   close = null;
   header.replaceChildren();
   servers.textContent = "";

@@ -1,4 +1,5 @@
-import type { Changes, Frame, Who } from "./types";
+import { el } from "./dom";
+import type { Changes, Detections, Frame, HistoryList, Option, RobotLine, Seen, Who } from "./types";
 
 let csrf = "";
 
@@ -34,20 +35,74 @@ export async function logOut(): Promise<void> {
   await fetch("/api/logout", { method: "POST", headers: { "X-Fovea-CSRF": csrf } });
 }
 
+export async function historyOf(robot: string): Promise<HistoryList | null> {
+  const response = await get(`/api/history?robot=${encodeURIComponent(robot)}`);
+  return response ? ((await response.json()) as HistoryList) : null;
+}
+
+// A frame of the history with all that is shown of it; null where it has passed.
+export async function pastFrame(robot: string, id: number, withDepth: boolean): Promise<Seen | null> {
+  const response = await get(ofFrame("history/answer", robot, id));
+  if (!response) return null;
+  const { line, frame } = (await response.json()) as { line: RobotLine; frame: Frame };
+  const [picture, depth] = await Promise.all([
+    pictureOf("history/picture", robot, id),
+    withDepth ? depthOf(robot, id, "history/depth") : null,
+  ]);
+  return { line, frame, picture, depth, past: true };
+}
+
+// One frame, or those of some seconds around it, as a file for whoever looks into it.
+export async function saveBundle(robot: string, at: number, before: number, after: number): Promise<string> {
+  const query = `robot=${encodeURIComponent(robot)}&at=${at}&before=${before}&after=${after}`;
+  const response = await fetch(`/api/history/bundle?${query}`);
+  if (!response.ok) throw new Error(response.status === 404 ? "the history holds nothing of that time" : (await response.json()).error);
+  const name = /filename="([^"]+)"/.exec(response.headers.get("Content-Disposition") ?? "")?.[1] ?? "bundle.zip";
+  const url = URL.createObjectURL(await response.blob());
+  el("a", { href: url, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(url), 60_000);
+  return name;
+}
+
+async function answerOr<Answer>(response: Response): Promise<Answer> {
+  const answer = await response.json();
+  if (!response.ok) throw new Error(response.status === 404 ? "this frame cannot be had any more" : answer.error);
+  return answer as Answer;
+}
+
+const post = (path: string, body: unknown) =>
+  fetch(path, { method: "POST", headers: { "X-Fovea-CSRF": csrf }, body: JSON.stringify(body) });
+
+export async function optionsOf(robot: string, id: number): Promise<Option[]> {
+  return (await answerOr<{ options: Option[] }>(await fetch(ofFrame("options", robot, id)))).options;
+}
+
+// What would be answered to a frame of the history.
+export async function tryOptions(robot: string, id: number, parameters: Record<string, number>): Promise<Detections> {
+  const response = await post("/api/try", { robot, id, options: { parameters } });
+  return (await answerOr<{ detections: Detections }>(response)).detections;
+}
+
+// Marks an object for the robot, and tells whether it got that.
+export async function pickObject(robot: string, id: number, past: boolean, label: number): Promise<string> {
+  const { delivered, reason } = await answerOr<{ delivered: boolean; reason: string }>(await post("/api/pick", { robot, id, past, label }));
+  return delivered ? "" : reason;
+}
+
 export async function answerOf(robot: string, id: number): Promise<Frame | null> {
   const response = await get(ofFrame("answer", robot, id));
   return response ? ((await response.json()) as Frame) : null;
 }
 
-export async function pictureOf(kind: "preview" | "picture", robot: string, id: number) {
+export async function pictureOf(kind: "preview" | "picture" | "history/picture", robot: string, id: number) {
   const response = await get(ofFrame(kind, robot, id));
   if (!response) return null;
   // Colours as they are: the depth's pixels are matched with these.
   return createImageBitmap(await response.blob(), { colorSpaceConversion: "none" });
 }
 
-export async function depthOf(robot: string, id: number): Promise<Uint16Array | null> {
-  const response = await get(ofFrame("depth", robot, id));
+export async function depthOf(robot: string, id: number, kind = "depth"): Promise<Uint16Array | null> {
+  const response = await get(ofFrame(kind, robot, id));
   return response ? new Uint16Array(await response.arrayBuffer()) : null;
 }
 

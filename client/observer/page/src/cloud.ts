@@ -3,6 +3,7 @@
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { el } from "./dom";
+import { BEND_IN_SHADER, coefficientsOf, modelOf } from "./lens";
 import { labelsOf } from "./masks";
 import { handLines } from "./overlay";
 import { colorOf } from "./palette";
@@ -13,7 +14,9 @@ precision highp usampler2D;
 uniform usampler2D depth;
 uniform sampler2D picture;
 uniform usampler2D labels;
-uniform vec4 camera; // fx, fy, cx, cy
+uniform vec4 camera; // fx, fy, cx, cy of the depth, which is without distortion
+uniform vec4 sent; // of the picture
+${BEND_IN_SHADER}
 uniform float unit;
 uniform int width;
 uniform float size;
@@ -22,10 +25,15 @@ out vec3 tint;
 void main() {
   ivec2 pixel = ivec2(gl_VertexID % width, gl_VertexID / width);
   float z = float(texelFetch(depth, pixel, 0).r) * unit;
-  ivec2 colors = textureSize(picture, 0);
-  tint = texelFetch(picture, ivec2(vec2(pixel) * vec2(colors) / vec2(textureSize(depth, 0))), 0).rgb;
-  if (chosen > 0u && texelFetch(labels, pixel, 0).r != chosen) tint *= 0.35;
-  vec3 point = vec3((vec2(pixel) - camera.zw) * z / camera.xy, z);
+  vec2 ray = (vec2(pixel) - camera.zw) / camera.xy;
+  // Picture and masks are in the pixels that were sent.
+  ivec2 at = ivec2(floor(bend(ray) * sent.xy + sent.zw + 0.5));
+  ivec2 size_of_picture = textureSize(picture, 0);
+  bool is_inside = all(greaterThanEqual(at, ivec2(0))) && all(lessThan(at, size_of_picture));
+  tint = is_inside ? texelFetch(picture, at, 0).rgb : vec3(0.2);
+  bool is_chosen = is_inside && all(lessThan(at, textureSize(labels, 0))) && texelFetch(labels, at, 0).r == chosen;
+  if (chosen > 0u && !is_chosen) tint *= 0.35;
+  vec3 point = vec3(ray * z, z);
   gl_Position = z > 0.0 ? projectionMatrix * modelViewMatrix * vec4(point, 1.0) : vec4(0.0, 0.0, 2.0, 1.0);
   gl_PointSize = clamp(size / gl_Position.w, 1.0, 12.0);
 }`;
@@ -87,6 +95,9 @@ export class Cloud {
       labels: { value: integerTexture(new Uint8Array(1), 1, 1) },
       picture: { value: new THREE.Texture() },
       camera: { value: new THREE.Vector4(1, 1, 0, 0) },
+      sent: { value: new THREE.Vector4(1, 1, 0, 0) },
+      lens: { value: 0 },
+      bends: { value: new Array(8).fill(0) },
       unit: { value: 0.001 },
       width: { value: 1 },
       size: { value: 2 },
@@ -112,6 +123,10 @@ export class Cloud {
     texture.needsUpdate = true;
     uniforms.picture.value = texture;
     uniforms.camera.value.set(intrinsics.fx, intrinsics.fy, intrinsics.cx, intrinsics.cy);
+    const sent = frame.intrinsics ?? intrinsics;
+    uniforms.sent.value.set(sent.fx, sent.fy, sent.cx, sent.cy);
+    uniforms.lens.value = modelOf(sent);
+    uniforms.bends.value = coefficientsOf(sent);
     uniforms.unit.value = unit_m;
     uniforms.width.value = width;
     this.points.geometry.setDrawRange(0, width * height);

@@ -9,6 +9,7 @@ const servers = document.getElementById("servers")!;
 const header = document.getElementById("who")!;
 const events = new Events();
 let tiles: Tiles;
+let me: Who;
 let close: RobotView | null = null;
 let hasNews = false; // from the observer, since it was away
 
@@ -44,7 +45,8 @@ function show(): void {
   const robot = robotInAddress();
   const before = close?.robot ?? "";
   if (robot && close?.robot === robot) return;
-  close = robot ? new RobotView(robot) : null;
+  close?.close();
+  close = robot ? new RobotView(robot, me) : null;
   main.replaceChildren(close ? close.element : tiles.element);
   if (close) {
     close.onBack = () => (location.hash = "");
@@ -55,13 +57,15 @@ function show(): void {
   events.open(robot, false);
 }
 
-function start(me: Who): void {
+function start(who: Who): void {
+  me = who;
   const out = el("button", { type: "button" }, "log out");
   out.addEventListener("click", async () => {
     await logOut();
     askForToken("");
   });
   header.replaceChildren(`${me.name} `, out);
+  close?.close();
   tiles = new Tiles((robot) => (location.hash = `robot=${encodeURIComponent(robot)}`));
   close = null;
   show();
@@ -69,6 +73,7 @@ function start(me: Who): void {
 
 function askForToken(problem: string): void {
   events.stop();
+  close?.close();
   close = null;
   header.replaceChildren();
   servers.textContent = "";

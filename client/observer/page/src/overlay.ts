@@ -1,4 +1,5 @@
 // The picture with what was found, drawn pixel for pixel of the frame.
+import { project } from "./lens";
 import { maskImage } from "./masks";
 import { cssOf } from "./palette";
 import type { Bounds, Detections, Frame, Grasp, Vector3 } from "./types";
@@ -104,10 +105,7 @@ function drawSaliency(context: CanvasRenderingContext2D, detections: Detections)
 function drawGrasps(context: CanvasRenderingContext2D, frame: Frame, chosen: number, scale: number) {
   const camera = frame.intrinsics;
   if (!camera || !frame.detections) return;
-  const at = (point: Vector3): [number, number] => [
-    (camera.fx * point.x) / point.z + camera.cx,
-    (camera.fy * point.y) / point.z + camera.cy,
-  ];
+  const at = (point: Vector3) => project(camera, point);
   context.lineWidth = 2.5 * scale;
   for (const object of frame.detections.objects) {
     if (chosen && object.label !== chosen) continue;

@@ -1,21 +1,17 @@
 // One robot, large.
-import { answerOf, depthOf, pictureOf } from "./api";
+import { answerOf, depthOf, pickObject, pictureOf } from "./api";
 import { Cloud } from "./cloud";
 import { el, toggle } from "./dom";
 import { labelsOf } from "./masks";
 import { drawFrame, type Shown } from "./overlay";
+import { Reel } from "./reel";
+import { Save } from "./save";
 import { Stages } from "./stages";
 import { ObjectTable } from "./table";
-import type { Frame, RobotLine } from "./types";
+import { Timeline } from "./timeline";
+import { Trial } from "./trial";
+import type { RobotLine, Seen, Who } from "./types";
 
-interface Seen {
-  line: RobotLine;
-  frame: Frame;
-  picture: ImageBitmap | null;
-  depth: Uint16Array | null;
-}
-
-const MAX_KEPT = 30;
 const SWITCHES: [keyof Shown, string][] = [
   ["masks", "m"],
   ["boxes", "b"],
@@ -25,6 +21,8 @@ const SWITCHES: [keyof Shown, string][] = [
   ["seeds", "e"],
   ["saliency", "s"],
 ];
+
+const mayTry = (me: Who) => me.history !== null && me.rights.includes("try");
 
 export class RobotView {
   readonly element: HTMLElement;
@@ -38,28 +36,53 @@ export class RobotView {
   private readonly left: HTMLElement;
   private readonly buttons = new Map<string, HTMLButtonElement>();
   private readonly shown: Shown = { masks: true, boxes: true, labels: true, grasps: false, rejected: false, seeds: false, saliency: false };
-  private readonly kept: Seen[] = [];
+  private readonly reel: Reel;
+  private readonly timeline: Timeline;
+  private readonly save: Save;
+  private readonly trial: Trial;
+  private readonly told = el("p", { role: "status", id: "picked" });
   private cloud: Cloud | null = null;
-  private at = -1;
-  private stopped = false;
   private busy = false;
   private newest: RobotLine | null = null;
   private chosen = 0;
   private labels = new Uint8Array();
 
-  constructor(readonly robot: string) {
+  constructor(
+    readonly robot: string,
+    me: Who,
+  ) {
+    this.reel = new Reel(robot, me.history !== null, () => this.cloud !== null);
+    this.timeline = new Timeline(this.reel);
+    this.save = new Save(robot, this.reel);
+    this.trial = new Trial(robot);
     const back = el("button", { type: "button", title: "key Escape" }, "← all robots");
     back.addEventListener("click", () => this.onBack());
-    const bar = el("div", { class: "bar", role: "toolbar", "aria-label": "what is shown" }, back, ...this.makeButtons());
+    const bar = el("div", { class: "bar", role: "toolbar", "aria-label": "what is shown" }, back, ...this.makeButtons(me));
     this.left = el("div", {}, el("div", { class: "view" }, this.picture));
     const right = el("div", {}, this.reasons, el("h3", {}, "Objects"), this.table.element, this.stages.element);
-    this.element = el("section", { "aria-label": robot }, el("h2", {}, robot), this.facts, bar, el("div", { class: "close" }, this.left, right));
+    const past = el("div", { class: "past" }, this.timeline.element);
+    if (me.rights.includes("download")) past.append(this.save.element);
+    past.hidden = me.history === null;
+    this.element = el("section", { "aria-label": robot }, el("h2", {}, robot), this.facts, bar, past, this.told, el("div", { class: "close" }, this.left, right));
+    if (mayTry(me)) this.element.append(this.trial.element);
+    if (me.rights.includes("pick")) this.takePicks();
+    this.reel.onShow = (seen) => this.show(seen);
+    this.reel.onHistory = () => this.timeline.draw();
+    this.timeline.onSeek = (time) => {
+      this.hold();
+      this.reel.seek(time);
+    };
+    this.timeline.onStep = (by) => this.step(by);
+    if (!past.hidden && me.rights.includes("download")) {
+      this.buttons.set("f", this.save.frame);
+      this.buttons.set("w", this.save.seconds);
+    }
     this.table.onHover = (label) => this.choose(label);
     this.picture.addEventListener("pointermove", (event) => this.choose(this.labelAt(event)));
     this.picture.addEventListener("pointerleave", () => this.choose(0));
   }
 
-  private makeButtons(): HTMLButtonElement[] {
+  private makeButtons(me: Who): HTMLButtonElement[] {
     const add = (label: string, key: string, on: boolean, change: (on: boolean) => void) => {
       const button = toggle(label, key, on, change);
       this.buttons.set(key, button);
@@ -80,9 +103,10 @@ export class RobotView {
     return [
       ...switches,
       add("3D", "3", false, (on) => this.showCloud(on)),
-      add("stop", " ", false, (on) => this.stop(on)),
+      add("stop", " ", false, (on) => this.reel.stop(on)),
       step("◀", ",", -1),
       step("▶", ".", 1),
+      ...(mayTry(me) ? [add("try", "t", false, (on) => this.openTrial(on))] : []),
     ];
   }
 
@@ -101,13 +125,17 @@ export class RobotView {
     void this.fetch();
   }
 
+  close(): void {
+    this.reel.close();
+  }
+
   private async fetch(): Promise<void> {
     const line = this.newest;
-    if (this.busy || !line || this.kept[this.kept.length - 1]?.line.id === line.id) return;
+    if (this.busy || !line || this.reel.newestId === line.id) return;
     this.busy = true;
     try {
       const seen = await this.load(line);
-      if (seen) this.keep(seen);
+      if (seen) this.reel.add(seen);
     } catch {
       // the page says elsewhere that the observer is away
     } finally {
@@ -122,54 +150,76 @@ export class RobotView {
       line.has_picture ? pictureOf("picture", this.robot, line.id) : null,
       this.cloud ? depthOf(this.robot, line.id) : null,
     ]);
-    return frame ? { line, frame, picture, depth } : null;
+    return frame ? { line, frame, picture, depth, past: false } : null;
   }
 
-  private keep(seen: Seen): void {
-    this.kept.push(seen);
-    if (this.kept.length > MAX_KEPT && !this.stopped) this.kept.shift()?.picture?.close();
-    if (this.kept.length > 2 * MAX_KEPT) {
-      this.kept.shift()?.picture?.close();
-      this.at = Math.max(0, this.at - 1);
+  // A click on an object marks it for the robot, where that has asked for it.
+  private takePicks(): void {
+    this.picture.classList.add("picks");
+    this.picture.addEventListener("click", (event) => void this.pick(this.labelAt(event)));
+    this.table.onPick = (label) => void this.pick(label);
+  }
+
+  private async pick(label: number): Promise<void> {
+    const seen = this.reel.current;
+    if (!seen || label === 0) return;
+    const say = (text: string, isBad: boolean) => {
+      this.told.textContent = text;
+      this.told.classList.toggle("bad", isBad);
+    };
+    say(`object ${label} is told to ${this.robot}`, false);
+    try {
+      const reason = await pickObject(this.robot, seen.line.id, seen.past, label);
+      say(reason ? `${this.robot} did not get object ${label}: ${reason}` : `${this.robot} got object ${label}`, reason !== "");
+    } catch (error) {
+      say((error as Error).message, true);
     }
-    if (!this.stopped) this.show(this.kept.length - 1);
   }
 
-  private stop(on: boolean): void {
-    this.stopped = on;
-    if (!on && this.kept.length > 0) this.show(this.kept.length - 1);
+  // With the frame that is shown, as the history has it.
+  private openTrial(on: boolean): void {
+    if (!on) return this.trial.close();
+    this.hold();
+    const seen = this.reel.current;
+    if (seen?.past) return void this.trial.open(seen);
+    void this.reel.toPast().then((found) => {
+      if (!found) this.told.textContent = `the history holds no frame of ${this.robot} yet`;
+    });
+  }
+
+  // What is shown stays.
+  private hold(): void {
+    if (!this.reel.stopped) this.buttons.get(" ")!.click();
   }
 
   private step(by: number): void {
-    if (!this.stopped) this.buttons.get(" ")!.click();
-    this.show(Math.min(this.kept.length - 1, Math.max(0, this.at + by)));
+    this.hold();
+    this.reel.step(by);
   }
 
-  private get seen(): Seen | undefined {
-    return this.kept[this.at];
-  }
-
-  private show(at: number): void {
-    this.at = at;
-    const seen = this.seen;
-    if (!seen) return;
-    const { line, frame, depth, picture } = seen;
+  private show(seen: Seen): void {
+    const { line, frame, depth, picture, past } = seen;
     const detections = frame.detections;
     this.labels = detections ? labelsOf(detections.objects, detections.width, detections.height) : new Uint8Array();
-    this.facts.textContent = `frame ${line.frame_id || "without a name"} · ${line.took_ms.toFixed(0)} ms · ${line.rate_hz.toFixed(1)} a second · ${line.objects} objects`;
+    this.facts.textContent = `frame ${line.frame_id || "without a name"} · ${line.took_ms.toFixed(0)} ms · ${past ? "of the history" : `${line.rate_hz.toFixed(1)} a second`} · ${line.objects} objects`;
     this.reasons.replaceChildren(...line.reasons.map((text) => el("li", {}, text)));
     this.table.show(frame);
     this.draw();
     if (this.cloud && depth && picture) this.cloud.show(frame, depth, picture);
+    this.timeline.draw();
+    const tries = this.buttons.get("t")?.getAttribute("aria-pressed") === "true";
+    if (past && tries) void this.trial.open(seen);
     this.picture.dataset.id = String(line.id);
+    this.picture.dataset.past = String(past);
     this.picture.dataset.shownAt = String(Date.now());
     this.picture.dataset.answeredAt = String(line.answered_at_ms);
   }
 
   private draw(): void {
-    if (!this.seen) return;
-    drawFrame(this.picture, this.seen.picture, this.seen.frame, this.shown, this.chosen);
-    const count = this.seen.line.objects;
+    const seen = this.reel.current;
+    if (!seen) return;
+    drawFrame(this.picture, seen.picture, seen.frame, this.shown, this.chosen);
+    const count = seen.line.objects;
     this.picture.setAttribute("aria-label", `what ${this.robot} sees, with ${count} objects; the table tells them`);
     this.table.choose(this.chosen);
   }
@@ -181,7 +231,7 @@ export class RobotView {
     this.cloud?.choose(label);
   }
 
-  private labelAt(event: PointerEvent): number {
+  private labelAt(event: MouseEvent): number {
     const bounds = this.picture.getBoundingClientRect();
     const x = Math.floor(((event.clientX - bounds.left) / bounds.width) * this.picture.width);
     const y = Math.floor(((event.clientY - bounds.top) / bounds.height) * this.picture.height);
@@ -192,6 +242,7 @@ export class RobotView {
     this.cloud?.element.remove();
     this.cloud = on ? new Cloud() : null;
     if (this.cloud) this.left.append(this.cloud.element);
+    this.reel.again();
     this.onDepth(on);
   }
 }

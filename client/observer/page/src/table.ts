@@ -22,6 +22,7 @@ function graspText(object: FoundObject): string {
 export class ObjectTable {
   readonly element: HTMLElement;
   onHover: (label: number) => void = () => {};
+  onPick: (label: number) => void = () => {};
   private readonly body = el("tbody");
 
   constructor() {
@@ -54,6 +55,9 @@ export class ObjectTable {
     row.append(el("td", {}, swatch, String(object.label)), ...cells.map((text) => el("td", {}, text)));
     for (const event of ["pointerenter", "focus"]) row.addEventListener(event, () => this.onHover(object.label));
     for (const event of ["pointerleave", "blur"]) row.addEventListener(event, () => this.onHover(0));
+    row.addEventListener("keydown", (event) => {
+      if (event.key === "Enter") this.onPick(object.label);
+    });
     return row;
   }
 }

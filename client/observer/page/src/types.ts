@@ -61,6 +61,7 @@ export interface Intrinsics {
   fy: number;
   cx: number;
   cy: number;
+  distortion?: { model: string; coefficients: number[] };
 }
 export interface Frame {
   robot: string;
@@ -68,6 +69,7 @@ export interface Frame {
   detections?: Detections;
   error?: { code: number; message: string };
   intrinsics?: Intrinsics;
+  options?: { profile: string; parameters: Record<string, number> };
   depth?: { width: number; height: number; unit_m: number; intrinsics: Intrinsics };
 }
 export interface RobotLine {
@@ -75,6 +77,7 @@ export interface RobotLine {
   id: number;
   frame_id: string;
   answered_at_ms: string | number;
+  came_at_us: number; // to the observer
   took_ms: number;
   rate_hz: number;
   objects: number;
@@ -99,4 +102,31 @@ export interface Who {
   rights: string[];
   robots: string[];
   csrf: string;
+  history: { minutes: number; problem: string } | null; // null: there is none
+}
+export interface Option {
+  name: string;
+  unit: string;
+  minimum: number;
+  maximum: number;
+  integral: boolean;
+  defaults: Record<string, number>;
+  description: string;
+  fixed: boolean;
+}
+// Of one robot, oldest first. An id is when the frame came to the observer, in microseconds.
+export interface HistoryList {
+  minutes: number;
+  problem: string;
+  ids: number[];
+  objects: number[];
+  problems: number[];
+}
+// A frame as it is shown, and where it can be asked for.
+export interface Seen {
+  line: RobotLine;
+  frame: Frame;
+  picture: ImageBitmap | null;
+  depth: Uint16Array | null;
+  past: boolean; // of the history
 }

@@ -1,0 +1,217 @@
+#include "client/observer/history/history.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+namespace fovea::observer {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kEnding = ".frame";
+
+// Of "0001700000000000000.frame".
+std::optional<std::uint64_t> IdOf(const fs::path& path) {
+  const std::string stem = path.stem().string();
+  std::uint64_t id = 0;
+  const auto [end, error] = std::from_chars(stem.data(), stem.data() + stem.size(), id);
+  if (path.extension() != kEnding || error != std::errc{} || end != stem.data() + stem.size()) {
+    return std::nullopt;
+  }
+  return id;
+}
+
+[[noreturn]] void Fail(const fs::path& folder, const std::string& why) {
+  throw std::runtime_error("--history: " + folder.string() + ": " + why);
+}
+
+void MakeFolder(const fs::path& folder) {
+  std::error_code error;
+  if (fs::is_directory(folder, error)) return;
+  fs::create_directories(folder.parent_path(), error);
+  if (mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST) Fail(folder, strerror(errno));
+}
+
+}  // namespace
+
+std::string FolderNameOf(const std::string& robot) {
+  std::string name;
+  for (const char c : robot) {
+    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_';
+    name += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return name;
+}
+
+History::History(fs::path folder, const HistoryLimits& limits)
+    : folder_(std::move(folder)), limits_(limits) {
+  MakeFolder(folder_);
+  Lock();
+  Load();
+}
+
+History::~History() { close(lock_); }
+
+// Two programs would drop each other's frames.
+void History::Lock() {
+  const fs::path path = folder_ / "lock";
+  lock_ = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  if (lock_ < 0) Fail(path, strerror(errno));
+  if (flock(lock_, LOCK_EX | LOCK_NB) == 0) return;
+  close(lock_);
+  Fail(folder_, "another program uses it");
+}
+
+void History::Load() {
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_, error)) {
+    if (entry.is_directory(error) && !entry.is_symlink(error)) LoadRobot(entry.path());
+  }
+  if (error) Fail(folder_, error.message());
+}
+
+void History::LoadRobot(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    files.push_back(entry.path());
+  }
+  std::ranges::sort(files);  // by their numbers, which have as many digits
+  std::string robot;
+  for (const fs::path& path : files) {
+    const auto id = IdOf(path);
+    const auto header = id ? ReadHistoryHeader(path) : std::nullopt;
+    if (!header || FolderNameOf(header->robot) != folder.filename()) {
+      if (id || path.extension() == ".part") fs::remove(path, error);
+      continue;
+    }
+    robot = header->robot;
+    Keep(robot, {.id = *id,
+                 .server = NumberOf(header->server),
+                 .objects = header->objects,
+                 .bytes = fs::file_size(path, error),
+                 .problem = header->problem});
+  }
+  if (!robot.empty()) Bound(robot);
+  fs::remove(folder, error);  // where it is empty
+}
+
+fs::path History::FolderOf(const std::string& robot) const { return folder_ / FolderNameOf(robot); }
+
+fs::path History::PathOf(const std::string& robot, std::uint64_t id) const {
+  return FolderOf(robot) / fmt::format("{:020}{}", id, kEnding);
+}
+
+std::uint32_t History::NumberOf(const std::string& server) {
+  const auto found = std::ranges::find(servers_, server);
+  const auto number = static_cast<std::uint32_t>(found - servers_.begin());
+  if (found == servers_.end()) servers_.push_back(server);
+  return number;
+}
+
+void History::Add(HistoryRecord record, std::chrono::system_clock::time_point now) {
+  const std::string robot = record.header.robot;
+  if (robot.empty()) return;
+  const std::lock_guard lock(mutex_);
+  const auto found = robots_.find(robot);
+  const auto at = std::chrono::floor<std::chrono::microseconds>(now).time_since_epoch().count();
+  auto id = static_cast<std::uint64_t>(std::max<std::int64_t>(at, 1));
+  if (found != robots_.end()) id = std::max(id, found->second.frames.back().id + 1);
+  MakeFolder(FolderOf(robot));
+  const std::uint64_t bytes = WriteHistoryFile(PathOf(robot, id), record);
+  Keep(robot, {.id = id,
+               .server = NumberOf(record.header.server),
+               .objects = record.header.objects,
+               .bytes = bytes,
+               .problem = record.header.problem});
+  Bound(robot);
+}
+
+void History::Keep(const std::string& robot, const Kept& frame) {
+  Robot& kept = robots_[robot];
+  kept.frames.push_back(frame);
+  kept.bytes += frame.bytes;
+  bytes_ += frame.bytes;
+  ++num_frames_;
+}
+
+void History::DropOldest(Robots::iterator robot) {
+  const Kept frame = robot->second.frames.front();
+  std::error_code ignored;  // it may be gone
+  fs::remove(PathOf(robot->first, frame.id), ignored);
+  robot->second.frames.pop_front();
+  robot->second.bytes -= frame.bytes;
+  bytes_ -= frame.bytes;
+  --num_frames_;
+  if (!robot->second.frames.empty()) return;
+  fs::remove(FolderOf(robot->first), ignored);
+  robots_.erase(robot);
+}
+
+// Of the robot that got a frame first, then of all.
+void History::Bound(const std::string& name) {
+  const auto robot = robots_.find(name);
+  const auto span = static_cast<std::uint64_t>(std::chrono::microseconds(limits_.span).count());
+  const std::uint64_t newest = robot->second.frames.back().id;
+  while (robot->second.frames.size() > 1 && (robot->second.frames.front().id + span < newest ||
+                                             robot->second.bytes > limits_.max_bytes / 2)) {
+    DropOldest(robot);
+  }
+  while (robots_.size() > limits_.max_robots) {
+    const auto quietest = std::ranges::min_element(
+        robots_, {}, [](const auto& each) { return each.second.frames.back().id; });
+    for (std::size_t left = quietest->second.frames.size(); left > 0; --left) DropOldest(quietest);
+  }
+  while (num_frames_ > limits_.max_frames || bytes_ > limits_.max_bytes) {
+    DropOldest(std::ranges::min_element(
+        robots_, {}, [](const auto& each) { return each.second.frames.front().id; }));
+  }
+}
+
+std::vector<History::Entry> History::List(const std::string& robot, const MaySee& may_see) const {
+  const std::lock_guard lock(mutex_);
+  std::vector<Entry> entries;
+  const auto found = robots_.find(robot);
+  if (found == robots_.end()) return entries;
+  std::vector<bool> is_seen;
+  for (const std::string& server : servers_) is_seen.push_back(may_see(server));
+  for (const Kept& frame : found->second.frames) {
+    if (!is_seen[frame.server]) continue;
+    entries.push_back({.id = frame.id,
+                       .server = servers_[frame.server],
+                       .objects = frame.objects,
+                       .problem = frame.problem});
+  }
+  return entries;
+}
+
+std::optional<HistoryRecord> History::Read(const std::string& robot, std::uint64_t id) const {
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = robots_.find(robot);
+    if (found == robots_.end() ||
+        !std::ranges::binary_search(found->second.frames, id, {}, &Kept::id)) {
+      return std::nullopt;
+    }
+  }
+  auto record = ReadHistoryFile(PathOf(robot, id));  // it may be dropped meanwhile
+  return record && record->header.robot == robot ? record : std::nullopt;
+}
+
+History::Counts History::counts() const {
+  const std::lock_guard lock(mutex_);
+  return {.robots = robots_.size(), .frames = num_frames_, .bytes = bytes_};
+}
+
+}  // namespace fovea::observer

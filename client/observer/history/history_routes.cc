@@ -1,0 +1,117 @@
+#include "client/observer/history/history_routes.h"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "client/observer/board_json.h"
+#include "client/observer/history/bundling.h"
+
+namespace fovea::observer {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kPath = "/api/history";
+
+std::string Dump(const json& value) {
+  return value.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+HttpResponse AnswerResponse(std::uint64_t id, const v1::WatchedFrame& frame) {
+  ShownFrame shown{.id = id, .came_at_us = id};
+  shown.frame = frame;
+  return BytesResponse("application/json", "{\"line\":" + Dump(RobotJson(shown, /*rate_hz=*/0)) +
+                                               ",\"frame\":" + FrameJson(shown) + "}");
+}
+
+// The file that was sent, where that was one that browsers show.
+const std::string& PictureOf(const v1::WatchedFrame& frame) {
+  const v1::ColorImage& color = frame.frame().color();
+  const bool is_shown = frame.picture().empty() && color.encoding() == v1::COLOR_ENCODING_JPEG;
+  return is_shown ? color.data() : frame.picture();
+}
+
+}  // namespace
+
+bool HistoryRoutes::IsOne(const std::string& path) {
+  return path == kPath || path.starts_with(std::string(kPath) + "/");
+}
+
+std::string HistoryRoutes::About() const {
+  if (history_ == nullptr) return "null";
+  const auto minutes = std::chrono::duration<double, std::ratio<60>>(history_->limits().span);
+  return Dump({{"minutes", minutes.count()}, {"problem", recorder_->Problem()}});
+}
+
+HttpResponse HistoryRoutes::Answer(const HttpRequest& request, const Board& board) const {
+  if (history_ == nullptr) return NotFound();
+  if (request.path == kPath) return List(request.Query("robot"), board);
+  if (request.path == std::string(kPath) + "/bundle") return Bundle(request, board);
+  return OfFrame(request, board);
+}
+
+HttpResponse HistoryRoutes::List(const std::string& robot, const Board& board) const {
+  const auto entries = history_->List(robot, [&](const std::string& server) {
+    return board.MayDo(server, robot, v1::OBSERVER_RIGHT_VIEW);
+  });
+  json ids = json::array(), objects = json::array(), problems = json::array();
+  for (const History::Entry& entry : entries) {
+    ids.push_back(entry.id);
+    objects.push_back(entry.objects);
+    problems.push_back(entry.problem ? 1 : 0);
+  }
+  json list = json::parse(About());
+  list["ids"] = std::move(ids);
+  list["objects"] = std::move(objects);
+  list["problems"] = std::move(problems);
+  return BytesResponse("application/json", Dump(list));
+}
+
+std::optional<HistoryRecord> HistoryRoutes::Find(const std::string& robot, std::uint64_t id,
+                                                 const Board& board,
+                                                 v1::ObserverRight right) const {
+  if (history_ == nullptr) return std::nullopt;
+  std::optional<HistoryRecord> record = history_->Read(robot, id);
+  if (!record || !board.MayDo(record->header.server, robot, right)) return std::nullopt;
+  return record;
+}
+
+HttpResponse HistoryRoutes::OfFrame(const HttpRequest& request, const Board& board) const {
+  const auto id = NumberOf(request.Query("id"));
+  if (!id) return NotFound();
+  const auto record = Find(request.Query("robot"), *id, board, v1::OBSERVER_RIGHT_VIEW);
+  if (!record) return NotFound();
+  const v1::WatchedFrame& frame = record->frame;
+  const std::string part = request.path.substr(std::string(kPath).size());
+  if (part == "/answer") return AnswerResponse(*id, frame);
+  if (part == "/picture" && !PictureOf(frame).empty()) {
+    return BytesResponse("image/jpeg", PictureOf(frame));
+  }
+  if (part == "/depth" && frame.has_depth()) {
+    HttpResponse response = BytesResponse("application/octet-stream", frame.depth().data());
+    response.headers.emplace_back("Content-Encoding", "gzip");
+    return response;
+  }
+  return NotFound();
+}
+
+HttpResponse HistoryRoutes::Bundle(const HttpRequest& request, const Board& board) const {
+  const std::string robot = request.Query("robot");
+  const auto moment = MomentOf(request);
+  if (!moment) {
+    return ErrorResponse(400,
+                         "at: must be a time in microseconds since 1970, and before and "
+                         "after seconds up to 600");
+  }
+  const auto entries = history_->List(robot, [&](const std::string& server) {
+    return board.MayDo(server, robot, v1::OBSERVER_RIGHT_DOWNLOAD);
+  });
+  const auto file = BundleOf(*history_, robot, entries, *moment);
+  if (!file) return NotFound();
+  HttpResponse response = BytesResponse("application/zip", file->bytes);
+  response.headers.emplace_back("Content-Disposition",
+                                "attachment; filename=\"" + file->name + "\"");
+  return response;
+}
+
+}  // namespace fovea::observer

@@ -1,0 +1,44 @@
+// Bug reports: one frame, or the seconds around it, as a file.
+import { saveBundle } from "./api";
+import { el } from "./dom";
+import type { Reel } from "./reel";
+
+const LATE_MS = 1500; // frames of now are on disk by then
+
+export class Save {
+  readonly element: HTMLElement;
+  readonly frame = el("button", { type: "button", title: "key f" }, "save frame");
+  readonly seconds = el("button", { type: "button", title: "key w" }, "save");
+  private readonly around = el("input", { type: "number", id: "around", min: "1", max: "600", value: "5", "aria-label": "seconds before and after" });
+  private readonly told = el("span", { role: "status", class: "soft", id: "saved" });
+
+  constructor(
+    private readonly robot: string,
+    private readonly reel: Reel,
+  ) {
+    this.element = el("span", { class: "bar" }, this.frame, this.seconds, el("label", {}, "± ", this.around, " s"), this.told);
+    this.frame.addEventListener("click", () => void this.save(0));
+    this.seconds.addEventListener("click", () => void this.save(Math.round(Number(this.around.value)) || 5));
+  }
+
+  private async save(around: number): Promise<void> {
+    const at = this.reel.current?.line.came_at_us;
+    if (!at) return;
+    try {
+      const wait = around * 1000 + LATE_MS - (Date.now() - at / 1000);
+      if (wait > 0) {
+        this.say(`saving in ${Math.ceil(wait / 1000)} s, when what follows is there`);
+        await new Promise((done) => setTimeout(done, wait));
+      }
+      this.say("saving");
+      this.say(`saved ${await saveBundle(this.robot, at, around, around)}`);
+    } catch (error) {
+      this.say((error as Error).message, true);
+    }
+  }
+
+  private say(text: string, isBad = false): void {
+    this.told.textContent = text;
+    this.told.classList.toggle("bad", isBad);
+  }
+}

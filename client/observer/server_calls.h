@@ -1,0 +1,22 @@
+// What the observer asks of servers for one who looks, with that one's token.
+#pragma once
+
+#include <grpcpp/support/status.h>
+
+#include <string>
+
+#include "client/observer/server_link.h"
+#include "fovea/v1/observation_service.pb.h"
+
+namespace fovea::observer {
+
+// Each waits for its answer, some seconds at most.
+grpc::Status Try(const ServerLink& server, const std::string& token, const v1::TryRequest& request,
+                 v1::TryResponse* response);
+grpc::Status ListOptions(const ServerLink& server, const std::string& token,
+                         v1::ListOptionsResponse* response);
+grpc::Status SelectObject(const ServerLink& server, const std::string& token,
+                          const v1::SelectObjectRequest& request,
+                          v1::SelectObjectResponse* response);
+
+}  // namespace fovea::observer

@@ -1,0 +1,118 @@
+#include "server/rpc/observation_service.h"
+
+#include <cmath>
+
+#include "server/access/unauthenticated.h"
+#include "server/conversion/field_error.h"
+#include "server/scheduling/scheduler.h"
+#include "server/status.h"
+
+namespace fovea::server {
+namespace {
+
+constexpr std::size_t kMaxRobot = 64, kMaxFrameId = 1024;
+constexpr std::chrono::seconds kPickPatience{5};
+
+void Require(bool right, const char* name) {
+  if (!right) throw PermissionDenied(std::string("the observer has no right ") + name);
+}
+
+void RequireRobot(const std::string& robot) {
+  RequireField(!robot.empty() && robot.size() <= kMaxRobot, "robot",
+               "must have 1 to 64 characters");
+}
+
+bool IsFinite(const v1::Vector3& vector) {
+  return std::isfinite(vector.x()) && std::isfinite(vector.y()) && std::isfinite(vector.z());
+}
+
+void RequirePick(const v1::Pick& pick) {
+  RequireField(pick.frame_id().size() <= kMaxFrameId, "pick.frame_id",
+               "must have at most 1024 bytes");
+  RequireField(pick.label() > 0, "pick.label", "must be the label of an object, from 1");
+  const v1::OrientedBox& box = pick.oriented_box();
+  const v1::Quaternion& turn = box.pose().orientation();
+  RequireField(IsFinite(box.pose().position()) && IsFinite(box.size()) &&
+                   std::isfinite(turn.w() + turn.x() + turn.y() + turn.z()),
+               "pick.oriented_box", "must be finite");
+}
+
+template <typename Answer>
+grpc::Status Guarded(grpc::ServerContext* context, Answer answer) {
+  try {
+    return answer();
+  } catch (const Overloaded& full) {
+    AddRetryAfter(full.retry_after, context);
+    return StatusOfCurrentException(/*deadline_passed=*/false);
+  } catch (const NoPicksTaken& nobody) {
+    return {grpc::StatusCode::FAILED_PRECONDITION, nobody.what()};
+  } catch (...) {
+    return StatusOfCurrentException(/*deadline_passed=*/false);
+  }
+}
+
+}  // namespace
+
+grpc::Status ObservationService::Try(grpc::ServerContext* context, const v1::TryRequest* request,
+                                     v1::TryResponse* response) {
+  return Guarded(context, [&] {
+    const auto received = std::chrono::steady_clock::now();
+    const ObserverEntry observer = environment_->gate.Admit(*context);
+    environment_->connections.Admit(context->peer());
+    Require(observer.rights.try_, "try");
+    RequireRobot(request->robot());
+    if (!observer.MaySee(request->robot())) throw PermissionDenied("robot: is none of yours");
+    const auto token = environment_->live_calls.Begin([] {});
+    if (!token) return StatusOfStopping();
+    grpc::Status status;
+    environment_->trials.Run(observer.name, [&] {
+      const FrameRequest frame{.frame = request->has_frame() ? &request->frame() : nullptr,
+                               .options = &request->options(),
+                               .received = received,
+                               .began = std::chrono::steady_clock::now()};
+      const auto is_gone = [&] {
+        return context->IsCancelled() || std::chrono::system_clock::now() >= context->deadline();
+      };
+      status = environment_->answerer.Try(
+          frame, {.robot = request->robot(), .is_gone = is_gone, .is_helped = false},
+          response->mutable_detections());
+    });
+    return status;
+  });
+}
+
+grpc::Status ObservationService::ListOptions(grpc::ServerContext* context,
+                                             const v1::ListOptionsRequest* /*request*/,
+                                             v1::ListOptionsResponse* response) {
+  return Guarded(context, [&] {
+    const ObserverEntry observer = environment_->gate.Admit(*context);
+    environment_->connections.Admit(context->peer());
+    Require(observer.rights.try_, "try");
+    *response = environment_->options;
+    return grpc::Status();
+  });
+}
+
+grpc::Status ObservationService::SelectObject(grpc::ServerContext* context,
+                                              const v1::SelectObjectRequest* request,
+                                              v1::SelectObjectResponse* response) {
+  return Guarded(context, [&] {
+    const ObserverEntry observer = environment_->gate.Admit(*context);
+    environment_->connections.Admit(context->peer());
+    Require(observer.rights.pick, "pick");
+    RequireRobot(request->robot());
+    RequirePick(request->pick());
+    v1::Pick pick = request->pick();
+    pick.set_observer(observer.name);
+    // A robot that the observer may not see is as one that is not there; its name is none.
+    const bool may_see = observer.MaySee(request->robot());
+    const PickBoard::Outcome outcome =
+        environment_->picks.Deliver(request->robot(), may_see, std::move(pick), kPickPatience,
+                                    [&] { return context->IsCancelled(); });
+    response->set_delivered(outcome.delivered);
+    response->set_reason(outcome.reason);
+    return grpc::Status();
+  });
+}
+
+}  // namespace fovea::server

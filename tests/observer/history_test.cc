@@ -1,0 +1,180 @@
+// The history on disk: bounds, and what is left of files that are not whole.
+#include "client/observer/history/history.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/support/temporary_folder.h"
+
+namespace fovea::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using observer::History;
+using observer::HistoryLimits;
+using observer::HistoryRecord;
+using std::chrono::seconds;
+
+constexpr std::chrono::system_clock::time_point kStart{seconds(1'700'000'000)};
+
+class ObserverHistory : public ::testing::Test {
+ protected:
+  static HistoryRecord Record(const std::string& robot, std::size_t bytes = 100,
+                              const std::string& server = "here:1") {
+    HistoryRecord record{.header = {.robot = robot, .server = server, .version = "1"}};
+    record.frame.set_robot(robot);
+    record.frame.set_picture(std::string(bytes, 'x'));
+    return record;
+  }
+
+  static std::vector<std::uint64_t> IdsOf(const History& history, const std::string& robot) {
+    std::vector<std::uint64_t> ids;
+    for (const auto& entry : history.List(robot, [](const auto&) { return true; })) {
+      ids.push_back(entry.id);
+    }
+    return ids;
+  }
+
+  std::vector<fs::path> Files() const {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_.Path())) {
+      if (entry.path().extension() == ".frame") files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+  }
+
+  const TemporaryFolder folder_;
+};
+
+TEST_F(ObserverHistory, IsThereAgain) {
+  std::vector<std::uint64_t> ids;
+  {
+    History history(folder_.Path(), {});
+    for (int i = 0; i < 3; ++i) history.Add(Record("hall/..\x7f"), kStart + seconds(i));
+    ids = IdsOf(history, "hall/..\x7f");
+    ASSERT_EQ(ids.size(), 3U);
+  }
+  const History history(folder_.Path(), {});
+  EXPECT_EQ(IdsOf(history, "hall/..\x7f"), ids);
+  const auto record = history.Read("hall/..\x7f", ids[1]);
+  ASSERT_TRUE(record);
+  EXPECT_EQ(record->header.server, "here:1");
+  EXPECT_EQ(record->frame.picture(), std::string(100, 'x'));
+  EXPECT_FALSE(history.Read("hall", ids[1]));
+  EXPECT_FALSE(history.Read("hall/..\x7f", ids[1] + 1));
+}
+
+TEST_F(ObserverHistory, NumbersGoUpWhateverTheClockDoes) {
+  History history(folder_.Path(), {});
+  for (const int at : {0, 0, -100, 5}) history.Add(Record("a"), kStart + seconds(at));
+  const auto ids = IdsOf(history, "a");
+  EXPECT_EQ(ids.size(), 4U);
+  EXPECT_TRUE(std::is_sorted(ids.begin(), ids.end()));
+}
+
+TEST_F(ObserverHistory, EndsSomeTimeBeforeTheNewestFrame) {
+  History history(folder_.Path(), {.span = seconds(10)});
+  for (int i = 0; i < 20; ++i) history.Add(Record("a"), kStart + seconds(i));
+  history.Add(Record("b"), kStart + seconds(1000));
+  EXPECT_EQ(IdsOf(history, "a").size(), 11U);  // silent since then
+  EXPECT_EQ(Files().size(), 12U);
+}
+
+TEST_F(ObserverHistory, IsBoundedByRobotAndInAll) {
+  constexpr std::uint64_t kMost = 100'000;
+  History history(folder_.Path(), {.max_bytes = kMost});
+  for (int i = 0; i < 100; ++i) history.Add(Record("a", 5000), kStart + seconds(i));
+  EXPECT_LE(history.counts().bytes, kMost / 2);
+  for (int i = 100; i < 200; ++i) {
+    for (const char* robot : {"b", "c", "d"}) history.Add(Record(robot, 5000), kStart + seconds(i));
+  }
+  EXPECT_LE(history.counts().bytes, kMost);
+  EXPECT_THAT(IdsOf(history, "a"), ::testing::IsEmpty());  // the oldest
+  std::uint64_t on_disk = 0;
+  for (const fs::path& path : Files()) on_disk += fs::file_size(path);
+  EXPECT_EQ(on_disk, history.counts().bytes);
+}
+
+TEST_F(ObserverHistory, FramesAndRobotsAreBounded) {
+  History history(folder_.Path(), {.max_frames = 10, .max_robots = 3});
+  for (int i = 0; i < 30; ++i) {
+    history.Add(Record("robot" + std::to_string(i / 6)), kStart + seconds(i));
+    EXPECT_LE(history.counts().frames, 10U);
+    EXPECT_LE(history.counts().robots, 3U);
+  }
+  EXPECT_EQ(IdsOf(history, "robot4").size(), 6U);
+  EXPECT_EQ(Files().size(), history.counts().frames);
+}
+
+TEST_F(ObserverHistory, BoundsHoldForWhatIsThere) {
+  {
+    History history(folder_.Path(), {});
+    for (int i = 0; i < 20; ++i) history.Add(Record("a", 5000), kStart + seconds(i));
+  }
+  const History history(folder_.Path(), {.span = seconds(5)});
+  EXPECT_EQ(IdsOf(history, "a").size(), 6U);
+  EXPECT_EQ(Files().size(), 6U);
+}
+
+TEST_F(ObserverHistory, WhatIsNotWholeIsDropped) {
+  {
+    History history(folder_.Path(), {});
+    for (int i = 0; i < 5; ++i) history.Add(Record("a"), kStart + seconds(i));
+  }
+  const std::vector<fs::path> files = Files();
+  fs::resize_file(files[0], fs::file_size(files[0]) - 1);
+  fs::resize_file(files[1], 3);
+  std::fstream(files[2]) << "something else";
+  const fs::path part = files[3].string() + ".part";
+  std::ofstream(part) << "half";
+  History history(folder_.Path(), {});
+  EXPECT_EQ(IdsOf(history, "a").size(), 2U);
+  EXPECT_EQ(Files().size(), 2U);
+  EXPECT_FALSE(fs::exists(part));
+}
+
+TEST_F(ObserverHistory, WhatIsDamagedInsideIsNotShown) {
+  History history(folder_.Path(), {});
+  history.Add(Record("a"), kStart);
+  const std::uint64_t id = IdsOf(history, "a").front();
+  ASSERT_TRUE(history.Read("a", id));
+  std::fstream file(Files().front(), std::ios::in | std::ios::out | std::ios::binary);
+  file.seekp(-1, std::ios::end).put('y');
+  file.close();
+  EXPECT_FALSE(history.Read("a", id));
+}
+
+TEST_F(ObserverHistory, FilesOfAnotherRobotInItsFolderAreNone) {
+  {
+    History history(folder_.Path(), {});
+    history.Add(Record("a"), kStart);
+    history.Add(Record("b"), kStart);
+  }
+  const fs::path stolen = Files().front();
+  fs::rename(stolen, fs::path(folder_.Path()) / "b" / "00000000000000000007.frame");
+  const History history(folder_.Path(), {});
+  EXPECT_THAT(IdsOf(history, "a"), ::testing::IsEmpty());
+  EXPECT_EQ(IdsOf(history, "b").size(), 1U);
+}
+
+TEST_F(ObserverHistory, IsListedByServer) {
+  History history(folder_.Path(), {});
+  history.Add(Record("a", 1, "here:1"), kStart);
+  history.Add(Record("a", 1, "there:2"), kStart + seconds(1));
+  const auto of_there = history.List("a", [](const auto& server) { return server == "there:2"; });
+  ASSERT_EQ(of_there.size(), 1U);
+  EXPECT_EQ(of_there[0].server, "there:2");
+}
+
+TEST_F(ObserverHistory, IsOfOneProgram) {
+  const History history(folder_.Path(), {});
+  EXPECT_THAT([&] { const History other(folder_.Path(), {}); },
+              ::testing::ThrowsMessage<std::runtime_error>(
+                  ::testing::HasSubstr("another program uses it")));
+}
+
+}  // namespace
+}  // namespace fovea::testing

@@ -1,0 +1,337 @@
+"""The last minutes on disk: who sees what of them, what outlives what, and bundles that are sent
+once more."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import re
+import signal
+import subprocess
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from conftest import Recorded, Robots, Scene, recorder_is_ready
+from processes import (
+    OBSERVERS,
+    PATIENCE,
+    ObserverProcess,
+    ServerProcess,
+    Visitor,
+    history_flags,
+    write_observers,
+)
+
+import fovea
+from fovea.v1 import detection_pb2, detection_service_pb2
+
+PARTS = ("answer", "picture", "depth")
+
+
+def past(robot: str, frame: int, part: str) -> str:
+    return f"/api/history/{part}?robot={robot}&id={frame}"
+
+
+def bundle(robot: str, at: int, before: int = 0, after: int = 0) -> str:
+    return f"/api/history/bundle?robot={robot}&at={at}&before={before}&after={after}"
+
+
+def folder_size(folder: Path) -> int:
+    return sum(path.stat().st_size for path in folder.rglob("*.frame"))
+
+
+def test_what_was_seen_can_be_seen_again(recorded: Recorded, scene: Scene) -> None:
+    first, second = recorded.record("attic", scene.frame(id="one"), scene.frame(id="two"))
+    visitor = recorded.visitor("ann")
+    for frame, name in ((first, "one"), (second, "two")):
+        answer = visitor.get(past("attic", frame, "answer")).json()
+        assert answer["line"]["frame_id"] == answer["frame"]["frame_id"] == name
+        assert len(answer["frame"]["detections"]["objects"]) == answer["line"]["objects"] > 0
+        assert "frame" not in answer["frame"] and "answer" not in answer["frame"]
+        assert visitor.get(past("attic", frame, "picture")).body.startswith(b"\xff\xd8")
+        assert visitor.get(past("attic", frame, "depth")).headers["Content-Encoding"] == "gzip"
+
+
+def test_each_session_sees_what_its_own_token_lets_it_see(recorded: Recorded, scene: Scene) -> None:
+    """Whatever the observer's own token let it record."""
+    kitchen = recorded.record("kitchen-1", scene.frame())[0]
+    attic = recorded.record("attic", scene.frame())[0]
+    ben, cat = recorded.visitor("ben"), recorded.visitor("cat")
+    assert ben.history("kitchen-1") and not ben.history("attic") and not cat.history("kitchen-1")
+    for part in PARTS:
+        assert ben.get(past("kitchen-1", kitchen, part)).status == 200
+        assert ben.get(past("attic", attic, part)).status == 404
+        assert cat.get(past("kitchen-1", kitchen, part)).status == 404
+    # Ben has no right to download, whatever he sees.
+    for robot, frame in (("kitchen-1", kitchen), ("attic", attic)):
+        for path in (bundle(robot, frame), bundle(robot, frame, 5, 5)):
+            assert ben.get(path).status == 404
+            assert cat.get(path).status == 404
+            assert recorded.visitor("ann").get(path).status == 200
+
+
+def test_bundles_hold_the_seconds_around(recorded: Recorded, scene: Scene) -> None:
+    frames = [scene.frame(id=f"frame {number}") for number in range(4)]
+    ids = recorded.record("hall/1", *frames)
+    visitor = recorded.visitor("ann")
+    answer = visitor.get(bundle("hall%2F1", ids[1], 600, 600))
+    assert re.search(r'filename="fovea_hall_1_\d+T\d+Z.zip"', answer.headers["Content-Disposition"])
+    with zipfile.ZipFile(io.BytesIO(answer.body)) as file:
+        about = json.loads(file.read("bundle.json"))
+        assert [frame["frame_id"] for frame in about["frames"]] == [f.id for f in frames]
+        assert all(frame["robot"] == "hall/1" and frame["server"] for frame in about["frames"])
+        assert about["frames"][0]["server_version"] == fovea.__version__
+        assert file.testzip() is None
+    with zipfile.ZipFile(io.BytesIO(visitor.get(bundle("hall%2F1", ids[1])).body)) as file:
+        about = json.loads(file.read("bundle.json"))
+        assert [frame["frame_id"] for frame in about["frames"]] == ["frame 1"]
+
+
+@pytest.mark.parametrize(
+    "query", ["", "at=x", "at=-1", "at=1&before=x", "at=1&after=601", "at=99999999999999999999"]
+)
+def test_malformed_moments_are_named(recorded: Recorded, query: str) -> None:
+    answer = recorded.visitor("ann").get(f"/api/history/bundle?robot=first&{query}")
+    assert answer.status == 400 and answer.json()["error"].startswith("at: ")
+
+
+def replay(path: Path, server: str, output: Path, *flags: str) -> subprocess.CompletedProcess[str]:
+    command = [os.environ["FOVEA_CLI"], "detect", "--server", server, "--input", str(path)]
+    command += ["--output", str(output), *flags]
+    return subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE)
+
+
+def timeless(path: Path) -> bytes:
+    answer = detection_pb2.Detections.FromString(path.read_bytes())
+    assert answer.objects
+    answer.ClearField("stage_times")
+    return bytes(answer.SerializeToString(deterministic=True))
+
+
+def save(recorded: Recorded, robot: str, frame: int, folder: Path) -> Path:
+    path = folder / "bundle.zip"
+    path.write_bytes(recorded.visitor("ann").get(bundle(robot, frame)).body)
+    return path
+
+
+@pytest.mark.parametrize(
+    "options",
+    [{"return_masks": False}, {"return_masks": True, "return_rejected": True}],
+)
+@pytest.mark.parametrize("flags", [[], ["--no-masks", "--no-overlay"]])
+def test_a_bundle_is_answered_as_it_was(
+    recorded: Recorded, scene: Scene, tmp_path: Path, options: Any, flags: list[str]
+) -> None:
+    frame = scene.frame(id="odd one")
+    number = recorded.record("arm", frame, parameters={"max_depth_m": 4}, **options)[0]
+    path = save(recorded, "arm", number, tmp_path)
+    server = recorded.robots.address
+    finished = replay(path, server, tmp_path / "again", *flags)
+    assert finished.returncode == 0, finished.stderr
+    assert "the same answer as then" in finished.stdout
+    with zipfile.ZipFile(path) as file:
+        file.extractall(tmp_path / "saved")
+    saved = tmp_path / "saved" / "frame_0001_answer.pb"
+    again = tmp_path / "again" / "frame_0001_answer.pb"
+    assert timeless(saved) == timeless(again)
+    request = detection_service_pb2.DetectRequest.FromString(
+        (tmp_path / "saved" / "frame_0001_request.pb").read_bytes()
+    )
+    assert request.frame.color.data == scene.color.tobytes()
+    assert request.options.parameters == {"max_depth_m": 4}
+    assert request.options.return_masks == options["return_masks"]
+
+
+def test_a_bundle_is_a_folder_of_frames(recorded: Recorded, scene: Scene, tmp_path: Path) -> None:
+    number = recorded.record("arm", scene.frame())[0]
+    with zipfile.ZipFile(save(recorded, "arm", number, tmp_path)) as file:
+        file.extractall(tmp_path / "saved")
+    finished = replay(tmp_path / "saved", recorded.robots.address, tmp_path / "again")
+    assert finished.returncode == 0, finished.stderr
+    one = json.loads((tmp_path / "saved" / "frame_0001_answer.json").read_text())
+    other = json.loads((tmp_path / "again" / "frame_0001.json").read_text())
+    assert [found["label"] for found in one["objects"]] == [
+        found["label"] for found in other["objects"]
+    ]
+
+
+def test_options_are_changed_by_flags(recorded: Recorded, scene: Scene, tmp_path: Path) -> None:
+    number = recorded.record("arm", scene.frame())[0]
+    path = save(recorded, "arm", number, tmp_path)
+    flags = ["--set", "objects.min_probability=1"]
+    finished = replay(path, recorded.robots.address, tmp_path / "again", *flags)
+    assert finished.returncode == 0, finished.stderr
+    assert "another answer than then" in finished.stdout
+    flags = ["--set", "no.such=1"]
+    finished = replay(path, recorded.robots.address, tmp_path / "more", *flags)
+    assert finished.returncode == 1 and "no.such" in finished.stderr
+    finished = replay(path, recorded.robots.address, tmp_path / "more", "--gravity", "0,1,0")
+    assert finished.returncode == 1 and "sent as they were" in finished.stderr
+
+
+def test_frames_that_were_refused_are_bundled_too(
+    recorded: Recorded, scene: Scene, tmp_path: Path
+) -> None:
+    visitor = recorded.visitor("ann")
+    with pytest.raises(fovea.FoveaError):
+        recorded.robots.detect("arm-bad", scene.frame(), parameters={"no.such": 1})
+    number = visitor.history("arm-bad", 1)[0]
+    path = save(recorded, "arm-bad", number, tmp_path)
+    with zipfile.ZipFile(path) as file:
+        assert "no.such" in json.loads(file.read("frame_0001_error.json"))["message"]
+    finished = replay(path, recorded.robots.address, tmp_path / "again")
+    assert finished.returncode == 1 and "no.such" in finished.stderr
+
+
+def test_bundles_that_are_none_are_refused_in_words(recorded: Recorded, tmp_path: Path) -> None:
+    def refused(write: Any) -> str:
+        path = tmp_path / "bad.zip"
+        write(path)
+        finished = replay(path, recorded.robots.address, tmp_path / "out")
+        assert finished.returncode == 1, finished.stdout
+        return finished.stderr
+
+    def zip_of(files: dict[str, bytes]) -> Any:
+        def write(path: Path) -> None:
+            with zipfile.ZipFile(path, "w") as file:
+                for name, content in files.items():
+                    file.writestr(name, content)
+
+        return write
+
+    about = json.dumps({"format": "fovea-bundle", "version": 1}).encode()
+    newer = json.dumps({"format": "fovea-bundle", "version": 2}).encode()
+    assert "no readable zip" in refused(lambda path: path.write_bytes(b"no zip at all"))
+    assert "no bundle.json" in refused(zip_of({"a.txt": b""}))
+    assert "none of fovea-observer's" in refused(zip_of({"bundle.json": b"[[["}))
+    assert "version" in refused(zip_of({"bundle.json": newer}))
+    assert "holds no frame" in refused(zip_of({"bundle.json": about}))
+    assert "no plain file name" in refused(
+        zip_of({"../../evil_request.pb": b"", "bundle.json": about})
+    )
+    assert "no plain file name" in refused(zip_of({"a/b_request.pb": b"", "bundle.json": about}))
+    garbage = zip_of({"bundle.json": about, "f_request.pb": b"\xff\xff"})
+    assert "f_request.pb in it is no fovea.v1.DetectRequest" in refused(garbage)
+
+
+def test_outlives_both_programs(scene: Scene, tmp_path: Path) -> None:
+    observers, flags = write_observers(tmp_path), history_flags(tmp_path)
+    with ServerProcess(observers) as server:
+        robots = Robots(server.address)
+        with ObserverProcess(server.address, "127.0.0.1:0", *flags) as observer:
+            visitor = Visitor(observer.address)
+            visitor.log_in(OBSERVERS["ann"][0])
+            recorder_is_ready(visitor, robots)
+            robots.detect("attic", scene.frame())
+            kept = visitor.history("attic", 1)
+            # The server is killed and comes back: what it saw stays, and more is recorded.
+            server.kill()
+            assert visitor.history("attic") == kept
+            with ServerProcess(observers, server.address):
+                end = len(kept)
+                while len(visitor.history("attic")) == end:
+                    robots.detect("attic", scene.frame())
+                kept = visitor.history("attic")
+                observer.kill()
+                folder = tmp_path / "history" / "attic"
+                half = folder / f"{kept[-1] + 1:020}.frame"
+                half.write_bytes((folder / f"{kept[-1]:020}.frame").read_bytes()[:-1])
+                (folder / f"{kept[-1] + 2:020}.frame.part").write_bytes(b"FOVEAHF1")
+                with ObserverProcess(server.address, observer.address, *flags) as again:
+                    visitor = Visitor(again.address)
+                    visitor.log_in(OBSERVERS["ann"][0])
+                    known = visitor.history("attic", len(kept))
+                    assert known[: len(kept)] == kept
+                    assert visitor.get(past("attic", kept[0], "answer")).status == 200
+                    assert not half.exists() and not list(folder.glob("*.part"))
+                    while len(visitor.history("attic")) == len(known):
+                        robots.detect("attic", scene.frame())
+
+
+def test_stays_within_its_size(scene: Scene, tmp_path: Path) -> None:
+    most = 2 << 20
+    observers, flags = write_observers(tmp_path), history_flags(tmp_path, size=most)
+    with (
+        ServerProcess(observers) as server,
+        ObserverProcess(server.address, "127.0.0.1:0", *flags) as observer,
+    ):
+        robots, visitor = Robots(server.address), Visitor(observer.address)
+        visitor.log_in(OBSERVERS["ann"][0])
+        recorder_is_ready(visitor, robots)
+        first: list[int] = []
+        for robot in ("attic", "hall", "yard"):
+            for _ in range(8):
+                robots.detect(robot, scene.frame())
+                newest = visitor.history(robot, 1)[-1]
+                first = first or [newest]
+                assert folder_size(tmp_path / "history") <= most
+                assert folder_size(tmp_path / "history" / robot) <= most / 2
+        assert first[0] not in visitor.history("attic"), "the oldest goes first"
+        assert visitor.history("yard")
+
+
+def test_the_oldest_minutes_go(scene: Scene, tmp_path: Path) -> None:
+    observers, flags = write_observers(tmp_path), history_flags(tmp_path, minutes=1)
+    with ServerProcess(observers) as server:
+        robots = Robots(server.address)
+        with ObserverProcess(server.address, "127.0.0.1:0", *flags) as observer:
+            visitor = Visitor(observer.address)
+            visitor.log_in(OBSERVERS["ann"][0])
+            recorder_is_ready(visitor, robots)
+            robots.detect("attic", scene.frame())
+            number = visitor.history("attic", 1)[0]
+        # As if that had been more than a minute ago.
+        folder = tmp_path / "history" / "attic"
+        old = folder / f"{number - 61_000_000:020}.frame"
+        (folder / f"{number:020}.frame").rename(old)
+        with ObserverProcess(server.address, "127.0.0.1:0", *flags) as observer:
+            visitor = Visitor(observer.address)
+            visitor.log_in(OBSERVERS["ann"][0])
+            assert visitor.history("attic") == [
+                number - 61_000_000
+            ], "a silent robot's last minutes"
+            while visitor.history("attic")[0] < number:
+                robots.detect("attic", scene.frame())
+            assert not old.exists()
+
+
+def test_who_records_is_said(tmp_path: Path) -> None:
+    observers = write_observers(tmp_path)
+    with ServerProcess(observers) as server:
+        without = ["--history", str(tmp_path / "none")]
+        with ObserverProcess(server.address, "127.0.0.1:0", *without) as observer:
+            visitor = Visitor(observer.address)
+            visitor.log_in(OBSERVERS["ann"][0])
+            assert visitor.get("/api/session").json()["history"] is None
+            assert visitor.get("/api/history?robot=attic").status == 404
+        flags = history_flags(tmp_path)
+        (tmp_path / "recorder").write_text(OBSERVERS["ben"][0])  # who may not download
+        with ObserverProcess(server.address, "127.0.0.1:0", *flags) as observer:
+            visitor = Visitor(observer.address)
+            visitor.log_in(OBSERVERS["ann"][0])
+            while not (told := visitor.get("/api/session").json()["history"]["problem"]):
+                pass
+            assert "download" in told
+
+
+def test_mistakes_of_flags_are_named(tmp_path: Path) -> None:
+    def error_of(*flags: str) -> str:
+        command = [os.environ["FOVEA_OBSERVER"], "--listen", "127.0.0.1:0", *flags]
+        finished = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE)
+        assert finished.returncode == 1
+        return finished.stderr
+
+    token = tmp_path / "token"
+    token.write_text("\n")
+    assert "--history-token-file needs --history" in error_of("--history-token-file", str(token))
+    used = ["--history", str(tmp_path / "used"), "--history-token-file", str(token)]
+    assert "no token in its first line" in error_of(*used)
+    token.write_text("token")
+    (tmp_path / "file").write_text("")
+    assert "--history: " in error_of("--history", str(tmp_path / "file"), *used[2:])
+    with ObserverProcess("127.0.0.1:1", "127.0.0.1:0", *used):
+        assert "another program uses it" in error_of(*used)
