@@ -404,6 +404,12 @@ def test_without_a_history_there_is_no_time_line(browser: Browser, picture: Any)
     assert not browser.find("#timeline").is_displayed()
 
 
+def seek_first(browser: Browser) -> bool:
+    """Whether a frame of the history is shown; asks for its first one."""
+    browser.click(browser.find("#timeline"), 0.01, 0.5)
+    return browser.find("#picture").get_attribute("data-past") == "true"
+
+
 def test_the_history_goes_on_after_both_were_killed(
     browser: Browser, scene: Scene, tmp_path: Path
 ) -> None:
@@ -425,8 +431,7 @@ def test_the_history_goes_on_after_both_were_killed(
             browser.until(lambda: "frames recorded" in browser.texts("#moment")[0])
         server.kill()
         says("is away: ")
-        browser.click(browser.find("#timeline"), 0.01, 0.5)  # what is there can still be seen
-        browser.until(lambda: browser.find("#picture").get_attribute("data-past") == "true")
+        browser.until(lambda: seek_first(browser))  # what is there can still be seen
         observer.kill()
         says("the observer is away")
         with (
@@ -438,8 +443,7 @@ def test_the_history_goes_on_after_both_were_killed(
                 browser.find("#picture[data-id]")
                 browser.until(lambda: shown(browser) == "after both")
                 browser.until(lambda: "frames recorded" in browser.texts("#moment")[0])
-                browser.click(browser.find("#timeline"), 0.01, 0.5)
-                browser.until(lambda: shown(browser) == "before both")
+                browser.until(lambda: seek_first(browser) and shown(browser) == "before both")
 
 
 @pytest.mark.parametrize(
@@ -469,13 +473,13 @@ def test_points_have_the_colours_of_their_pixels_with_any_lens(
         drawn = browser.drawn(cloud).astype(int)
     rows, columns = drawn.shape[:2]
     tried = 0
-    for x, y in itertools.product((0.25, 0.5, 0.75), (0.25, 0.5, 0.75)):
+    for x, y in itertools.product((0.08, 0.2, 0.5, 0.8, 0.92), (0.08, 0.2, 0.8, 0.92)):
         # The eye stands in the camera, and looks through no lens.
         ray = ((x - 0.5) * width / focal, (y - 0.5) * height / focal)
         u, v = bent(lens, ray, focal, (159.5, 119.5))
         red, green, blue = drawn[int(y * rows), int(x * columns), :3]
-        if abs(blue - 128) > 20:
-            continue  # between points
+        if abs(blue - 128) > 8:
+            continue  # a line of the grid on what it takes for a support
         assert abs(red - u * 255 / width) < 8 and abs(green - v * 255 / height) < 8, (x, y)
         tried += 1
     assert tried >= 5
