@@ -20,12 +20,14 @@ git ls-files '*.py' | xargs black --quiet --check --line-length 100
 git grep -lE '^#!/(bin/sh|bin/bash|usr/bin/env bash)$' | xargs shellcheck --severity=warning
 git ls-files '*CMakeLists.txt' '*.cmake' | xargs cmake-lint --suppress-decorations
 
-# The examples build against the installed library only: tests/package does that.
-sources=$(git ls-files '*.cc' ':!client/examples')
+# The examples build against the installed library only: tests/package does that. Clang 14 does not
+# know the coroutines of GCC's library, which http_server.cc has.
+set -- ':!client/examples' ':!client/observer/http_server.cc'
+sources=$(git ls-files '*.cc' "$@")
 if [ "$quick" = --quick ]; then
   since=$(git merge-base HEAD "$base" 2>/dev/null || git merge-base HEAD "origin/$base" 2>/dev/null || true)
   sources=""
-  [ -z "$since" ] || sources=$(git diff --name-only --diff-filter=d "$since" -- '*.cc' ':!client/examples')
+  [ -z "$since" ] || sources=$(git diff --name-only --diff-filter=d "$since" -- '*.cc' "$@")
   [ "$(echo "$sources" | wc -l)" -le 20 ] || { echo "lint: clang-tidy of 20 of the sources that changed"; sources=$(echo "$sources" | head -n 20); }
 fi
 # Without the headers that GCC compiled before, which clang cannot read: so it also sees what a file

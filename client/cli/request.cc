@@ -72,7 +72,8 @@ void ParseGrippers(const std::vector<std::string>& texts, v1::DetectOptions* opt
       gripper.mutable_suction()->set_diameter_m(
           ParseNumbers(text.substr(8), 1, "--gripper", form).front());
     } else {
-      throw std::invalid_argument("--gripper: \"" + text + "\" is not " + form);
+      throw std::invalid_argument(
+          std::string("--gripper: \"").append(text).append("\" is not ").append(form));
     }
   }
 }

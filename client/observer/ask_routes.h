@@ -15,7 +15,7 @@ namespace fovea::observer {
 // would answer with others, and picks for robots. Thread-safe.
 class AskRoutes {
  public:
-  explicit AskRoutes(HistoryRoutes history) : history_(std::move(history)) {}
+  explicit AskRoutes(HistoryRoutes history) : history_(history) {}
 
   static bool IsOne(const std::string& path);
   HttpResponse Answer(const HttpRequest& request, Feed& feed);

@@ -33,7 +33,7 @@ struct Tried {
 Tried TryAs(const std::string& address, const std::string& token, const v1::TryRequest& request) {
   Tried tried;
   tried.status = AskAs(address, token, [&](auto& stub, grpc::ClientContext* context) {
-    const grpc::Status status = stub.Try(context, request, &tried.response);
+    grpc::Status status = stub.Try(context, request, &tried.response);
     tried.says_when = context->GetServerTrailingMetadata().contains("retry-after-ms");
     return status;
   });

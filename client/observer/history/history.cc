@@ -120,7 +120,7 @@ std::uint32_t History::NumberOf(const std::string& server) {
   return number;
 }
 
-void History::Add(HistoryRecord record, std::chrono::system_clock::time_point now) {
+void History::Add(const HistoryRecord& record, std::chrono::system_clock::time_point now) {
   const std::string robot = record.header.robot;
   if (robot.empty()) return;
   const std::lock_guard lock(mutex_);

@@ -41,7 +41,7 @@ class History {
   History& operator=(const History&) = delete;
 
   // Throws std::runtime_error where it cannot be written; what is there stays.
-  void Add(HistoryRecord record, std::chrono::system_clock::time_point now);
+  void Add(const HistoryRecord& record, std::chrono::system_clock::time_point now);
 
   // Oldest first. Of servers that `may_see` says yes to.
   using MaySee = std::function<bool(const std::string& server)>;

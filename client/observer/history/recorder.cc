@@ -71,7 +71,7 @@ void Recorder::OnFrame(std::size_t server, v1::WatchedFrame frame) {
   record.frame = std::move(frame);
   std::string problem;
   try {
-    history_.Add(std::move(record), std::chrono::system_clock::now());
+    history_.Add(record, std::chrono::system_clock::now());
   } catch (const std::exception& error) {
     problem = error.what();
   }
