@@ -30,11 +30,14 @@ if [ "$quick" = --quick ]; then
   [ -z "$since" ] || sources=$(git diff --name-only --diff-filter=d "$since" -- '*.cc' "$@")
   [ "$(echo "$sources" | wc -l)" -le 20 ] || { echo "lint: clang-tidy of 20 of the sources that changed"; sources=$(echo "$sources" | head -n 20); }
 fi
-# Without the headers that GCC compiled before, which clang cannot read: so it also sees what a file
-# forgot to include.
-mkdir -p "$build/tidy"
-sed -E 's/ -Winvalid-pch -include [^ ]+//' "$build/compile_commands.json" >"$build/tidy/compile_commands.json"
-[ -z "$sources" ] || echo "$sources" | xargs -P 2 -n 4 clang-tidy --quiet -p "$build/tidy"
+# Each source on its own and without the headers that GCC compiled before, which clang cannot read: so
+# it also sees what a file forgot to include. What is generated is taken from BUILD_FOLDER.
+if [ -n "$sources" ]; then
+  cmake -S . -B "$build/tidy" -G Ninja -D CMAKE_BUILD_TYPE=Release -D CMAKE_EXPORT_COMPILE_COMMANDS=ON \
+    -D FOVEA_UNITY_TESTS=OFF -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
+  sed -i "s#$build/tidy/#$build/#g" "$build/tidy/compile_commands.json"
+  echo "$sources" | xargs -P 2 -n 4 clang-tidy --quiet -p "$build/tidy"
+fi
 
 # With the generated modules, which the sources do not have.
 for what in "-p fovea" client/examples/python/clean_up.py client/examples/python/detect_once.py client/examples/python/detect_stream.py; do

@@ -14,9 +14,9 @@ v1::GetStatisticsResponse Statistics(int seconds, int num_frames, int num_waitin
   auto& stages = *statistics.mutable_stages();
   stages["queue"].mutable_total()->set_seconds(num_frames);
   for (const char* stage : {"decode", "mrf"}) {
-    const int milliseconds = num_frames * 250;
-    stages[stage].mutable_total()->set_seconds(milliseconds / 1000);
-    stages[stage].mutable_total()->set_nanos(milliseconds % 1000 * 1'000'000);
+    const int total_ms = num_frames * 250;
+    stages[stage].mutable_total()->set_seconds(total_ms / 1000);
+    stages[stage].mutable_total()->set_nanos(total_ms % 1000 * 1'000'000);
   }
   return statistics;
 }

@@ -3,10 +3,14 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <string>
 #include <vector>
 
 namespace fovea::testing {
+
+// From when on something is held to hang.
+constexpr std::chrono::minutes kPatience{1};
 
 struct Finished {
   int exit_code = -1;  // -1 = killed by a signal

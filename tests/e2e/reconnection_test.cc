@@ -28,8 +28,6 @@ using ::testing::HasSubstr;
 [[maybe_unused]] const int kNobodyReads =
     setenv("GRPC_CLIENT_CHANNEL_BACKUP_POLL_INTERVAL_MS", "0", 1);
 
-constexpr std::chrono::minutes kPatience{1};
-
 // The pauses are those of the defaults.
 client::ClientOptions Stubborn() {
   client::ClientOptions options{.timeout = kPatience};

@@ -26,8 +26,6 @@ using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 using ::testing::Not;
 
-constexpr std::chrono::minutes kPatience{1};
-
 client::ClientOptions OnceOnly() {
   client::ClientOptions options{.timeout = kPatience};
   options.retry.max_attempts = 1;

@@ -28,8 +28,6 @@ using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 using ::testing::StartsWith;
 
-constexpr std::chrono::minutes kPatience{1};
-
 TEST(ServerProcess, PrintsItsAddressAndStopsOnSigterm) {
   ServerProcess server;
   EXPECT_THAT(server.line(), MatchesRegex("listening on 127\\.0\\.0\\.1:[1-9][0-9]*"));

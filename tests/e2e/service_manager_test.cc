@@ -23,8 +23,6 @@ namespace {
 using ::testing::IsEmpty;
 using ::testing::MatchesRegex;
 
-constexpr std::chrono::minutes kPatience{1};
-
 const std::string kReady = "READY=1";
 const std::string kAlive = "WATCHDOG=1";
 const std::string kStopping = "STOPPING=1";

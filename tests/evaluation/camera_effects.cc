@@ -59,7 +59,7 @@ void CoarseDepth(RgbdFrame& frame, Random& /*random*/) {
   cv::resize(half, frame.depth_m, frame.depth_m.size(), 0, 0, cv::INTER_NEAREST);
 }
 
-void Median(RgbdFrame& frame, Random& /*random*/) {
+void MedianFilter(RgbdFrame& frame, Random& /*random*/) {
   const cv::Mat depth = ZeroWhereNone(frame.depth_m);
   cv::medianBlur(depth, frame.depth_m, 5);
   frame.depth_m.setTo(kNone, (depth == 0) | (frame.depth_m == 0));
@@ -109,7 +109,7 @@ const std::vector<Effect>& Effects() {
       {{"holes", "no depth in blobs, a twentieth of the image"}, Holes},
       {{"white_noise", "3 mm at 1 m in every pixel on its own"}, WhiteNoise},
       {{"coarse_depth", "half of the resolution"}, CoarseDepth},
-      {{"median", "depth filtered by a 5x5 median"}, Median},
+      {{"median", "depth filtered by a 5x5 median"}, MedianFilter},
       {{"coarse_steps", "depth in steps of 5 mm"}, CoarseSteps},
       {{"moved_color", "colour 4 px right and 2 px down of depth"}, MovedColor},
       {{"grey", "no colour"}, Grey},

@@ -1,4 +1,5 @@
 // DetectStream over real loopback; a gate decides when a frame is done.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <grpcpp/create_channel.h>
 #include <grpcpp/generic/generic_stub.h>
@@ -80,13 +81,14 @@ TEST(DetectStream, OutlivesBadFrames) {
   const std::vector<bool> good{true, false, true, false, false, true};
   for (std::size_t i = 0; i < good.size(); ++i) {
     SCOPED_TRACE(i);
-    v1::DetectStreamRequest request = FrameNamed("f" + std::to_string(i));
+    const std::string id = fmt::format("f{}", i);
+    v1::DetectStreamRequest request = FrameNamed(id);
     if (!good[i]) request.mutable_frame()->clear_depth();
     ASSERT_TRUE(stream->Send(request));
     const auto response = stream->Receive();
     ASSERT_TRUE(response);
     EXPECT_EQ(response->sequence(), i);
-    EXPECT_EQ(response->frame_id(), "f" + std::to_string(i));
+    EXPECT_EQ(response->frame_id(), id);
     EXPECT_EQ(response->dropped(), 0U);
     EXPECT_EQ(response->has_detections(), good[i]);
     if (good[i]) continue;

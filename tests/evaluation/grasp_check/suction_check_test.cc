@@ -14,8 +14,6 @@ using scenes::Body;
 using scenes::Scene;
 using scenes::ShapeKind;
 
-const Vector3d kDown = -Vector3d::UnitZ();
-
 Scene With(ShapeKind kind, const Vector3d& size_m) {
   Scene scene;
   Body body;
@@ -26,7 +24,8 @@ Scene With(ShapeKind kind, const Vector3d& size_m) {
   return scene;
 }
 
-Outcome Check(const Scene& scene, const Vector3d& at, const Vector3d& approach = kDown) {
+Outcome Check(const Scene& scene, const Vector3d& at,
+              const Vector3d& approach = -Vector3d::UnitZ()) {
   return CheckSuction(PhysicalScene(scene), 1, {}, {at, approach});
 }
 

@@ -9,7 +9,7 @@
 namespace fovea::evaluation {
 namespace {
 
-scenes::Body Body(scenes::ShapeKind kind) {
+scenes::Body Upright(scenes::ShapeKind kind) {
   scenes::Body body;
   body.shape.kind = kind;
   body.shape.size_m = {0.2, 0.1, 0.08};
@@ -32,7 +32,7 @@ DetectedObject Answer(const scenes::Body& body) {
 }
 
 TEST(BoxHonesty, ComparesErrorsWithWhatIsSaid) {
-  const scenes::Body box = Body(scenes::ShapeKind::kBox);
+  const scenes::Body box = Upright(scenes::ShapeKind::kBox);
   const UncertainBox compared =
       CompareUncertainBox(box, Answer(box), Eigen::Isometry3d::Identity());
   EXPECT_NEAR(compared[0]->error, 0.01, 1e-6);
@@ -47,7 +47,7 @@ TEST(BoxHonesty, ComparesErrorsWithWhatIsSaid) {
 }
 
 TEST(BoxHonesty, WhatIsRoundHasNoTurn) {
-  const scenes::Body ball = Body(scenes::ShapeKind::kSphere);
+  const scenes::Body ball = Upright(scenes::ShapeKind::kSphere);
   EXPECT_FALSE(CompareUncertainBox(ball, Answer(ball), Eigen::Isometry3d::Identity())[6]);
   DetectedObject unsure = Answer(ball);
   unsure.uncertainty.reset();
