@@ -27,8 +27,10 @@ cv::Mat ReduceDepthByBlocks(const cv::Mat& depth_m, int size_px) {
   if (size_px == 1) return depth_m;
   const int cols = NumBlocks(depth_m.cols, size_px);
   cv::Mat reduced(NumBlocks(depth_m.rows, size_px), cols, CV_32FC1);
+  std::vector<float> sums(cols), counts(cols);
   for (int block_row = 0; block_row < reduced.rows; ++block_row) {
-    std::vector<float> sums(cols), counts(cols);
+    std::fill(sums.begin(), sums.end(), 0.0F);
+    std::fill(counts.begin(), counts.end(), 0.0F);
     const int end_row = std::min((block_row + 1) * size_px, depth_m.rows);
     for (int row = block_row * size_px; row < end_row; ++row) {
       const float* depth = depth_m.ptr<float>(row);

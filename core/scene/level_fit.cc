@@ -96,6 +96,7 @@ Points PointsAtCommonHeight(const Points& points, const SupportSurface& surface,
   const Interval most = ShortestHalf(heights);
   const float reach = kSigmas / kHalfPerSigma * most.half_width;
   Points common;
+  common.reserve(near.size());
   for (std::size_t i = 0; i < near.size(); ++i) {
     if (std::abs(heights[i] - most.middle) <= reach) common.push_back(near[i]);
   }
@@ -149,6 +150,7 @@ SupportSurface FitRobustly(const Points& points, const SupportSurface& level,
 Points PointsNear(const Points& points, const SupportSurface& surface,
                   const SupportOptions& options, float widening) {
   Points near;
+  near.reserve(points.size());
   LongLoop loop;
   std::copy_if(points.begin(), points.end(), std::back_inserter(near), [&](const auto& p) {
     loop.Turn();

@@ -62,9 +62,10 @@ SupportSurface MostVoted(const VoxelGrid& grid, const std::vector<int>& candidat
   const int half = static_cast<int>(farthest / kOffsetBinM) + 2;
   SupportSurface best;
   float best_votes = 0;
+  std::vector<float> votes;
   for (const Eigen::Vector3f& direction : directions) {
     InterruptionPoint();
-    std::vector<float> votes(2 * static_cast<std::size_t>(half) + 1, 0.0F);
+    votes.assign(2 * static_cast<std::size_t>(half) + 1, 0.0F);
     for (const int v : candidates) {
       const Voxel& voxel = grid.voxels[v];
       if (voxel.normal.dot(direction) < kMinCosine) continue;
@@ -84,6 +85,7 @@ std::vector<int> Inliers(const VoxelGrid& grid, const std::vector<int>& voxels,
                          const SupportSurface& plane, const SupportOptions& tolerance,
                          float widening) {
   std::vector<int> inliers;
+  inliers.reserve(voxels.size());
   InterruptionPoint();
   std::copy_if(voxels.begin(), voxels.end(), std::back_inserter(inliers), [&](int v) {
     const Eigen::Vector3f& p = grid.voxels[v].mean;
@@ -104,10 +106,10 @@ SupportSurface Refine(const VoxelGrid& grid, const std::vector<int>& candidates,
                       SupportSurface plane, const SupportOptions& tolerance) {
   for (const float widening : {2.0F, 1.5F, 1.0F}) {
     InterruptionPoint();
+    const std::vector<int> inliers = Inliers(grid, candidates, plane, tolerance, widening);
     std::vector<Eigen::Vector3f> points;
-    for (const int v : Inliers(grid, candidates, plane, tolerance, widening)) {
-      points.push_back(grid.voxels[v].mean);
-    }
+    points.reserve(inliers.size());
+    for (const int v : inliers) points.push_back(grid.voxels[v].mean);
     if (points.size() < 3) break;
     plane = FitPlane(points, plane.normal);
   }

@@ -36,31 +36,32 @@ class SurfaceDistance {
   float Of(int voxel) const { return distance_[voxel]; }
 
   void AddSource(int source) {
-    using Entry = std::pair<float, int>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
     distance_[source] = 0;
     LongLoop loop;
-    queue.emplace(0.0F, source);
-    while (!queue.empty()) {
+    queue_.emplace(0.0F, source);
+    while (!queue_.empty()) {
       loop.Turn();
-      const auto [distance, voxel] = queue.top();
-      queue.pop();
+      const auto [distance, voxel] = queue_.top();
+      queue_.pop();
       if (distance > distance_[voxel]) continue;
       for (const int neighbor : neighbors_.Of(voxel)) {
         if (is_background_[neighbor]) continue;
         const float step = (grid_.voxels[neighbor].mean - grid_.voxels[voxel].mean).norm();
         if (distance + step >= distance_[neighbor]) continue;
         distance_[neighbor] = distance + step;
-        queue.emplace(distance + step, neighbor);
+        queue_.emplace(distance + step, neighbor);
       }
     }
   }
 
  private:
+  using Entry = std::pair<float, int>;
+
   const VoxelGrid& grid_;
   const Neighbors& neighbors_;
   const std::vector<char>& is_background_;
   std::vector<float> distance_;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;  // empty between calls
 };
 
 // The connected parts of what is not background, as lists of voxels.

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <opencv2/imgproc.hpp>
+#include <optional>
+#include <span>
+#include <vector>
 
 #include "core/seeds/morphology.h"
 #include "core/types/interruption.h"
@@ -53,30 +57,53 @@ cv::Mat FindPeaks(const cv::Mat& saliency, int radius_px, int block_px) {
   return peaks(cv::Rect({}, saliency.size()));
 }
 
-std::vector<std::vector<cv::Point>> PixelsOfPeaks(const cv::Mat& peaks) {
-  InterruptionPoint();
-  std::vector<std::vector<cv::Point>> pixels;
-  for (int row = 0; row < peaks.rows; ++row) {
-    const int* peak = peaks.ptr<int>(row);
-    for (int col = 0; col < peaks.cols; ++col) {
-      if (peak[col] == 0) continue;
-      const auto number = static_cast<std::size_t>(peak[col]);
-      if (number > pixels.size()) pixels.resize(number);
-      pixels[number - 1].emplace_back(col, row);
+using Pixels = std::span<const cv::Point>;
+
+// The pixels of each peak, in row-major order; one after the other in one piece of memory.
+class PixelsOfPeaks {
+ public:
+  explicit PixelsOfPeaks(const cv::Mat& peaks) : first_(2, 0) {
+    InterruptionPoint();
+    ForEachPixel(peaks, [&](std::size_t peak, const cv::Point& /*pixel*/) {
+      if (peak + 2 > first_.size()) first_.resize(peak + 2, 0);
+      ++first_[peak + 1];
+    });
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    pixels_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    ForEachPixel(peaks,
+                 [&](std::size_t peak, const cv::Point& pixel) { pixels_[next[peak]++] = pixel; });
+  }
+
+  std::size_t Count() const { return first_.size() - 2; }
+  // `peak`: 1 … Count()
+  Pixels Of(std::size_t peak) const {
+    return Pixels(pixels_).subspan(first_[peak], first_[peak + 1] - first_[peak]);
+  }
+
+ private:
+  static void ForEachPixel(const cv::Mat& peaks, const auto& visit) {
+    for (int row = 0; row < peaks.rows; ++row) {
+      const int* peak = peaks.ptr<int>(row);
+      for (int col = 0; col < peaks.cols; ++col) {
+        if (peak[col] != 0) visit(static_cast<std::size_t>(peak[col]), cv::Point(col, row));
+      }
     }
   }
-  return pixels;
-}
 
-cv::Point Centroid(const std::vector<cv::Point>& pixels) {
+  std::vector<std::size_t> first_;  // of each number in pixels_; one more at the end
+  std::vector<cv::Point> pixels_;
+};
+
+cv::Point Centroid(Pixels pixels) {
   cv::Point2d sum;
   for (const cv::Point& pixel : pixels) sum += cv::Point2d(pixel);
   const double count = static_cast<double>(pixels.size());
   return {cvRound(sum.x / count), cvRound(sum.y / count)};
 }
 
-std::optional<cv::Point> NearestMeasured(const std::vector<cv::Point>& pixels,
-                                         const cv::Point& center, const cv::Mat& points) {
+std::optional<cv::Point> NearestMeasured(Pixels pixels, const cv::Point& center,
+                                         const cv::Mat& points) {
   std::optional<cv::Point> nearest;
   int nearest_distance = 0;
   for (const cv::Point& pixel : pixels) {
@@ -89,8 +116,8 @@ std::optional<cv::Point> NearestMeasured(const std::vector<cv::Point>& pixels,
   return nearest;
 }
 
-std::optional<cv::Point> PixelOfPeak(const std::vector<cv::Point>& pixels, const cv::Point& center,
-                                     const cv::Mat& points, bool on_peak) {
+std::optional<cv::Point> PixelOfPeak(Pixels pixels, const cv::Point& center, const cv::Mat& points,
+                                     bool on_peak) {
   if (on_peak) return NearestMeasured(pixels, center, points);
   if (HasPoint(points, center)) return center;
   return std::nullopt;
@@ -104,8 +131,10 @@ SeedCandidates FindSeeds(const cv::Mat& saliency, const cv::Mat& points, Seed::S
   const cv::Mat peaks = FindPeaks(saliency, radius_px, block_px);
   SeedCandidates candidates;
   LongLoop loop;
-  for (const std::vector<cv::Point>& peak : PixelsOfPeaks(peaks)) {
+  const PixelsOfPeaks pixels_of(peaks);
+  for (std::size_t number = 1; number <= pixels_of.Count(); ++number) {
     loop.Turn();
+    const Pixels peak = pixels_of.Of(number);
     const cv::Point center = Centroid(peak);
     const std::optional<cv::Point> pixel = PixelOfPeak(peak, center, points, options.on_peak);
     if (!pixel) {
