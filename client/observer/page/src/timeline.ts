@@ -1,5 +1,5 @@
 // What the history holds of one robot: a bar a frame, as high as it has objects.
-import { el } from "./dom";
+import { counted, el } from "./dom";
 import type { Reel } from "./reel";
 
 const REDUCED = 10; // objects of a full bar, at least
@@ -8,6 +8,7 @@ export class Timeline {
   readonly element: HTMLElement;
   onSeek: (time: number) => void = () => {};
   onStep: (by: number) => void = () => {};
+  onEnd: (isNewest: boolean) => void = () => {};
   private readonly canvas = el("canvas", { id: "timeline", role: "slider", tabindex: "0", "aria-label": "time" });
   private readonly text = el("span", { class: "soft", id: "moment" });
   private dragging = false;
@@ -24,9 +25,10 @@ export class Timeline {
     });
     for (const end of ["pointerup", "pointercancel"] as const) this.canvas.addEventListener(end, () => (this.dragging = false));
     this.canvas.addEventListener("keydown", (event) => {
-      const by = { ArrowLeft: -1, ArrowRight: 1, PageUp: 10, PageDown: -10 }[event.key];
-      if (!by) return;
-      this.onStep(by);
+      const by = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageUp: 10, PageDown: -10 }[event.key];
+      if (by) this.onStep(by);
+      else if (event.key === "Home" || event.key === "End") this.onEnd(event.key === "End");
+      else return;
       event.preventDefault();
     });
   }
@@ -73,7 +75,8 @@ export class Timeline {
     const seconds = Math.max(0, Math.round((Date.now() * 1000 - now) / 1e6));
     const clock = new Date(now / 1000).toLocaleTimeString();
     const { ids, problem } = this.reel.history;
-    this.text.textContent = problem ? `nothing is recorded: ${problem}` : `${clock}, ${seconds} s ago · ${ids.length} frames recorded`;
+    if (!this.reel.isListed) this.text.textContent = "the history is being read";
+    else this.text.textContent = problem ? `nothing is recorded: ${problem}` : `${clock}, ${seconds} s ago · ${counted(ids.length, "frame")} recorded`;
     this.text.classList.toggle("bad", problem !== "");
     this.canvas.setAttribute("aria-valuemin", String(Math.round(from / 1e6)));
     this.canvas.setAttribute("aria-valuemax", String(Math.round(to / 1e6)));

@@ -2,7 +2,7 @@
 // nothing.
 import { optionsOf, tryOptions } from "./api";
 import { describe, match, type Pair } from "./compare";
-import { el } from "./dom";
+import { counted, el } from "./dom";
 import { drawFrame, type Shown } from "./overlay";
 import { cssOf } from "./palette";
 import type { Detections, Option, Seen } from "./types";
@@ -133,7 +133,7 @@ export class Trial {
     const before = seen.frame.detections;
     const pairs = before ? match(before, tried) : tried.objects.map((after) => ({ before: null, after, iou: 0 }));
     const changed = pairs.filter((pair) => describe(pair) !== "the same").length;
-    this.say(`${before?.objects.length ?? 0} objects then, ${tried.objects.length} tried; ${changed === 0 ? "nothing changed" : `${changed} changed`}`);
+    this.say(`${counted(before?.objects.length ?? 0, "object")} then, ${tried.objects.length} tried; ${changed === 0 ? "nothing changed" : `${changed} changed`}`);
     this.changes.replaceChildren(...pairs.map((pair) => changeRow(pair)));
   }
 
