@@ -20868,6 +20868,7 @@ var COLORS = [
   [23, 190, 207],
   [188, 189, 34]
 ];
+var NUM_COLORS = COLORS.length;
 function colorOf(label) {
   return COLORS[(label - 1) % COLORS.length];
 }
@@ -20962,15 +20963,24 @@ function drawLabel(context, label, box, scale) {
   context.fillStyle = "#000";
   context.fillText(text, box.x + 4 * scale, Math.max(0, box.y - height) + 14 * scale);
 }
+function drawOutlined(context, text, x, y) {
+  context.save();
+  context.setLineDash([]);
+  context.strokeStyle = "#000";
+  context.lineWidth *= 2;
+  context.strokeText(text, x, y);
+  context.restore();
+  context.fillText(text, x, y);
+}
 function drawRejected(context, detections, scale) {
   context.save();
   context.setLineDash([5 * scale, 4 * scale]);
   context.lineWidth = 1.5 * scale;
-  context.strokeStyle = context.fillStyle = "#ff5a52";
+  context.strokeStyle = context.fillStyle = "#ff8a80";
   context.font = `${Math.round(12 * scale)}px system-ui, sans-serif`;
   for (const { bounding_box, probability } of detections.rejected) {
     strokeBounds(context, bounding_box);
-    context.fillText(`${Math.round(100 * probability)} %`, bounding_box.x + 2, bounding_box.y + bounding_box.height - 3);
+    drawOutlined(context, `${Math.round(100 * probability)} %`, bounding_box.x + 2, bounding_box.y + bounding_box.height - 3);
   }
   context.restore();
 }
@@ -21522,6 +21532,7 @@ var Save = class {
 // src/stages.ts
 var MAX_BARS = 120;
 var APART = /* @__PURE__ */ new Set(["processor_wait"]);
+var tintOf = (stage) => cssOf(stage + 1, stage < NUM_COLORS ? 1 : 0.5);
 var Stages = class {
   element;
   canvas = el("canvas", { id: "stages", role: "img" });
@@ -21547,7 +21558,7 @@ var Stages = class {
       let y = clientHeight;
       names.forEach((name, k) => {
         const height = (bar.stages[name] ?? 0) / highest * clientHeight;
-        context.fillStyle = cssOf(k + 1);
+        context.fillStyle = tintOf(k);
         context.fillRect(i * width, y - height, Math.max(1, width - 1), height);
         y -= height;
       });
@@ -21558,7 +21569,7 @@ var Stages = class {
       el("span", { class: "soft" }, `top = ${highest.toFixed(0)} ms`),
       ...names.map((name, k) => {
         const swatch = el("span", { class: "swatch" });
-        swatch.style.background = cssOf(k + 1);
+        swatch.style.background = tintOf(k);
         return el("span", {}, swatch, `${name} ${(last.stages[name] ?? 0).toFixed(1)}`);
       })
     );
@@ -21620,6 +21631,7 @@ var ObjectTable = class {
 };
 
 // src/timeline.ts
+var MAX_MINUTES = 120;
 var REDUCED = 10;
 var Timeline = class {
   constructor(reel) {
@@ -21670,9 +21682,11 @@ var Timeline = class {
     this.canvas.height = clientHeight;
     const context = this.canvas.getContext("2d");
     const style = getComputedStyle(this.canvas);
-    const [good, bad, line] = ["--accent", "--bad", "--text"].map((name) => style.getPropertyValue(name));
+    const [good, bad, line, grid] = ["--accent", "--bad", "--text", "--line"].map((name) => style.getPropertyValue(name));
     const [from, to] = this.range();
     const x = (time) => (time - from) / (to - from) * clientWidth;
+    context.fillStyle = grid;
+    for (let minute = to; minute > from && to - from < MAX_MINUTES * 6e7; minute -= 6e7) context.fillRect(x(minute), 0, 1, clientHeight);
     const most = Math.max(REDUCED, ...objects);
     ids.forEach((id, i) => {
       const height = problems[i] ? clientHeight : (0.15 + 0.85 * objects[i] / most) * clientHeight;
@@ -21767,11 +21781,11 @@ var Trial = class {
       { class: "trial", "aria-label": "try other options" },
       this.head,
       el("div", { class: "bar" }, this.run, reset, this.find),
+      el("div", { class: "scroll options" }, el("table", { id: "options" }, heads("option", "value", "range", "meaning"), this.list)),
       this.told,
       el("div", { class: "close" }, el("figure", {}, this.before, el("figcaption", {}, "answered")), el("figure", {}, this.after, el("figcaption", {}, "tried"))),
       el("div", { class: "scroll" }, el("table", { id: "changes" }, heads("object", "tried", "what changed"), this.changes)),
-      el("p", {}, this.command, " ", copy),
-      el("div", { class: "scroll options" }, el("table", { id: "options" }, heads("option", "value", "range", "meaning"), this.list))
+      el("p", {}, this.command, " ", copy)
     );
     this.element.hidden = true;
   }
@@ -22158,7 +22172,9 @@ var Tile = class {
     try {
       const [frame, picture] = await Promise.all([answerOf(robot, id), this.line.has_picture ? pictureOf("preview", robot, id) : null]);
       if (frame) {
-        drawFrame(this.canvas, picture, frame, ON_TILES, 0);
+        const isSeen = picture !== null || frame.detections !== void 0;
+        this.canvas.classList.toggle("before", !isSeen);
+        if (isSeen) drawFrame(this.canvas, picture, frame, ON_TILES, 0);
         this.canvas.dataset.id = String(id);
       }
       this.fetched = id;

@@ -57,7 +57,10 @@ class Tile {
     try {
       const [frame, picture] = await Promise.all([answerOf(robot, id), this.line.has_picture ? pictureOf("preview", robot, id) : null]);
       if (frame) {
-        drawFrame(this.canvas, picture, frame, ON_TILES, 0);
+        // Of a frame that was refused there is nothing to see: what was seen before stays, dimmed.
+        const isSeen = picture !== null || frame.detections !== undefined;
+        this.canvas.classList.toggle("before", !isSeen);
+        if (isSeen) drawFrame(this.canvas, picture, frame, ON_TILES, 0);
         this.canvas.dataset.id = String(id);
       }
       this.fetched = id;

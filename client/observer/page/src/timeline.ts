@@ -1,7 +1,8 @@
-// What the history holds of one robot: a bar a frame, as high as it has objects.
+// What the history holds of one robot: a bar a frame, as high as it has objects, and a line a minute.
 import { counted, el } from "./dom";
 import type { Reel } from "./reel";
 
+const MAX_MINUTES = 120; // of which each has its line
 const REDUCED = 10; // objects of a full bar, at least
 
 export class Timeline {
@@ -54,9 +55,11 @@ export class Timeline {
     this.canvas.height = clientHeight;
     const context = this.canvas.getContext("2d")!;
     const style = getComputedStyle(this.canvas);
-    const [good, bad, line] = ["--accent", "--bad", "--text"].map((name) => style.getPropertyValue(name));
+    const [good, bad, line, grid] = ["--accent", "--bad", "--text", "--line"].map((name) => style.getPropertyValue(name));
     const [from, to] = this.range();
     const x = (time: number) => ((time - from) / (to - from)) * clientWidth;
+    context.fillStyle = grid;
+    for (let minute = to; minute > from && to - from < MAX_MINUTES * 60e6; minute -= 60e6) context.fillRect(x(minute), 0, 1, clientHeight);
     const most = Math.max(REDUCED, ...objects);
     ids.forEach((id, i) => {
       const height = problems[i] ? clientHeight : (0.15 + (0.85 * objects[i]) / most) * clientHeight;

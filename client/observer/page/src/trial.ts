@@ -43,11 +43,11 @@ export class Trial {
       { class: "trial", "aria-label": "try other options" },
       this.head,
       el("div", { class: "bar" }, this.run, reset, this.find),
+      el("div", { class: "scroll options" }, el("table", { id: "options" }, heads("option", "value", "range", "meaning"), this.list)),
       this.told,
       el("div", { class: "close" }, el("figure", {}, this.before, el("figcaption", {}, "answered")), el("figure", {}, this.after, el("figcaption", {}, "tried"))),
       el("div", { class: "scroll" }, el("table", { id: "changes" }, heads("object", "tried", "what changed"), this.changes)),
       el("p", {}, this.command, " ", copy),
-      el("div", { class: "scroll options" }, el("table", { id: "options" }, heads("option", "value", "range", "meaning"), this.list)),
     );
     this.element.hidden = true;
   }
