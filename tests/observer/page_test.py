@@ -349,7 +349,9 @@ def test_saves_a_frame_and_the_seconds_around(browser: Browser, past: Any, tmp_p
         assert len(json.loads(file.read("bundle.json"))["frames"]) > 1
 
 
-def test_tries_options_beside_the_answer(browser: Browser, past: Any) -> None:
+def test_tries_options_beside_the_answer(
+    browser: Browser, past: Any, recorded: Recorded, scene: Scene
+) -> None:
     browser.press("try")
     browser.until(lambda: browser.all("#options tbody tr"))
     before = browser.pixels(browser.find("#before"))
@@ -362,11 +364,16 @@ def test_tries_options_beside_the_answer(browser: Browser, past: Any) -> None:
     find = browser.find("#find")
     find.send_keys("min_probability")
     assert 0 < len(browser.all("#options tbody tr")) < 5
-    set_option(browser, "objects.min_probability", 1)
-    browser.until(lambda: browser.texts("#command")[0].endswith(" --set objects.min_probability=1"))
+    changes = {"objects.min_probability": 0.97}
+    wanted = recorded.robots.detect("other", scene.frame(), parameters=changes).objects
+    assert 0 < len(wanted) < len(rows)
+    set_option(browser, *changes.popitem())
+    browser.until(lambda: browser.texts("#command")[0].endswith("objects.min_probability=0.97"))
     browser.find("#run").click()
     browser.until(lambda: "gone" in browser.texts("#changes tbody tr td:last-child"))
     assert "changed" in browser.texts("#tried")[0]
+    tried = browser.texts("#changes tbody tr td:nth-child(2)")
+    assert {text for text in tried if text != "–"} == {str(found.label) for found in wanted}
     set_option(browser, "objects.min_probability", 7)
     browser.find("#run").click()
     browser.until(lambda: browser.texts("#tried.bad"))
@@ -557,6 +564,31 @@ def bent(
             y * radial + k[2] * (r2 + 2 * y * y) + 2 * k[3] * x * y,
         )
     return focal * x + middle[0], focal * y + middle[1]
+
+
+def luminance(color: str) -> float:
+    """Of #rrggbb, as WCAG 2 has it."""
+    shares = [int(color[i : i + 2], 16) / 255 for i in (1, 3, 5)]
+    linear = [x / 12.92 if x <= 0.04045 else ((x + 0.055) / 1.055) ** 2.4 for x in shares]
+    return float(np.dot(linear, (0.2126, 0.7152, 0.0722)))
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_texts_stand_out(browser: Browser, observer: ObserverProcess, scheme: str) -> None:
+    """At least as WCAG 2 asks for it at level AA."""
+    feature = {"name": "prefers-color-scheme", "value": scheme}
+    browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [feature]})
+    browser.driver.get(observer.url)
+    script = """const style = getComputedStyle(document.documentElement);
+    return arguments[0].map(name => style.getPropertyValue("--" + name).trim());"""
+    names = ["back", "card", "bad-back", "text", "soft", "bad", "accent"]
+    colors = dict(zip(names, browser.driver.execute_script(script, names), strict=True))
+    light = {name: luminance(color) for name, color in colors.items()}
+    assert (light["back"] > light["text"]) == (scheme == "light")
+    pairs = list(itertools.product(("text", "soft", "bad"), ("back", "card")))
+    for one, other in [*pairs, ("text", "bad-back"), ("accent", "back"), ("accent", "card")]:
+        dark, bright = sorted((light[one], light[other]))
+        assert (bright + 0.05) / (dark + 0.05) >= 4.5, (one, other)
 
 
 def test_the_page_complains_of_nothing(browser: Browser, picture: Any) -> None:
