@@ -491,7 +491,9 @@ def test_the_history_goes_on_after_both_were_killed(
         place = browser.find("#timeline").rect
         server.kill()
         says("is away: ")
-        assert browser.find("#timeline").rect == place, "what is said moves nothing that is clicked on"
+        assert (
+            browser.find("#timeline").rect == place
+        ), "what is said moves nothing that is clicked on"
         seek_first(browser, "before both")  # what is there can still be seen
         observer.kill()
         says("the observer is away")
