@@ -402,6 +402,7 @@ def test_a_frame_that_is_not_recorded_is_tried_by_the_nearest(
         browser.until(lambda: shown(browser) == "recorded")
         told = browser.texts("#picked")[0]
         assert told.startswith("the history does not hold the frame") and told.endswith("before it")
+        browser.until(lambda: browser.all("#options tbody tr"))
 
 
 def set_option(browser: Browser, name: str, value: float) -> None:
