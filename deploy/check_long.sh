@@ -30,7 +30,7 @@ sanitize() { # PRESET TARGET...
 
 fuzz() {
   cmake --preset release >/dev/null
-  for name in jpeg mcap png rvl zstd request; do
+  for name in bundle jpeg mcap png request routes rvl zstd; do
     nice cmake --build --preset release --target "${name}_libfuzzer" -j "$jobs"
     mkdir -p "build/release/tests/fuzz/found/$name"
     nice "build/release/tests/fuzz/${name}_fuzzer" -runs="${FUZZ_RUNS:-2000000}" -max_len=8192 \

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "client/observer/json_text.h"
 #include "client/observer/server_calls.h"
 
 namespace fovea::observer {
@@ -13,15 +14,6 @@ namespace {
 using nlohmann::json;
 
 constexpr int kMaxAsked = 4;  // at once; each holds a thread
-
-std::string JsonOf(const google::protobuf::Message& message) {
-  google::protobuf::util::JsonPrintOptions options;
-  options.preserve_proto_field_names = true;
-  options.always_print_primitive_fields = true;
-  std::string text;
-  if (!google::protobuf::util::MessageToJsonString(message, &text, options).ok()) return "{}";
-  return text;
-}
 
 // In the server's own words.
 HttpResponse RefusalOf(const grpc::Status& status) {
@@ -139,7 +131,7 @@ HttpResponse AskRoutes::Options(const HttpRequest& request, Feed& feed) const {
   if (link == nullptr) return NotFound();
   v1::ListOptionsResponse options;
   const grpc::Status status = ListOptions(*link, feed.token(), &options);
-  return status.ok() ? BytesResponse("application/json", JsonOf(options)) : RefusalOf(status);
+  return status.ok() ? BytesResponse("application/json", JsonText(options)) : RefusalOf(status);
 }
 
 HttpResponse AskRoutes::TryFrame(const HttpRequest& request, Feed& feed) const {
@@ -156,7 +148,7 @@ HttpResponse AskRoutes::TryFrame(const HttpRequest& request, Feed& feed) const {
   if (!parsed.ok()) return ErrorResponse(400, "options: " + std::string(parsed.message()));
   v1::TryResponse response;
   const grpc::Status status = Try(*link, feed.token(), trial, &response);
-  return status.ok() ? BytesResponse("application/json", JsonOf(response)) : RefusalOf(status);
+  return status.ok() ? BytesResponse("application/json", JsonText(response)) : RefusalOf(status);
 }
 
 HttpResponse AskRoutes::Pick(const HttpRequest& request, Feed& feed) const {
@@ -179,7 +171,7 @@ HttpResponse AskRoutes::Pick(const HttpRequest& request, Feed& feed) const {
   *pick.mutable_oriented_box() = object->oriented_box();
   v1::SelectObjectResponse response;
   const grpc::Status status = SelectObject(*link, feed.token(), selection, &response);
-  return status.ok() ? BytesResponse("application/json", JsonOf(response)) : RefusalOf(status);
+  return status.ok() ? BytesResponse("application/json", JsonText(response)) : RefusalOf(status);
 }
 
 }  // namespace fovea::observer

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "client/observer/board_json.h"
+#include "client/observer/json_text.h"
 
 namespace fovea::observer {
 namespace {
@@ -114,7 +115,7 @@ std::string Board::ChangesSince(std::uint64_t* version, const std::string& close
     }
   }
   *version = version_;
-  return changes.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return JsonText(changes);
 }
 
 ShownFramePtr Board::Frame(const std::string& robot, std::uint64_t id) const {
@@ -141,7 +142,7 @@ bool Board::MayDo(const std::string& address, const std::string& robot,
 std::optional<std::string> Board::Who() const {
   const std::lock_guard lock(mutex_);
   for (const Server& server : servers_) {
-    if (server.observer) return ObserverJson(*server.observer).dump();
+    if (server.observer) return JsonText(ObserverJson(*server.observer));
   }
   return std::nullopt;
 }

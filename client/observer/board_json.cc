@@ -1,18 +1,14 @@
 #include "client/observer/board_json.h"
 
-#include <google/protobuf/util/json_util.h>
 #include <google/protobuf/util/time_util.h>
+
+#include "client/observer/json_text.h"
 
 namespace fovea::observer {
 namespace {
 
 using google::protobuf::util::TimeUtil;
 using nlohmann::json;
-
-// Texts that are no UTF-8 come from outside and must not end anything.
-std::string Dump(const json& value) {
-  return value.dump(-1, ' ', false, json::error_handler_t::replace);
-}
 
 double Milliseconds(const google::protobuf::Duration& duration) {
   return static_cast<double>(TimeUtil::DurationToMicroseconds(duration)) / 1000;
@@ -103,14 +99,7 @@ std::string FrameJson(const ShownFrame& shown) {
   frame.clear_answer();
   frame.mutable_depth()->clear_data();
   if (!shown.frame.has_depth()) frame.clear_depth();
-  google::protobuf::util::JsonPrintOptions options;
-  options.preserve_proto_field_names = true;
-  options.always_print_primitive_fields = true;
-  std::string text;
-  if (!google::protobuf::util::MessageToJsonString(frame, &text, options).ok()) {
-    return Dump({{"robot", frame.robot()}});
-  }
-  return text;
+  return JsonText(frame);
 }
 
 }  // namespace fovea::observer

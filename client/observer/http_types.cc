@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "client/observer/json_text.h"
+
 namespace fovea::observer {
 namespace {
 
@@ -90,9 +92,7 @@ HttpResponse NotFound() { return ErrorResponse(404, "there is nothing here"); }
 
 HttpResponse ErrorResponse(int status, const std::string& text) {
   const nlohmann::json body{{"error", text}};
-  return {.status = status,
-          .body = std::make_shared<const std::string>(
-              body.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace))};
+  return {.status = status, .body = std::make_shared<const std::string>(JsonText(body))};
 }
 
 }  // namespace fovea::observer

@@ -9,6 +9,7 @@
 #include "client/observer/assets.h"
 #include "client/observer/board_events.h"
 #include "client/observer/board_json.h"
+#include "client/observer/json_text.h"
 
 namespace fovea::observer {
 namespace {
@@ -122,8 +123,7 @@ HttpResponse Routes::Who(const Session& session) const {
   auto who = nlohmann::json::parse(session.feed->board().Who().value_or("{}"));
   who["csrf"] = session.csrf;
   who["history"] = nlohmann::json::parse(history_.About());
-  return BytesResponse("application/json",
-                       who.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  return BytesResponse("application/json", JsonText(who));
 }
 
 HttpResponse Routes::Events(const HttpRequest& request, const Session& session) const {

@@ -27,6 +27,7 @@ import fovea
 
 pytest.importorskip("selenium", reason="python3-selenium is not installed")
 from browser import CHROMIUM, DRIVER, Browser  # noqa: E402
+from selenium.webdriver.common.keys import Keys  # noqa: E402
 
 pytestmark = pytest.mark.skipif(
     not (CHROMIUM and DRIVER), reason="chromium and chromium-driver are not installed"
@@ -198,6 +199,26 @@ def test_points_in_3d_are_where_they_are(
     assert tried >= 5
 
 
+def test_the_cloud_is_turned_and_measured_by_keys(
+    browser: Browser, picture: Any, scene: Scene
+) -> None:
+    browser.press("3D")
+    cloud = browser.find("#cloud")
+    browser.until(lambda: browser.drawn(cloud)[:, :, :3].max() > 0)
+    stop(browser)
+    point = browser.find("#point")
+    cloud.send_keys(Keys.HOME)
+    browser.until(lambda: point.get_attribute("value"))
+    z = float(point.get_attribute("value").split()[2])
+    middle = scene.depth[115:125, 155:165] / 1000  # metres around the middle of the picture
+    assert middle.min() - 0.01 < z < middle.max() + 0.01
+    seen = browser.drawn(cloud)
+    for keys in (Keys.ARROW_LEFT, "+", Keys.SHIFT + Keys.ARROW_UP + Keys.NULL):
+        cloud.send_keys(keys)
+        browser.until(lambda: (browser.drawn(cloud) != seen).any())
+        seen = browser.drawn(cloud)
+
+
 def test_stops_and_steps_by_key(browser: Browser, picture: Any) -> None:
     body = browser.find("body")
     first = int(picture.get_attribute("data-id"))
@@ -262,7 +283,7 @@ def shown(browser: Browser) -> str:
 
 
 def test_steps_back_into_the_history_and_on_again(browser: Browser, past: Any) -> None:
-    browser.until(lambda: "frames recorded" in browser.texts("#moment")[0])
+    browser.until(lambda: " recorded" in browser.texts("#moment")[0])
     stop(browser)
     body = browser.find("body")
     while shown(browser) == "now":
@@ -285,19 +306,23 @@ def test_steps_back_into_the_history_and_on_again(browser: Browser, past: Any) -
 
 def test_the_time_line_leads_to_moments(browser: Browser, past: Any) -> None:
     line = browser.find("#timeline")
-    browser.until(lambda: "frames recorded" in browser.texts("#moment")[0])
+    browser.until(lambda: " recorded" in browser.texts("#moment")[0])
     # Long before there was anything: the nearest is the first.
     browser.click(line, 0.01, 0.5)
     browser.until(lambda: past.get_attribute("data-past") == "true")
     assert shown(browser).startswith("before")
     first = shown(browser)
-    line.send_keys("\ue014")  # the right arrow
+    line.send_keys(Keys.ARROW_RIGHT)
     browser.until(lambda: shown(browser) != first)
+    line.send_keys(Keys.HOME)
+    browser.until(lambda: shown(browser) == first)
+    line.send_keys(Keys.END)
+    browser.until(lambda: shown(browser) == "now")
 
 
 def test_the_past_is_in_3d_too(browser: Browser, past: Any) -> None:
     browser.press("3D")
-    browser.until(lambda: "frames recorded" in browser.texts("#moment")[0])
+    browser.until(lambda: " recorded" in browser.texts("#moment")[0])
     browser.click(browser.find("#timeline"), 0.01, 0.5)
     browser.until(lambda: past.get_attribute("data-past") == "true")
     cloud = browser.find("#cloud")
@@ -324,7 +349,9 @@ def test_saves_a_frame_and_the_seconds_around(browser: Browser, past: Any, tmp_p
         assert len(json.loads(file.read("bundle.json"))["frames"]) > 1
 
 
-def test_tries_options_beside_the_answer(browser: Browser, past: Any) -> None:
+def test_tries_options_beside_the_answer(
+    browser: Browser, past: Any, recorded: Recorded, scene: Scene
+) -> None:
     browser.press("try")
     browser.until(lambda: browser.all("#options tbody tr"))
     before = browser.pixels(browser.find("#before"))
@@ -337,15 +364,45 @@ def test_tries_options_beside_the_answer(browser: Browser, past: Any) -> None:
     find = browser.find("#find")
     find.send_keys("min_probability")
     assert 0 < len(browser.all("#options tbody tr")) < 5
-    set_option(browser, "objects.min_probability", 1)
-    browser.until(lambda: browser.texts("#command")[0].endswith(" --set objects.min_probability=1"))
+    changes = {"objects.min_probability": 0.97}
+    wanted = recorded.robots.detect("other", scene.frame(), parameters=changes).objects
+    assert 0 < len(wanted) < len(rows)
+    set_option(browser, *changes.popitem())
+    browser.until(lambda: browser.texts("#command")[0].endswith("objects.min_probability=0.97"))
     browser.find("#run").click()
     browser.until(lambda: "gone" in browser.texts("#changes tbody tr td:last-child"))
     assert "changed" in browser.texts("#tried")[0]
+    tried = browser.texts("#changes tbody tr td:nth-child(2)")
+    assert {text for text in tried if text != "–"} == {str(found.label) for found in wanted}
     set_option(browser, "objects.min_probability", 7)
     browser.find("#run").click()
     browser.until(lambda: browser.texts("#tried.bad"))
     assert "objects.min_probability" in browser.texts("#tried.bad")[0]
+
+
+def test_a_frame_that_is_not_recorded_is_tried_by_the_nearest(
+    browser: Browser, scene: Scene, tmp_path: Path
+) -> None:
+    """A robot that sends faster than the history is kept."""
+    flags = history_flags(tmp_path, rate=0.1)
+    with (
+        ServerProcess(write_observers(tmp_path)) as server,
+        ObserverProcess(server.address, "127.0.0.1:0", *flags) as observer,
+    ):
+        visitor, robots = Visitor(observer.address), Robots(server.address)
+        visitor.log_in(OBSERVERS["ann"][0])
+        recorder_is_ready(visitor, robots)
+        robots.detect("arm", scene.frame(id="recorded"))
+        visitor.history("arm", 1)
+        browser.log_in(observer.url, OBSERVERS["ann"][0])
+        robots.detect("arm", scene.frame(id="between"))
+        browser.find("[data-robot=arm] button").click()
+        browser.until(lambda: shown(browser) == "between")
+        browser.press("try")
+        browser.until(lambda: shown(browser) == "recorded")
+        told = browser.texts("#picked")[0]
+        assert told.startswith("the history does not hold the frame") and told.endswith("before it")
+        browser.until(lambda: browser.all("#options tbody tr"))
 
 
 def set_option(browser: Browser, name: str, value: float) -> None:
@@ -394,20 +451,23 @@ def test_who_may_only_look_is_shown_no_more(
     with Sending(recorded.robots, "kitchen-1", scene.frame()):
         browser.find("[data-robot=kitchen-1] button").click()
         browser.find("#picture[data-id]")
-        browser.until(lambda: "frames recorded" in browser.texts("#moment")[0])
+        browser.until(lambda: " recorded" in browser.texts("#moment")[0])
         labels = browser.texts(".bar button")
         assert "stop" in labels and not {"save", "save frame", "try"} & set(labels)
         assert not browser.all(".picks")
 
 
-def test_without_a_history_there_is_no_time_line(browser: Browser, picture: Any) -> None:
+def test_without_a_history_its_flags_are_told(browser: Browser, picture: Any) -> None:
     assert not browser.find("#timeline").is_displayed()
+    told = browser.find("#no-history").text
+    assert "--history FOLDER" in told and "--history-token-file" in told
 
 
-def seek_first(browser: Browser) -> bool:
-    """Whether a frame of the history is shown; asks for its first one."""
+def seek_first(browser: Browser, name: str) -> None:
+    """A single click leads to the first frame of the history, of this name."""
     browser.click(browser.find("#timeline"), 0.01, 0.5)
-    return browser.find("#picture").get_attribute("data-past") == "true"
+    picture = browser.find("#picture")
+    browser.until(lambda: picture.get_attribute("data-past") == "true" and shown(browser) == name)
 
 
 def test_the_history_goes_on_after_both_were_killed(
@@ -428,10 +488,14 @@ def test_the_history_goes_on_after_both_were_killed(
         with Sending(Robots(server.address), "arm", scene.frame(id="before both")):
             browser.find("[data-robot=arm] button").click()
             browser.find("#picture[data-id]")
-            browser.until(lambda: "frames recorded" in browser.texts("#moment")[0])
+            browser.until(lambda: " recorded" in browser.texts("#moment")[0])
+        place = browser.find("#timeline").rect
         server.kill()
         says("is away: ")
-        browser.until(lambda: seek_first(browser))  # what is there can still be seen
+        assert (
+            browser.find("#timeline").rect == place
+        ), "what is said moves nothing that is clicked on"
+        seek_first(browser, "before both")  # what is there can still be seen
         observer.kill()
         says("the observer is away")
         with (
@@ -442,8 +506,7 @@ def test_the_history_goes_on_after_both_were_killed(
             with Sending(Robots(again.address), "arm", scene.frame(id="after both")):
                 browser.find("#picture[data-id]")
                 browser.until(lambda: shown(browser) == "after both")
-                browser.until(lambda: "frames recorded" in browser.texts("#moment")[0])
-                browser.until(lambda: seek_first(browser) and shown(browser) == "before both")
+                seek_first(browser, "before both")
 
 
 @pytest.mark.parametrize(
@@ -504,6 +567,31 @@ def bent(
             y * radial + k[2] * (r2 + 2 * y * y) + 2 * k[3] * x * y,
         )
     return focal * x + middle[0], focal * y + middle[1]
+
+
+def luminance(color: str) -> float:
+    """Of #rrggbb, as WCAG 2 has it."""
+    shares = [int(color[i : i + 2], 16) / 255 for i in (1, 3, 5)]
+    linear = [x / 12.92 if x <= 0.04045 else ((x + 0.055) / 1.055) ** 2.4 for x in shares]
+    return float(np.dot(linear, (0.2126, 0.7152, 0.0722)))
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_texts_stand_out(browser: Browser, observer: ObserverProcess, scheme: str) -> None:
+    """At least as WCAG 2 asks for it at level AA."""
+    feature = {"name": "prefers-color-scheme", "value": scheme}
+    browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [feature]})
+    browser.driver.get(observer.url)
+    script = """const style = getComputedStyle(document.documentElement);
+    return arguments[0].map(name => style.getPropertyValue("--" + name).trim());"""
+    names = ["back", "card", "bad-back", "text", "soft", "bad", "accent"]
+    colors = dict(zip(names, browser.driver.execute_script(script, names), strict=True))
+    light = {name: luminance(color) for name, color in colors.items()}
+    assert (light["back"] > light["text"]) == (scheme == "light")
+    pairs = list(itertools.product(("text", "soft", "bad"), ("back", "card")))
+    for one, other in [*pairs, ("text", "bad-back"), ("accent", "back"), ("accent", "card")]:
+        dark, bright = sorted((light[one], light[other]))
+        assert (bright + 0.05) / (dark + 0.05) >= 4.5, (one, other)
 
 
 def test_the_page_complains_of_nothing(browser: Browser, picture: Any) -> None:

@@ -12,6 +12,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "client/observer/json_text.h"
+
 namespace fovea::observer {
 namespace {
 
@@ -38,12 +40,11 @@ std::uint32_t ChecksumOf(const std::string& header, const std::string& body) {
 }
 
 std::string TextOf(const HistoryHeader& header) {
-  return json{{"robot", header.robot},
-              {"server", header.server},
-              {"version", header.version},
-              {"objects", header.objects},
-              {"problem", header.problem}}
-      .dump(-1, ' ', false, json::error_handler_t::replace);
+  return JsonText(json{{"robot", header.robot},
+                       {"server", header.server},
+                       {"version", header.version},
+                       {"objects", header.objects},
+                       {"problem", header.problem}});
 }
 
 std::optional<HistoryHeader> HeaderOf(const std::string& text) {

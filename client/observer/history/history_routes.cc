@@ -5,6 +5,7 @@
 
 #include "client/observer/board_json.h"
 #include "client/observer/history/bundling.h"
+#include "client/observer/json_text.h"
 
 namespace fovea::observer {
 namespace {
@@ -13,15 +14,12 @@ using nlohmann::json;
 
 constexpr const char* kPath = "/api/history";
 
-std::string Dump(const json& value) {
-  return value.dump(-1, ' ', false, json::error_handler_t::replace);
-}
-
 HttpResponse AnswerResponse(std::uint64_t id, const v1::WatchedFrame& frame) {
   ShownFrame shown{.id = id, .came_at_us = id};
   shown.frame = frame;
-  return BytesResponse("application/json", "{\"line\":" + Dump(RobotJson(shown, /*rate_hz=*/0)) +
-                                               ",\"frame\":" + FrameJson(shown) + "}");
+  return BytesResponse("application/json",
+                       "{\"line\":" + JsonText(RobotJson(shown, /*rate_hz=*/0)) +
+                           ",\"frame\":" + FrameJson(shown) + "}");
 }
 
 // The file that was sent, where that was one that browsers show.
@@ -40,7 +38,7 @@ bool HistoryRoutes::IsOne(const std::string& path) {
 std::string HistoryRoutes::About() const {
   if (history_ == nullptr) return "null";
   const auto minutes = std::chrono::duration<double, std::ratio<60>>(history_->limits().span);
-  return Dump({{"minutes", minutes.count()}, {"problem", recorder_->Problem()}});
+  return JsonText(json{{"minutes", minutes.count()}, {"problem", recorder_->Problem()}});
 }
 
 HttpResponse HistoryRoutes::Answer(const HttpRequest& request, const Board& board) const {
@@ -64,7 +62,7 @@ HttpResponse HistoryRoutes::List(const std::string& robot, const Board& board) c
   list["ids"] = std::move(ids);
   list["objects"] = std::move(objects);
   list["problems"] = std::move(problems);
-  return BytesResponse("application/json", Dump(list));
+  return BytesResponse("application/json", JsonText(list));
 }
 
 std::optional<HistoryRecord> HistoryRoutes::Find(const std::string& robot, std::uint64_t id,

@@ -5,8 +5,9 @@ function el(name, attributes = {}, ...children) {
   element.append(...children);
   return element;
 }
+var counted = (count, what) => `${count} ${what}${count === 1 ? "" : "s"}`;
 function toggle(label, key, on, change) {
-  const button = el("button", { type: "button", "aria-pressed": String(on), title: `key ${key}` }, label);
+  const button = el("button", { type: "button", "aria-pressed": String(on), title: `key ${key === " " ? "space" : key}` }, label);
   button.addEventListener("click", () => {
     const now = button.getAttribute("aria-pressed") !== "true";
     button.setAttribute("aria-pressed", String(now));
@@ -20867,6 +20868,7 @@ var COLORS = [
   [23, 190, 207],
   [188, 189, 34]
 ];
+var NUM_COLORS = COLORS.length;
 function colorOf(label) {
   return COLORS[(label - 1) % COLORS.length];
 }
@@ -20961,15 +20963,24 @@ function drawLabel(context, label, box, scale) {
   context.fillStyle = "#000";
   context.fillText(text, box.x + 4 * scale, Math.max(0, box.y - height) + 14 * scale);
 }
+function drawOutlined(context, text, x, y) {
+  context.save();
+  context.setLineDash([]);
+  context.strokeStyle = "#000";
+  context.lineWidth *= 2;
+  context.strokeText(text, x, y);
+  context.restore();
+  context.fillText(text, x, y);
+}
 function drawRejected(context, detections, scale) {
   context.save();
   context.setLineDash([5 * scale, 4 * scale]);
   context.lineWidth = 1.5 * scale;
-  context.strokeStyle = context.fillStyle = "#ff5a52";
+  context.strokeStyle = context.fillStyle = "#ff8a80";
   context.font = `${Math.round(12 * scale)}px system-ui, sans-serif`;
   for (const { bounding_box, probability } of detections.rejected) {
     strokeBounds(context, bounding_box);
-    context.fillText(`${Math.round(100 * probability)} %`, bounding_box.x + 2, bounding_box.y + bounding_box.height - 3);
+    drawOutlined(context, `${Math.round(100 * probability)} %`, bounding_box.x + 2, bounding_box.y + bounding_box.height - 3);
   }
   context.restore();
 }
@@ -21062,6 +21073,9 @@ in vec3 tint;
 out vec4 color;
 void main() { color = vec4(tint, 1.0); }`;
 var PICK_PIXELS = 7;
+var HELP = "drag or arrow keys turn, wheel or + and - zoom, with shift they move, Home goes back";
+var TURN = 0.08;
+var ZOOM = 1.1;
 function integerTexture(data, width, height) {
   const is16 = data instanceof Uint16Array;
   const texture = new DataTexture(data, width, height, RedIntegerFormat, is16 ? UnsignedShortType : UnsignedByteType);
@@ -21074,7 +21088,7 @@ function integerTexture(data, width, height) {
 var vector = ({ x, y, z }) => new Vector3(x, y, z);
 var Cloud = class {
   element;
-  canvas = el("canvas", { id: "cloud", tabindex: "0", "aria-label": "cloud of points; drag to turn, wheel to zoom" });
+  canvas = el("canvas", { id: "cloud", tabindex: "0", role: "application", "aria-label": `cloud of points; ${HELP}` });
   readout = el("output", { id: "point" });
   renderer;
   scene = new Scene();
@@ -21089,7 +21103,7 @@ var Cloud = class {
   placed = "";
   waiting = false;
   constructor() {
-    this.element = el("div", { class: "view" }, this.canvas, this.readout);
+    this.element = el("div", { class: "view" }, el("div", { class: "aim" }, this.canvas), el("div", { class: "soft" }, HELP), this.readout);
     this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, preserveDrawingBuffer: true });
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.world.scale.set(1, -1, -1);
@@ -21100,6 +21114,12 @@ var Cloud = class {
     this.controls = new OrbitControls(this.eye, this.canvas);
     this.controls.addEventListener("change", () => this.redraw());
     this.canvas.addEventListener("pointermove", (event) => this.measure(event));
+    this.canvas.addEventListener("keydown", (event) => {
+      if (!this.onKey(event.key, event.shiftKey)) return;
+      this.measureMiddle();
+      event.preventDefault();
+    });
+    this.canvas.addEventListener("focus", () => this.measureMiddle());
     new ResizeObserver(() => this.redraw()).observe(this.canvas);
   }
   material() {
@@ -21166,6 +21186,31 @@ var Cloud = class {
     if (this.frame) this.place(this.frame, true);
     this.redraw();
   }
+  // Turns around what is looked at, moves that, or goes nearer; false for other keys.
+  onKey(key, moves) {
+    const [right, up] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[key] ?? [0, 0];
+    const from = this.eye.position.clone().sub(this.controls.target);
+    if (key === "Home") this.home();
+    else if (key === "+" || key === "=") from.divideScalar(ZOOM);
+    else if (key === "-") from.multiplyScalar(ZOOM);
+    else if (!right && !up) return false;
+    else if (moves) this.move(right, up, from.length() * TURN * 0.5);
+    else {
+      const around = new Spherical().setFromVector3(from);
+      around.theta += right * TURN;
+      around.phi -= up * TURN;
+      from.setFromSpherical(around.makeSafe());
+    }
+    if (key === "Home") return true;
+    this.eye.position.copy(this.controls.target).add(from);
+    this.controls.update();
+    this.redraw();
+    return true;
+  }
+  move(right, up, meters) {
+    const way = new Vector3(right, up, 0).applyQuaternion(this.eye.quaternion);
+    this.controls.target.addScaledVector(way, meters);
+  }
   addThings(frame) {
     this.things.traverse((thing) => thing.geometry?.dispose());
     this.things.clear();
@@ -21227,7 +21272,13 @@ var Cloud = class {
   }
   measure(event) {
     const bounds = this.canvas.getBoundingClientRect();
-    const point = this.pick(event.clientX - bounds.left, event.clientY - bounds.top);
+    this.tell(this.pick(event.clientX - bounds.left, event.clientY - bounds.top));
+  }
+  // Where the cross is that keyboards see.
+  measureMiddle() {
+    if (this.canvas.matches(":focus-visible")) this.tell(this.pick(this.canvas.clientWidth / 2, this.canvas.clientHeight / 2));
+  }
+  tell(point) {
     this.readout.value = point ? `${point.x.toFixed(3)} ${point.y.toFixed(3)} ${point.z.toFixed(3)} m` : "";
   }
   // The nearest point that is drawn at most some pixels beside this place of the canvas.
@@ -21280,7 +21331,11 @@ function boxLines(box) {
 // src/reel.ts
 var MAX_KEPT = 30;
 var REFRESH_MS = 5e3;
+var FRESH_MS = 1e3;
 var NONE = { minutes: 0, problem: "", ids: [], objects: [], problems: [] };
+function nearestOf(moments, time) {
+  return moments.reduce((best, each) => Math.abs(each - time) < Math.abs(best - time) ? each : best);
+}
 var Reel = class {
   constructor(robot, hasHistory, withDepth) {
     this.robot = robot;
@@ -21299,7 +21354,13 @@ var Reel = class {
   // what is shown
   wanted = 0;
   // of the history, while it is fetched
+  sought = 0;
+  // the time that was asked for last
   fetching = false;
+  listing = null;
+  // while the list of the history is fetched
+  listedAt = 0;
+  // 0: never yet
   timer;
   stopped = false;
   close() {
@@ -21307,6 +21368,9 @@ var Reel = class {
   }
   get newestId() {
     return this.kept[this.kept.length - 1]?.line.id ?? 0;
+  }
+  get isListed() {
+    return this.listedAt > 0;
   }
   get current() {
     return this.seen;
@@ -21319,36 +21383,38 @@ var Reel = class {
   }
   stop(on) {
     this.stopped = on;
-    this.wanted = 0;
+    this.wanted = this.sought = 0;
     if (on) void this.refresh();
     else if (this.kept.length > 0) this.show(this.kept[this.kept.length - 1]);
   }
   // One frame on, or back.
-  step(by) {
+  async step(by) {
+    this.sought = 0;
+    if (this.place() + by < 0) await this.freshList();
     const moments = this.moments();
-    const now = this.wanted || this.seen?.line.came_at_us || 0;
-    let at = moments.length - 1;
-    while (at > 0 && moments[at] > now) --at;
-    this.seek(moments[Math.min(moments.length - 1, Math.max(0, at + by))]);
+    if (moments.length > 0) this.goTo(moments[Math.min(moments.length - 1, Math.max(0, this.place() + by))]);
   }
-  // To the frame that came nearest to this time.
-  seek(time) {
-    const moments = this.moments();
-    if (moments.length === 0) return;
-    const nearest = moments.reduce((best, each) => Math.abs(each - time) < Math.abs(best - time) ? each : best);
-    const kept = this.kept.find((each) => each.line.came_at_us === nearest);
-    this.wanted = kept ? 0 : nearest;
-    if (kept) this.show(kept);
-    else void this.fetch();
+  // To the frame that came nearest to this time: of what is known at once, and then of what the
+  // history holds by now.
+  async seek(time) {
+    this.sought = time;
+    if (this.isListed) this.goNear(time);
+    await this.freshList();
+    if (this.sought === time) this.goNear(time);
+  }
+  // To the oldest one, or the newest.
+  seekEnd(isNewest) {
+    return this.seek(isNewest ? Number.MAX_SAFE_INTEGER : 1);
   }
   // To the frame of the history that is nearest to what is shown; false where there is none.
   async toPast() {
+    this.sought = 0;
     await this.refresh();
-    const now = this.seen?.line.came_at_us ?? 0;
-    const nearest = this.history.ids.reduce((best, each) => Math.abs(each - now) < Math.abs(best - now) ? each : best, 0);
-    this.wanted = nearest;
+    const { ids } = this.history;
+    if (ids.length === 0) return false;
+    this.wanted = nearestOf(ids, this.seen?.line.came_at_us ?? 0);
     await this.fetch();
-    return nearest > 0;
+    return true;
   }
   // Once more, with what is wanted of it now.
   again() {
@@ -21356,17 +21422,44 @@ var Reel = class {
     this.wanted = this.seen.line.id;
     void this.fetch();
   }
-  async refresh() {
+  refresh() {
+    this.listing ??= this.list().finally(() => this.listing = null);
+    return this.listing;
+  }
+  async list() {
     if (!this.hasHistory) return;
     const list = await historyOf(this.robot).catch(() => null);
     if (!list) return;
     this.history = list;
+    this.listedAt = Date.now();
     this.onHistory();
+  }
+  async freshList() {
+    if (Date.now() - this.listedAt > FRESH_MS) await this.refresh();
   }
   // Oldest first: of the history what is older than the frames that are here.
   moments() {
     const first = this.kept[0]?.line.came_at_us ?? Infinity;
     return [...this.history.ids.filter((id) => id < first), ...this.kept.map((each) => each.line.came_at_us)];
+  }
+  // Where among them that is which is shown, or will be.
+  place() {
+    const now = this.wanted || this.seen?.line.came_at_us || 0;
+    const moments = this.moments();
+    let at = moments.length - 1;
+    while (at > 0 && moments[at] > now) --at;
+    return at;
+  }
+  goNear(time) {
+    const moments = this.moments();
+    if (moments.length > 0) this.goTo(nearestOf(moments, time));
+  }
+  goTo(moment) {
+    const kept = this.kept.find((each) => each.line.came_at_us === moment);
+    this.wanted = kept ? 0 : moment;
+    if (kept) this.show(kept);
+    else if (this.seen?.line.came_at_us !== moment) void this.fetch();
+    else this.wanted = 0;
   }
   // The last one that was asked for, however fast the keys are pressed.
   async fetch() {
@@ -21439,6 +21532,7 @@ var Save = class {
 // src/stages.ts
 var MAX_BARS = 120;
 var APART = /* @__PURE__ */ new Set(["processor_wait"]);
+var tintOf = (stage) => cssOf(stage + 1, stage < NUM_COLORS ? 1 : 0.5);
 var Stages = class {
   element;
   canvas = el("canvas", { id: "stages", role: "img" });
@@ -21464,7 +21558,7 @@ var Stages = class {
       let y = clientHeight;
       names.forEach((name, k) => {
         const height = (bar.stages[name] ?? 0) / highest * clientHeight;
-        context.fillStyle = cssOf(k + 1);
+        context.fillStyle = tintOf(k);
         context.fillRect(i * width, y - height, Math.max(1, width - 1), height);
         y -= height;
       });
@@ -21475,7 +21569,7 @@ var Stages = class {
       el("span", { class: "soft" }, `top = ${highest.toFixed(0)} ms`),
       ...names.map((name, k) => {
         const swatch = el("span", { class: "swatch" });
-        swatch.style.background = cssOf(k + 1);
+        swatch.style.background = tintOf(k);
         return el("span", {}, swatch, `${name} ${(last.stages[name] ?? 0).toFixed(1)}`);
       })
     );
@@ -21537,6 +21631,7 @@ var ObjectTable = class {
 };
 
 // src/timeline.ts
+var MAX_MINUTES = 120;
 var REDUCED = 10;
 var Timeline = class {
   constructor(reel) {
@@ -21552,9 +21647,10 @@ var Timeline = class {
     });
     for (const end of ["pointerup", "pointercancel"]) this.canvas.addEventListener(end, () => this.dragging = false);
     this.canvas.addEventListener("keydown", (event) => {
-      const by = { ArrowLeft: -1, ArrowRight: 1, PageUp: 10, PageDown: -10 }[event.key];
-      if (!by) return;
-      this.onStep(by);
+      const by = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageUp: 10, PageDown: -10 }[event.key];
+      if (by) this.onStep(by);
+      else if (event.key === "Home" || event.key === "End") this.onEnd(event.key === "End");
+      else return;
       event.preventDefault();
     });
   }
@@ -21562,6 +21658,8 @@ var Timeline = class {
   onSeek = () => {
   };
   onStep = () => {
+  };
+  onEnd = () => {
   };
   canvas = el("canvas", { id: "timeline", role: "slider", tabindex: "0", "aria-label": "time" });
   text = el("span", { class: "soft", id: "moment" });
@@ -21584,9 +21682,11 @@ var Timeline = class {
     this.canvas.height = clientHeight;
     const context = this.canvas.getContext("2d");
     const style = getComputedStyle(this.canvas);
-    const [good, bad, line] = ["--accent", "--bad", "--text"].map((name) => style.getPropertyValue(name));
+    const [good, bad, line, grid] = ["--accent", "--bad", "--text", "--line"].map((name) => style.getPropertyValue(name));
     const [from, to] = this.range();
     const x = (time) => (time - from) / (to - from) * clientWidth;
+    context.fillStyle = grid;
+    for (let minute = to; minute > from && to - from < MAX_MINUTES * 6e7; minute -= 6e7) context.fillRect(x(minute), 0, 1, clientHeight);
     const most = Math.max(REDUCED, ...objects);
     ids.forEach((id, i) => {
       const height = problems[i] ? clientHeight : (0.15 + 0.85 * objects[i] / most) * clientHeight;
@@ -21604,7 +21704,8 @@ var Timeline = class {
     const seconds = Math.max(0, Math.round((Date.now() * 1e3 - now) / 1e6));
     const clock = new Date(now / 1e3).toLocaleTimeString();
     const { ids, problem } = this.reel.history;
-    this.text.textContent = problem ? `nothing is recorded: ${problem}` : `${clock}, ${seconds} s ago · ${ids.length} frames recorded`;
+    if (!this.reel.isListed) this.text.textContent = "the history is being read";
+    else this.text.textContent = problem ? `nothing is recorded: ${problem}` : `${clock}, ${seconds} s ago · ${counted(ids.length, "frame")} recorded`;
     this.text.classList.toggle("bad", problem !== "");
     this.canvas.setAttribute("aria-valuemin", String(Math.round(from / 1e6)));
     this.canvas.setAttribute("aria-valuemax", String(Math.round(to / 1e6)));
@@ -21680,11 +21781,11 @@ var Trial = class {
       { class: "trial", "aria-label": "try other options" },
       this.head,
       el("div", { class: "bar" }, this.run, reset, this.find),
+      el("div", { class: "scroll options" }, el("table", { id: "options" }, heads("option", "value", "range", "meaning"), this.list)),
       this.told,
       el("div", { class: "close" }, el("figure", {}, this.before, el("figcaption", {}, "answered")), el("figure", {}, this.after, el("figcaption", {}, "tried"))),
       el("div", { class: "scroll" }, el("table", { id: "changes" }, heads("object", "tried", "what changed"), this.changes)),
-      el("p", {}, this.command, " ", copy),
-      el("div", { class: "scroll options" }, el("table", { id: "options" }, heads("option", "value", "range", "meaning"), this.list))
+      el("p", {}, this.command, " ", copy)
     );
     this.element.hidden = true;
   }
@@ -21777,7 +21878,7 @@ var Trial = class {
     const before = seen.frame.detections;
     const pairs = before ? match(before, tried) : tried.objects.map((after) => ({ before: null, after, iou: 0 }));
     const changed = pairs.filter((pair) => describe2(pair) !== "the same").length;
-    this.say(`${before?.objects.length ?? 0} objects then, ${tried.objects.length} tried; ${changed === 0 ? "nothing changed" : `${changed} changed`}`);
+    this.say(`${counted(before?.objects.length ?? 0, "object")} then, ${tried.objects.length} tried; ${changed === 0 ? "nothing changed" : `${changed} changed`}`);
     this.changes.replaceChildren(...pairs.map((pair) => changeRow(pair)));
   }
   say(text, isBad = false) {
@@ -21805,6 +21906,7 @@ var SWITCHES = [
   ["seeds", "e"],
   ["saliency", "s"]
 ];
+var WITHOUT_HISTORY = "No history is kept here. fovea-observer keeps the last minutes of each robot with --history FOLDER and --history-token-file FILE: frames can then be stepped back to, saved, and tried with other options.";
 var mayTry = (me2) => me2.history !== null && me2.rights.includes("try");
 var RobotView = class {
   constructor(robot, me2) {
@@ -21821,14 +21923,20 @@ var RobotView = class {
     const past = el("div", { class: "past" }, this.timeline.element);
     if (me2.rights.includes("download")) past.append(this.save.element);
     past.hidden = me2.history === null;
-    this.element = el("section", { "aria-label": robot }, el("h2", {}, robot), this.facts, bar, past, this.told, el("div", { class: "close" }, this.left, right));
+    const hint = el("p", { class: "soft", id: "no-history" }, WITHOUT_HISTORY);
+    hint.hidden = !past.hidden;
+    this.element = el("section", { "aria-label": robot }, el("h2", {}, robot), this.facts, bar, past, hint, this.told, el("div", { class: "close" }, this.left, right));
     if (mayTry(me2)) this.element.append(this.trial.element);
     if (me2.rights.includes("pick")) this.takePicks();
     this.reel.onShow = (seen) => this.show(seen);
     this.reel.onHistory = () => this.timeline.draw();
     this.timeline.onSeek = (time) => {
       this.hold();
-      this.reel.seek(time);
+      void this.reel.seek(time);
+    };
+    this.timeline.onEnd = (isNewest) => {
+      this.hold();
+      void this.reel.seekEnd(isNewest);
     };
     this.timeline.onStep = (by) => this.step(by);
     if (!past.hidden && me2.rights.includes("download")) {
@@ -21883,10 +21991,13 @@ var RobotView = class {
     return [
       ...switches,
       add("3D", "3", false, (on) => this.showCloud(on)),
-      add("stop", " ", false, (on) => this.reel.stop(on)),
+      add("stop", " ", false, (on) => {
+        this.say("");
+        this.reel.stop(on);
+      }),
       step("◀", ",", -1),
       step("▶", ".", 1),
-      ...mayTry(me2) ? [add("try", "t", false, (on) => this.openTrial(on))] : []
+      ...mayTry(me2) ? [add("try", "t", false, (on) => void this.openTrial(on))] : []
     ];
   }
   // True where the key means something here.
@@ -21935,27 +22046,32 @@ var RobotView = class {
   async pick(label) {
     const seen = this.reel.current;
     if (!seen || label === 0) return;
-    const say2 = (text, isBad) => {
-      this.told.textContent = text;
-      this.told.classList.toggle("bad", isBad);
-    };
-    say2(`object ${label} is told to ${this.robot}`, false);
+    this.say(`object ${label} is told to ${this.robot}`);
     try {
       const reason = await pickObject(this.robot, seen.line.id, seen.past, label);
-      say2(reason ? `${this.robot} did not get object ${label}: ${reason}` : `${this.robot} got object ${label}`, reason !== "");
+      this.say(reason ? `${this.robot} did not get object ${label}: ${reason}` : `${this.robot} got object ${label}`, reason !== "");
     } catch (error) {
-      say2(error.message, true);
+      this.say(error.message, true);
     }
   }
+  say(text, isBad = false) {
+    this.told.textContent = text;
+    this.told.classList.toggle("bad", isBad);
+  }
   // With the frame that is shown, as the history has it.
-  openTrial(on) {
+  async openTrial(on) {
     if (!on) return this.trial.close();
     this.hold();
-    const seen = this.reel.current;
-    if (seen?.past) return void this.trial.open(seen);
-    void this.reel.toPast().then((found) => {
-      if (!found) this.told.textContent = `the history holds no frame of ${this.robot} yet`;
-    });
+    const shown = this.reel.current;
+    if (shown?.past) return this.trial.open(shown);
+    if (!await this.reel.toPast()) {
+      this.buttons.get("t").setAttribute("aria-pressed", "false");
+      return this.say(`only frames of the history can be tried, and it holds none of ${this.robot} yet`, true);
+    }
+    const later = Number(this.reel.current?.line.answered_at_ms) - Number(shown?.line.answered_at_ms);
+    if (!later) return;
+    const seconds = (Math.abs(later) / 1e3).toFixed(2);
+    this.say(`the history does not hold the frame that was shown: this is the nearest, ${seconds} s ${later < 0 ? "before" : "after"} it`);
   }
   // What is shown stays.
   hold() {
@@ -21963,13 +22079,13 @@ var RobotView = class {
   }
   step(by) {
     this.hold();
-    this.reel.step(by);
+    void this.reel.step(by);
   }
   show(seen) {
     const { line, frame, depth, picture, past } = seen;
     const detections = frame.detections;
     this.labels = detections ? labelsOf(detections.objects, detections.width, detections.height) : new Uint8Array();
-    this.facts.textContent = `frame ${line.frame_id || "without a name"} · ${line.took_ms.toFixed(0)} ms · ${past ? "of the history" : `${line.rate_hz.toFixed(1)} a second`} · ${line.objects} objects`;
+    this.facts.textContent = `frame ${line.frame_id || "without a name"} · ${line.took_ms.toFixed(0)} ms · ${past ? "of the history" : `${line.rate_hz.toFixed(1)} a second`} · ${counted(line.objects, "object")}`;
     this.reasons.replaceChildren(...line.reasons.map((text) => el("li", {}, text)));
     this.table.show(frame);
     this.draw();
@@ -21986,8 +22102,7 @@ var RobotView = class {
     const seen = this.reel.current;
     if (!seen) return;
     drawFrame(this.picture, seen.picture, seen.frame, this.shown, this.chosen);
-    const count = seen.line.objects;
-    this.picture.setAttribute("aria-label", `what ${this.robot} sees, with ${count} objects; the table tells them`);
+    this.picture.setAttribute("aria-label", `what ${this.robot} sees, with ${counted(seen.line.objects, "object")}; the table tells them`);
     this.table.choose(this.chosen);
   }
   choose(label) {
@@ -22045,7 +22160,7 @@ var Tile = class {
     const { objects, took_ms, rate_hz, problem, reasons } = this.line;
     const seconds = Math.round((Date.now() - Number(this.line.answered_at_ms)) / 1e3);
     const pace = this.isQuiet() ? `quiet for ${seconds} s` : `${rate_hz.toFixed(1)} a second`;
-    this.facts.textContent = `${objects} object${objects === 1 ? "" : "s"} · ${took_ms.toFixed(0)} ms · ${pace}`;
+    this.facts.textContent = `${counted(objects, "object")} · ${took_ms.toFixed(0)} ms · ${pace}`;
     this.reason.textContent = problem ? reasons[0] ?? "" : "";
     this.button.classList.toggle("problem", problem);
   }
@@ -22057,7 +22172,9 @@ var Tile = class {
     try {
       const [frame, picture] = await Promise.all([answerOf(robot, id), this.line.has_picture ? pictureOf("preview", robot, id) : null]);
       if (frame) {
-        drawFrame(this.canvas, picture, frame, ON_TILES, 0);
+        const isSeen = picture !== null || frame.detections !== void 0;
+        this.canvas.classList.toggle("before", !isSeen);
+        if (isSeen) drawFrame(this.canvas, picture, frame, ON_TILES, 0);
         this.canvas.dataset.id = String(id);
       }
       this.fetched = id;

@@ -44,6 +44,9 @@ out vec4 color;
 void main() { color = vec4(tint, 1.0); }`;
 
 const PICK_PIXELS = 7;
+const HELP = "drag or arrow keys turn, wheel or + and - zoom, with shift they move, Home goes back";
+const TURN = 0.08; // radians a key
+const ZOOM = 1.1;
 
 function integerTexture(data: Uint16Array | Uint8Array, width: number, height: number): THREE.DataTexture {
   const is16 = data instanceof Uint16Array;
@@ -59,7 +62,7 @@ const vector = ({ x, y, z }: Vector3) => new THREE.Vector3(x, y, z);
 
 export class Cloud {
   readonly element: HTMLElement;
-  private readonly canvas = el("canvas", { id: "cloud", tabindex: "0", "aria-label": "cloud of points; drag to turn, wheel to zoom" });
+  private readonly canvas = el("canvas", { id: "cloud", tabindex: "0", role: "application", "aria-label": `cloud of points; ${HELP}` });
   private readonly readout = el("output", { id: "point" });
   private readonly renderer: THREE.WebGLRenderer;
   private readonly scene = new THREE.Scene();
@@ -75,7 +78,7 @@ export class Cloud {
   private waiting = false;
 
   constructor() {
-    this.element = el("div", { class: "view" }, this.canvas, this.readout);
+    this.element = el("div", { class: "view" }, el("div", { class: "aim" }, this.canvas), el("div", { class: "soft" }, HELP), this.readout);
     this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, antialias: true, preserveDrawingBuffer: true });
     this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace; // colours as the camera took them
     this.world.scale.set(1, -1, -1);
@@ -86,6 +89,12 @@ export class Cloud {
     this.controls = new OrbitControls(this.eye, this.canvas);
     this.controls.addEventListener("change", () => this.redraw());
     this.canvas.addEventListener("pointermove", (event) => this.measure(event));
+    this.canvas.addEventListener("keydown", (event) => {
+      if (!this.onKey(event.key, event.shiftKey)) return;
+      this.measureMiddle();
+      event.preventDefault();
+    });
+    this.canvas.addEventListener("focus", () => this.measureMiddle());
     new ResizeObserver(() => this.redraw()).observe(this.canvas);
   }
 
@@ -158,6 +167,33 @@ export class Cloud {
     this.redraw();
   }
 
+  // Turns around what is looked at, moves that, or goes nearer; false for other keys.
+  private onKey(key: string, moves: boolean): boolean {
+    const [right, up] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[key] ?? [0, 0];
+    const from = this.eye.position.clone().sub(this.controls.target);
+    if (key === "Home") this.home();
+    else if (key === "+" || key === "=") from.divideScalar(ZOOM);
+    else if (key === "-") from.multiplyScalar(ZOOM);
+    else if (!right && !up) return false;
+    else if (moves) this.move(right, up, from.length() * TURN * 0.5);
+    else {
+      const around = new THREE.Spherical().setFromVector3(from);
+      around.theta += right * TURN;
+      around.phi -= up * TURN;
+      from.setFromSpherical(around.makeSafe());
+    }
+    if (key === "Home") return true;
+    this.eye.position.copy(this.controls.target).add(from);
+    this.controls.update();
+    this.redraw();
+    return true;
+  }
+
+  private move(right: number, up: number, meters: number): void {
+    const way = new THREE.Vector3(right, up, 0).applyQuaternion(this.eye.quaternion);
+    this.controls.target.addScaledVector(way, meters);
+  }
+
   private addThings(frame: Frame): void {
     this.things.traverse((thing) => (thing as THREE.LineSegments).geometry?.dispose());
     this.things.clear();
@@ -224,7 +260,15 @@ export class Cloud {
 
   private measure(event: PointerEvent): void {
     const bounds = this.canvas.getBoundingClientRect();
-    const point = this.pick(event.clientX - bounds.left, event.clientY - bounds.top);
+    this.tell(this.pick(event.clientX - bounds.left, event.clientY - bounds.top));
+  }
+
+  // Where the cross is that keyboards see.
+  private measureMiddle(): void {
+    if (this.canvas.matches(":focus-visible")) this.tell(this.pick(this.canvas.clientWidth / 2, this.canvas.clientHeight / 2));
+  }
+
+  private tell(point: THREE.Vector3 | null): void {
     this.readout.value = point
       ? `${point.x.toFixed(3)} ${point.y.toFixed(3)} ${point.z.toFixed(3)} m`
       : "";

@@ -68,15 +68,26 @@ function drawLabel(context: CanvasRenderingContext2D, label: number, box: Bounds
   context.fillText(text, box.x + 4 * scale, Math.max(0, box.y - height) + 14 * scale);
 }
 
+// To be read on any picture.
+function drawOutlined(context: CanvasRenderingContext2D, text: string, x: number, y: number): void {
+  context.save();
+  context.setLineDash([]);
+  context.strokeStyle = "#000";
+  context.lineWidth *= 2;
+  context.strokeText(text, x, y);
+  context.restore();
+  context.fillText(text, x, y);
+}
+
 function drawRejected(context: CanvasRenderingContext2D, detections: Detections, scale: number) {
   context.save();
   context.setLineDash([5 * scale, 4 * scale]);
   context.lineWidth = 1.5 * scale;
-  context.strokeStyle = context.fillStyle = "#ff5a52";
+  context.strokeStyle = context.fillStyle = "#ff8a80";
   context.font = `${Math.round(12 * scale)}px system-ui, sans-serif`;
   for (const { bounding_box, probability } of detections.rejected) {
     strokeBounds(context, bounding_box);
-    context.fillText(`${Math.round(100 * probability)} %`, bounding_box.x + 2, bounding_box.y + bounding_box.height - 3);
+    drawOutlined(context, `${Math.round(100 * probability)} %`, bounding_box.x + 2, bounding_box.y + bounding_box.height - 3);
   }
   context.restore();
 }

@@ -12,6 +12,8 @@ const COLORS: [number, number, number][] = [
   [188, 189, 34],
 ];
 
+export const NUM_COLORS = COLORS.length;
+
 export function colorOf(label: number): [number, number, number] {
   return COLORS[(label - 1) % COLORS.length];
 }

@@ -5,7 +5,12 @@ import type { HistoryList, Seen } from "./types";
 
 const MAX_KEPT = 30;
 const REFRESH_MS = 5000;
+const FRESH_MS = 1000; // a list of that age need not be fetched again for a click
 const NONE: HistoryList = { minutes: 0, problem: "", ids: [], objects: [], problems: [] };
+
+function nearestOf(moments: number[], time: number): number {
+  return moments.reduce((best, each) => (Math.abs(each - time) < Math.abs(best - time) ? each : best));
+}
 
 export class Reel {
   history = NONE;
@@ -14,7 +19,10 @@ export class Reel {
   private readonly kept: Seen[] = [];
   private seen: Seen | null = null; // what is shown
   private wanted = 0; // of the history, while it is fetched
+  private sought = 0; // the time that was asked for last
   private fetching = false;
+  private listing: Promise<void> | null = null; // while the list of the history is fetched
+  private listedAt = 0; // 0: never yet
   private readonly timer: number;
   stopped = false;
 
@@ -35,6 +43,10 @@ export class Reel {
     return this.kept[this.kept.length - 1]?.line.id ?? 0;
   }
 
+  get isListed(): boolean {
+    return this.listedAt > 0;
+  }
+
   get current(): Seen | null {
     return this.seen;
   }
@@ -48,39 +60,42 @@ export class Reel {
 
   stop(on: boolean): void {
     this.stopped = on;
-    this.wanted = 0;
+    this.wanted = this.sought = 0;
     if (on) void this.refresh();
     else if (this.kept.length > 0) this.show(this.kept[this.kept.length - 1]);
   }
 
   // One frame on, or back.
-  step(by: number): void {
+  async step(by: number): Promise<void> {
+    this.sought = 0;
+    if (this.place() + by < 0) await this.freshList(); // what is older may not be known yet
     const moments = this.moments();
-    const now = this.wanted || this.seen?.line.came_at_us || 0;
-    let at = moments.length - 1;
-    while (at > 0 && moments[at] > now) --at;
-    this.seek(moments[Math.min(moments.length - 1, Math.max(0, at + by))]);
+    if (moments.length > 0) this.goTo(moments[Math.min(moments.length - 1, Math.max(0, this.place() + by))]);
   }
 
-  // To the frame that came nearest to this time.
-  seek(time: number): void {
-    const moments = this.moments();
-    if (moments.length === 0) return;
-    const nearest = moments.reduce((best, each) => (Math.abs(each - time) < Math.abs(best - time) ? each : best));
-    const kept = this.kept.find((each) => each.line.came_at_us === nearest);
-    this.wanted = kept ? 0 : nearest;
-    if (kept) this.show(kept);
-    else void this.fetch();
+  // To the frame that came nearest to this time: of what is known at once, and then of what the
+  // history holds by now.
+  async seek(time: number): Promise<void> {
+    this.sought = time;
+    if (this.isListed) this.goNear(time);
+    await this.freshList();
+    if (this.sought === time) this.goNear(time);
+  }
+
+  // To the oldest one, or the newest.
+  seekEnd(isNewest: boolean): Promise<void> {
+    return this.seek(isNewest ? Number.MAX_SAFE_INTEGER : 1);
   }
 
   // To the frame of the history that is nearest to what is shown; false where there is none.
   async toPast(): Promise<boolean> {
+    this.sought = 0;
     await this.refresh();
-    const now = this.seen?.line.came_at_us ?? 0;
-    const nearest = this.history.ids.reduce((best, each) => (Math.abs(each - now) < Math.abs(best - now) ? each : best), 0);
-    this.wanted = nearest;
+    const { ids } = this.history;
+    if (ids.length === 0) return false;
+    this.wanted = nearestOf(ids, this.seen?.line.came_at_us ?? 0);
     await this.fetch();
-    return nearest > 0;
+    return true;
   }
 
   // Once more, with what is wanted of it now.
@@ -90,18 +105,50 @@ export class Reel {
     void this.fetch();
   }
 
-  async refresh(): Promise<void> {
+  refresh(): Promise<void> {
+    this.listing ??= this.list().finally(() => (this.listing = null));
+    return this.listing;
+  }
+
+  private async list(): Promise<void> {
     if (!this.hasHistory) return;
     const list = await historyOf(this.robot).catch(() => null); // the page says elsewhere what is away
     if (!list) return;
     this.history = list;
+    this.listedAt = Date.now();
     this.onHistory();
+  }
+
+  private async freshList(): Promise<void> {
+    if (Date.now() - this.listedAt > FRESH_MS) await this.refresh();
   }
 
   // Oldest first: of the history what is older than the frames that are here.
   private moments(): number[] {
     const first = this.kept[0]?.line.came_at_us ?? Infinity;
     return [...this.history.ids.filter((id) => id < first), ...this.kept.map((each) => each.line.came_at_us)];
+  }
+
+  // Where among them that is which is shown, or will be.
+  private place(): number {
+    const now = this.wanted || this.seen?.line.came_at_us || 0;
+    const moments = this.moments();
+    let at = moments.length - 1;
+    while (at > 0 && moments[at] > now) --at;
+    return at;
+  }
+
+  private goNear(time: number): void {
+    const moments = this.moments();
+    if (moments.length > 0) this.goTo(nearestOf(moments, time));
+  }
+
+  private goTo(moment: number): void {
+    const kept = this.kept.find((each) => each.line.came_at_us === moment);
+    this.wanted = kept ? 0 : moment;
+    if (kept) this.show(kept);
+    else if (this.seen?.line.came_at_us !== moment) void this.fetch();
+    else this.wanted = 0;
   }
 
   // The last one that was asked for, however fast the keys are pressed.

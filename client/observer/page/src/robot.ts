@@ -1,7 +1,7 @@
 // One robot, large.
 import { answerOf, depthOf, pickObject, pictureOf } from "./api";
 import { Cloud } from "./cloud";
-import { el, toggle } from "./dom";
+import { counted, el, toggle } from "./dom";
 import { labelsOf } from "./masks";
 import { drawFrame, type Shown } from "./overlay";
 import { Reel } from "./reel";
@@ -21,6 +21,10 @@ const SWITCHES: [keyof Shown, string][] = [
   ["seeds", "e"],
   ["saliency", "s"],
 ];
+
+const WITHOUT_HISTORY =
+  "No history is kept here. fovea-observer keeps the last minutes of each robot with --history FOLDER " +
+  "and --history-token-file FILE: frames can then be stepped back to, saved, and tried with other options.";
 
 const mayTry = (me: Who) => me.history !== null && me.rights.includes("try");
 
@@ -63,14 +67,20 @@ export class RobotView {
     const past = el("div", { class: "past" }, this.timeline.element);
     if (me.rights.includes("download")) past.append(this.save.element);
     past.hidden = me.history === null;
-    this.element = el("section", { "aria-label": robot }, el("h2", {}, robot), this.facts, bar, past, this.told, el("div", { class: "close" }, this.left, right));
+    const hint = el("p", { class: "soft", id: "no-history" }, WITHOUT_HISTORY);
+    hint.hidden = !past.hidden;
+    this.element = el("section", { "aria-label": robot }, el("h2", {}, robot), this.facts, bar, past, hint, this.told, el("div", { class: "close" }, this.left, right));
     if (mayTry(me)) this.element.append(this.trial.element);
     if (me.rights.includes("pick")) this.takePicks();
     this.reel.onShow = (seen) => this.show(seen);
     this.reel.onHistory = () => this.timeline.draw();
     this.timeline.onSeek = (time) => {
       this.hold();
-      this.reel.seek(time);
+      void this.reel.seek(time);
+    };
+    this.timeline.onEnd = (isNewest) => {
+      this.hold();
+      void this.reel.seekEnd(isNewest);
     };
     this.timeline.onStep = (by) => this.step(by);
     if (!past.hidden && me.rights.includes("download")) {
@@ -103,10 +113,13 @@ export class RobotView {
     return [
       ...switches,
       add("3D", "3", false, (on) => this.showCloud(on)),
-      add("stop", " ", false, (on) => this.reel.stop(on)),
+      add("stop", " ", false, (on) => {
+        this.say("");
+        this.reel.stop(on);
+      }),
       step("◀", ",", -1),
       step("▶", ".", 1),
-      ...(mayTry(me) ? [add("try", "t", false, (on) => this.openTrial(on))] : []),
+      ...(mayTry(me) ? [add("try", "t", false, (on) => void this.openTrial(on))] : []),
     ];
   }
 
@@ -163,28 +176,35 @@ export class RobotView {
   private async pick(label: number): Promise<void> {
     const seen = this.reel.current;
     if (!seen || label === 0) return;
-    const say = (text: string, isBad: boolean) => {
-      this.told.textContent = text;
-      this.told.classList.toggle("bad", isBad);
-    };
-    say(`object ${label} is told to ${this.robot}`, false);
+    this.say(`object ${label} is told to ${this.robot}`);
     try {
       const reason = await pickObject(this.robot, seen.line.id, seen.past, label);
-      say(reason ? `${this.robot} did not get object ${label}: ${reason}` : `${this.robot} got object ${label}`, reason !== "");
+      this.say(reason ? `${this.robot} did not get object ${label}: ${reason}` : `${this.robot} got object ${label}`, reason !== "");
     } catch (error) {
-      say((error as Error).message, true);
+      this.say((error as Error).message, true);
     }
   }
 
+  private say(text: string, isBad = false): void {
+    this.told.textContent = text;
+    this.told.classList.toggle("bad", isBad);
+  }
+
   // With the frame that is shown, as the history has it.
-  private openTrial(on: boolean): void {
+  private async openTrial(on: boolean): Promise<void> {
     if (!on) return this.trial.close();
     this.hold();
-    const seen = this.reel.current;
-    if (seen?.past) return void this.trial.open(seen);
-    void this.reel.toPast().then((found) => {
-      if (!found) this.told.textContent = `the history holds no frame of ${this.robot} yet`;
-    });
+    const shown = this.reel.current;
+    if (shown?.past) return this.trial.open(shown);
+    if (!(await this.reel.toPast())) {
+      this.buttons.get("t")!.setAttribute("aria-pressed", "false");
+      return this.say(`only frames of the history can be tried, and it holds none of ${this.robot} yet`, true);
+    }
+    // Of a fast robot the history has not all frames.
+    const later = Number(this.reel.current?.line.answered_at_ms) - Number(shown?.line.answered_at_ms);
+    if (!later) return;
+    const seconds = (Math.abs(later) / 1000).toFixed(2);
+    this.say(`the history does not hold the frame that was shown: this is the nearest, ${seconds} s ${later < 0 ? "before" : "after"} it`);
   }
 
   // What is shown stays.
@@ -194,14 +214,14 @@ export class RobotView {
 
   private step(by: number): void {
     this.hold();
-    this.reel.step(by);
+    void this.reel.step(by);
   }
 
   private show(seen: Seen): void {
     const { line, frame, depth, picture, past } = seen;
     const detections = frame.detections;
     this.labels = detections ? labelsOf(detections.objects, detections.width, detections.height) : new Uint8Array();
-    this.facts.textContent = `frame ${line.frame_id || "without a name"} · ${line.took_ms.toFixed(0)} ms · ${past ? "of the history" : `${line.rate_hz.toFixed(1)} a second`} · ${line.objects} objects`;
+    this.facts.textContent = `frame ${line.frame_id || "without a name"} · ${line.took_ms.toFixed(0)} ms · ${past ? "of the history" : `${line.rate_hz.toFixed(1)} a second`} · ${counted(line.objects, "object")}`;
     this.reasons.replaceChildren(...line.reasons.map((text) => el("li", {}, text)));
     this.table.show(frame);
     this.draw();
@@ -219,8 +239,7 @@ export class RobotView {
     const seen = this.reel.current;
     if (!seen) return;
     drawFrame(this.picture, seen.picture, seen.frame, this.shown, this.chosen);
-    const count = seen.line.objects;
-    this.picture.setAttribute("aria-label", `what ${this.robot} sees, with ${count} objects; the table tells them`);
+    this.picture.setAttribute("aria-label", `what ${this.robot} sees, with ${counted(seen.line.objects, "object")}; the table tells them`);
     this.table.choose(this.chosen);
   }
 

@@ -1,11 +1,14 @@
 // The times of the stages over the last frames, as stacked bars.
 import { el } from "./dom";
-import { cssOf } from "./palette";
+import { cssOf, NUM_COLORS } from "./palette";
 import type { RobotLine } from "./types";
 
 const MAX_BARS = 120;
 // Part of the others, so not stacked with them.
 const APART = new Set(["processor_wait"]);
+
+// There are more stages than colours.
+const tintOf = (stage: number) => cssOf(stage + 1, stage < NUM_COLORS ? 1 : 0.5);
 
 export class Stages {
   readonly element: HTMLElement;
@@ -35,7 +38,7 @@ export class Stages {
       let y = clientHeight;
       names.forEach((name, k) => {
         const height = ((bar.stages[name] ?? 0) / highest) * clientHeight;
-        context.fillStyle = cssOf(k + 1);
+        context.fillStyle = tintOf(k);
         context.fillRect(i * width, y - height, Math.max(1, width - 1), height);
         y -= height;
       });
@@ -46,7 +49,7 @@ export class Stages {
       el("span", { class: "soft" }, `top = ${highest.toFixed(0)} ms`),
       ...names.map((name, k) => {
         const swatch = el("span", { class: "swatch" });
-        swatch.style.background = cssOf(k + 1);
+        swatch.style.background = tintOf(k);
         return el("span", {}, swatch, `${name} ${(last.stages[name] ?? 0).toFixed(1)}`);
       }),
     );

@@ -1,6 +1,6 @@
 // All robots, those with problems first.
 import { answerOf, pictureOf } from "./api";
-import { el } from "./dom";
+import { counted, el } from "./dom";
 import { drawFrame, type Shown } from "./overlay";
 import type { RobotLine } from "./types";
 
@@ -44,7 +44,7 @@ class Tile {
     const { objects, took_ms, rate_hz, problem, reasons } = this.line;
     const seconds = Math.round((Date.now() - Number(this.line.answered_at_ms)) / 1000);
     const pace = this.isQuiet() ? `quiet for ${seconds} s` : `${rate_hz.toFixed(1)} a second`;
-    this.facts.textContent = `${objects} object${objects === 1 ? "" : "s"} · ${took_ms.toFixed(0)} ms · ${pace}`;
+    this.facts.textContent = `${counted(objects, "object")} · ${took_ms.toFixed(0)} ms · ${pace}`;
     this.reason.textContent = problem ? (reasons[0] ?? "") : "";
     this.button.classList.toggle("problem", problem);
   }
@@ -57,7 +57,10 @@ class Tile {
     try {
       const [frame, picture] = await Promise.all([answerOf(robot, id), this.line.has_picture ? pictureOf("preview", robot, id) : null]);
       if (frame) {
-        drawFrame(this.canvas, picture, frame, ON_TILES, 0);
+        // Of a frame that was refused there is nothing to see: what was seen before stays, dimmed.
+        const isSeen = picture !== null || frame.detections !== undefined;
+        this.canvas.classList.toggle("before", !isSeen);
+        if (isSeen) drawFrame(this.canvas, picture, frame, ON_TILES, 0);
         this.canvas.dataset.id = String(id);
       }
       this.fetched = id;

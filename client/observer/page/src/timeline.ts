@@ -1,13 +1,15 @@
-// What the history holds of one robot: a bar a frame, as high as it has objects.
-import { el } from "./dom";
+// What the history holds of one robot: a bar a frame, as high as it has objects, and a line a minute.
+import { counted, el } from "./dom";
 import type { Reel } from "./reel";
 
+const MAX_MINUTES = 120; // of which each has its line
 const REDUCED = 10; // objects of a full bar, at least
 
 export class Timeline {
   readonly element: HTMLElement;
   onSeek: (time: number) => void = () => {};
   onStep: (by: number) => void = () => {};
+  onEnd: (isNewest: boolean) => void = () => {};
   private readonly canvas = el("canvas", { id: "timeline", role: "slider", tabindex: "0", "aria-label": "time" });
   private readonly text = el("span", { class: "soft", id: "moment" });
   private dragging = false;
@@ -24,9 +26,10 @@ export class Timeline {
     });
     for (const end of ["pointerup", "pointercancel"] as const) this.canvas.addEventListener(end, () => (this.dragging = false));
     this.canvas.addEventListener("keydown", (event) => {
-      const by = { ArrowLeft: -1, ArrowRight: 1, PageUp: 10, PageDown: -10 }[event.key];
-      if (!by) return;
-      this.onStep(by);
+      const by = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageUp: 10, PageDown: -10 }[event.key];
+      if (by) this.onStep(by);
+      else if (event.key === "Home" || event.key === "End") this.onEnd(event.key === "End");
+      else return;
       event.preventDefault();
     });
   }
@@ -52,9 +55,11 @@ export class Timeline {
     this.canvas.height = clientHeight;
     const context = this.canvas.getContext("2d")!;
     const style = getComputedStyle(this.canvas);
-    const [good, bad, line] = ["--accent", "--bad", "--text"].map((name) => style.getPropertyValue(name));
+    const [good, bad, line, grid] = ["--accent", "--bad", "--text", "--line"].map((name) => style.getPropertyValue(name));
     const [from, to] = this.range();
     const x = (time: number) => ((time - from) / (to - from)) * clientWidth;
+    context.fillStyle = grid;
+    for (let minute = to; minute > from && to - from < MAX_MINUTES * 60e6; minute -= 60e6) context.fillRect(x(minute), 0, 1, clientHeight);
     const most = Math.max(REDUCED, ...objects);
     ids.forEach((id, i) => {
       const height = problems[i] ? clientHeight : (0.15 + (0.85 * objects[i]) / most) * clientHeight;
@@ -73,7 +78,8 @@ export class Timeline {
     const seconds = Math.max(0, Math.round((Date.now() * 1000 - now) / 1e6));
     const clock = new Date(now / 1000).toLocaleTimeString();
     const { ids, problem } = this.reel.history;
-    this.text.textContent = problem ? `nothing is recorded: ${problem}` : `${clock}, ${seconds} s ago · ${ids.length} frames recorded`;
+    if (!this.reel.isListed) this.text.textContent = "the history is being read";
+    else this.text.textContent = problem ? `nothing is recorded: ${problem}` : `${clock}, ${seconds} s ago · ${counted(ids.length, "frame")} recorded`;
     this.text.classList.toggle("bad", problem !== "");
     this.canvas.setAttribute("aria-valuemin", String(Math.round(from / 1e6)));
     this.canvas.setAttribute("aria-valuemax", String(Math.round(to / 1e6)));

@@ -2,7 +2,7 @@
 // nothing.
 import { optionsOf, tryOptions } from "./api";
 import { describe, match, type Pair } from "./compare";
-import { el } from "./dom";
+import { counted, el } from "./dom";
 import { drawFrame, type Shown } from "./overlay";
 import { cssOf } from "./palette";
 import type { Detections, Option, Seen } from "./types";
@@ -43,11 +43,11 @@ export class Trial {
       { class: "trial", "aria-label": "try other options" },
       this.head,
       el("div", { class: "bar" }, this.run, reset, this.find),
+      el("div", { class: "scroll options" }, el("table", { id: "options" }, heads("option", "value", "range", "meaning"), this.list)),
       this.told,
       el("div", { class: "close" }, el("figure", {}, this.before, el("figcaption", {}, "answered")), el("figure", {}, this.after, el("figcaption", {}, "tried"))),
       el("div", { class: "scroll" }, el("table", { id: "changes" }, heads("object", "tried", "what changed"), this.changes)),
       el("p", {}, this.command, " ", copy),
-      el("div", { class: "scroll options" }, el("table", { id: "options" }, heads("option", "value", "range", "meaning"), this.list)),
     );
     this.element.hidden = true;
   }
@@ -133,7 +133,7 @@ export class Trial {
     const before = seen.frame.detections;
     const pairs = before ? match(before, tried) : tried.objects.map((after) => ({ before: null, after, iou: 0 }));
     const changed = pairs.filter((pair) => describe(pair) !== "the same").length;
-    this.say(`${before?.objects.length ?? 0} objects then, ${tried.objects.length} tried; ${changed === 0 ? "nothing changed" : `${changed} changed`}`);
+    this.say(`${counted(before?.objects.length ?? 0, "object")} then, ${tried.objects.length} tried; ${changed === 0 ? "nothing changed" : `${changed} changed`}`);
     this.changes.replaceChildren(...pairs.map((pair) => changeRow(pair)));
   }
 
