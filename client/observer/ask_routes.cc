@@ -115,7 +115,7 @@ std::optional<AskRoutes::Named> AskRoutes::Find(const std::string& robot, std::u
     if (!record) return std::nullopt;
     return Named{.server = record->header.server, .frame = std::move(record->frame)};
   }
-  const ShownFramePtr shown = board.Frame(robot, id);
+  const ShownFramePtr shown = board.FrameToPickFrom(robot, id);
   if (!shown) return std::nullopt;
   const std::string& address = board.AddressOf(shown->server);
   if (!board.MayDo(address, robot, right)) return std::nullopt;

@@ -14,7 +14,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kMaxRobots = 1024, kClose = 4;
+constexpr std::size_t kMaxRobots = 1024, kClose = 4, kToPickFrom = 300;
 
 bool Has(const v1::Observer& observer, v1::ObserverRight right) {
   return std::ranges::find(observer.rights(), right) != observer.rights().end();
@@ -30,6 +30,23 @@ bool Covers(const v1::Observer& observer, const std::string& robot) {
 bool IsValid(const v1::Observer& observer) {
   return !observer.has_expires() ||
          google::protobuf::util::TimeUtil::GetCurrentTime() < observer.expires();
+}
+
+// A page shows frames for longer than all of them can be kept here.
+ShownFramePtr ToPickFrom(const ShownFrame& shown) {
+  auto light = std::make_shared<ShownFrame>();
+  light->id = shown.id;
+  light->server = shown.server;
+  light->frame.set_robot(shown.frame.robot());
+  light->frame.set_frame_id(shown.frame.frame_id());
+  *light->frame.mutable_answered_at() = shown.frame.answered_at();
+  for (const v1::Object& object : shown.frame.detections().objects()) {
+    v1::Object& kept = *light->frame.mutable_detections()->add_objects();
+    kept.set_label(object.label());
+    kept.set_track_id(object.track_id());
+    *kept.mutable_oriented_box() = object.oriented_box();
+  }
+  return light;
 }
 
 }  // namespace
@@ -85,6 +102,8 @@ void Board::OnFrame(std::size_t server, v1::WatchResponse response, bool is_clos
   if (is_close) {
     robot.close.push_back(shown);
     if (robot.close.size() > kClose) robot.close.pop_front();
+    to_pick_from_.push_back(ToPickFrom(*shown));
+    if (to_pick_from_.size() > kToPickFrom) to_pick_from_.pop_front();
   } else {
     robot.newest = shown;
     // A server that has started anew counts from the beginning.
@@ -127,6 +146,14 @@ ShownFramePtr Board::Frame(const std::string& robot, std::uint64_t id) const {
   }
   const ShownFramePtr& newest = found->second.newest;
   return newest && newest->id == id ? newest : nullptr;
+}
+
+ShownFramePtr Board::FrameToPickFrom(const std::string& robot, std::uint64_t id) const {
+  if (ShownFramePtr whole = Frame(robot, id)) return whole;
+  const std::lock_guard lock(mutex_);
+  const auto found =
+      std::ranges::find(to_pick_from_, id, [](const auto& each) { return each->id; });
+  return found != to_pick_from_.end() && (*found)->frame.robot() == robot ? *found : nullptr;
 }
 
 bool Board::MayDo(const std::string& address, const std::string& robot,

@@ -46,6 +46,9 @@ class Board {
 
   // Null where it is not there any more, or never was.
   ShownFramePtr Frame(const std::string& robot, std::uint64_t id) const;
+  // The same, or what a pick says of its objects where that is all that is left: of the last 300
+  // frames that were looked at closely.
+  ShownFramePtr FrameToPickFrom(const std::string& robot, std::uint64_t id) const;
 
   // Whether the one who watches has this right, and `view`, over a robot of this server, as that
   // said when it let it in, and until it says otherwise.
@@ -88,6 +91,7 @@ class Board {
   std::uint64_t version_ = 0, last_id_ = 0;
   std::vector<Server> servers_;
   std::map<std::string, Robot> robots_;
+  std::deque<ShownFramePtr> to_pick_from_;  // without pictures and masks
   std::list<OnChange> listeners_;
 };
 

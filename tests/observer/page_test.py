@@ -411,6 +411,12 @@ def set_option(browser: Browser, name: str, value: float) -> None:
     browser.driver.execute_script(script, field, str(value))
 
 
+def is_gone(browser: Browser, robot: str, number: str) -> bool:
+    script = """const [robot, id, done] = arguments;
+        fetch(`/api/answer?robot=${robot}&id=${id}`).then((answer) => done(answer.status === 404))"""
+    return bool(browser.driver.execute_async_script(script, robot, number))
+
+
 def test_a_click_marks_an_object_for_the_robot(
     browser: Browser, recorded: Recorded, scene: Scene
 ) -> None:
@@ -429,6 +435,12 @@ def test_a_click_marks_an_object_for_the_robot(
         browser.until(lambda: "hand got object" in browser.texts("#picked")[0])
         browser.until(lambda: robot.picks)
         assert robot.picks[0].label == found.label and robot.picks[0].observer == "ann"
+        # Of a frame that has long been pushed out by others, too.
+        stop(browser)
+        browser.until(lambda: is_gone(browser, "hand", picture.get_attribute("data-id")))
+        browser.click(picture, (box.x + xs[at] + 0.5) / width, (box.y + ys[at] + 0.5) / height)
+        browser.until(lambda: len(robot.picks) == 2)
+        assert robot.picks[1].label == found.label
 
 
 def test_a_robot_that_takes_no_picks_is_said(

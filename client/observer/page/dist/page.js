@@ -21530,9 +21530,18 @@ var Save = class {
 };
 
 // src/stages.ts
-var MAX_BARS = 120;
+var MAX_BARS = 90;
+var BAR_MS = 2e3;
 var APART = /* @__PURE__ */ new Set(["processor_wait"]);
 var tintOf = (stage) => cssOf(stage + 1, stage < NUM_COLORS ? 1 : 0.5);
+function addTo(bar, line) {
+  bar.frames += 1;
+  bar.took_ms = Math.max(bar.took_ms, line.took_ms);
+  for (const name of /* @__PURE__ */ new Set([...Object.keys(bar.stages), ...Object.keys(line.stages)])) {
+    const mean = bar.stages[name] ?? 0;
+    bar.stages[name] = mean + ((line.stages[name] ?? 0) - mean) / bar.frames;
+  }
+}
 var Stages = class {
   element;
   canvas = el("canvas", { id: "stages", role: "img" });
@@ -21542,11 +21551,13 @@ var Stages = class {
     this.element = el("section", {}, el("h3", {}, "Time of each stage"), this.canvas, this.legend);
   }
   add(line) {
-    this.bars.push(line);
-    if (this.bars.length > MAX_BARS) this.bars.shift();
-    this.draw();
+    const slot = Math.floor(Number(line.answered_at_ms) / BAR_MS);
+    if (this.bars[this.bars.length - 1]?.slot !== slot) this.bars.push({ slot, frames: 0, took_ms: 0, stages: {} });
+    addTo(this.bars[this.bars.length - 1], line);
+    this.bars = this.bars.filter((bar) => bar.slot > slot - MAX_BARS && bar.slot <= slot);
+    this.draw(line);
   }
-  draw() {
+  draw(last) {
     const names = [...new Set(this.bars.flatMap((bar) => Object.keys(bar.stages)))].filter((n) => !APART.has(n));
     const { clientWidth, clientHeight } = this.canvas;
     this.canvas.width = clientWidth;
@@ -21554,19 +21565,21 @@ var Stages = class {
     const context = this.canvas.getContext("2d");
     const highest = Math.max(1, ...this.bars.map((bar) => bar.took_ms));
     const width = clientWidth / MAX_BARS;
-    this.bars.forEach((bar, i) => {
+    const newest = this.bars[this.bars.length - 1].slot;
+    this.bars.forEach((bar) => {
+      const left = clientWidth - (newest - bar.slot + 1) * width;
       let y = clientHeight;
       names.forEach((name, k) => {
         const height = (bar.stages[name] ?? 0) / highest * clientHeight;
         context.fillStyle = tintOf(k);
-        context.fillRect(i * width, y - height, Math.max(1, width - 1), height);
+        context.fillRect(left, y - height, Math.max(1, width - 1), height);
         y -= height;
       });
     });
-    const last = this.bars[this.bars.length - 1];
-    this.canvas.setAttribute("aria-label", `the last frame took ${last.took_ms.toFixed(0)} ms, the longest shown ${highest.toFixed(0)} ms`);
+    const minutes = MAX_BARS * BAR_MS / 6e4;
+    this.canvas.setAttribute("aria-label", `the last frame took ${last.took_ms.toFixed(0)} ms, the longest of ${minutes} minutes ${highest.toFixed(0)} ms`);
     this.legend.replaceChildren(
-      el("span", { class: "soft" }, `top = ${highest.toFixed(0)} ms`),
+      el("span", { class: "soft" }, `${minutes} minutes, top = ${highest.toFixed(0)} ms`),
       ...names.map((name, k) => {
         const swatch = el("span", { class: "swatch" });
         swatch.style.background = tintOf(k);
