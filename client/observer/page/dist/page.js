@@ -21599,7 +21599,7 @@ function describe(object) {
 }
 function graspText(object) {
   const grasp = object.grasps[0];
-  if (grasp) return `${word(grasp.kind, "GRASP_KIND_")} ${Math.round(100 * grasp.probability)} %`;
+  if (grasp) return `${word(grasp.kind, "GRASP_KIND_")} ${Math.round(100 * grasp.probability)} %`;
   return object.no_grasps[0] ? `none: ${word(object.no_grasps[0].reason, "NO_GRASP_REASON_")}` : "none";
 }
 var ObjectTable = class {
@@ -21627,7 +21627,7 @@ var ObjectTable = class {
     swatch.style.background = cssOf(object.label);
     const cells = [
       describe(object),
-      `${Math.round(100 * object.confidence)} %`,
+      `${Math.round(100 * object.confidence)} %`,
       [position.x, position.y, position.z].map((value) => value.toFixed(3)).join(" "),
       [size2.x, size2.y, size2.z].map(cm).join(" × "),
       graspText(object)
@@ -21758,7 +21758,7 @@ function match(before, after) {
   for (const object of right.values()) pairs.push({ before: null, after: object, iou: 0 });
   return pairs.sort((one, other) => (one.before?.label ?? 999) - (other.before?.label ?? 999));
 }
-var percent = (share) => `${Math.round(100 * share)} %`;
+var percent = (share) => `${Math.round(100 * share)} %`;
 var size = ({ oriented_box }) => [oriented_box.size.x, oriented_box.size.y, oriented_box.size.z].map((meters) => (100 * meters).toFixed(1)).join(" × ");
 function describe2({ before, after, iou }) {
   if (!before) return "new";

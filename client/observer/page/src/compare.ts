@@ -41,7 +41,7 @@ export function match(before: Detections, after: Detections): Pair[] {
   return pairs.sort((one, other) => (one.before?.label ?? 999) - (other.before?.label ?? 999));
 }
 
-const percent = (share: number) => `${Math.round(100 * share)} %`;
+const percent = (share: number) => `${Math.round(100 * share)}\u00a0%`;
 const size = ({ oriented_box }: FoundObject) =>
   [oriented_box.size.x, oriented_box.size.y, oriented_box.size.z].map((meters) => (100 * meters).toFixed(1)).join(" × ");
 

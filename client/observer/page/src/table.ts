@@ -15,7 +15,7 @@ function describe(object: FoundObject): string {
 
 function graspText(object: FoundObject): string {
   const grasp = object.grasps[0];
-  if (grasp) return `${word(grasp.kind, "GRASP_KIND_")} ${Math.round(100 * grasp.probability)} %`;
+  if (grasp) return `${word(grasp.kind, "GRASP_KIND_")} ${Math.round(100 * grasp.probability)}\u00a0%`;
   return object.no_grasps[0] ? `none: ${word(object.no_grasps[0].reason, "NO_GRASP_REASON_")}` : "none";
 }
 
@@ -46,7 +46,7 @@ export class ObjectTable {
     swatch.style.background = cssOf(object.label);
     const cells = [
       describe(object),
-      `${Math.round(100 * object.confidence)} %`,
+      `${Math.round(100 * object.confidence)}\u00a0%`,
       [position.x, position.y, position.z].map((value) => value.toFixed(3)).join(" "),
       [size.x, size.y, size.z].map(cm).join(" × "),
       graspText(object),
