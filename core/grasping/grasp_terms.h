@@ -54,6 +54,8 @@ enum SuctionTerm : std::size_t {
   kTermTubeGap,                         // beside the tube, up to 2
   kTermPoints,                          // under the lip, hundreds of them, up to 2
   kTermDisagrees,                       // sine of the angle between the patch and the shape there
+  kTermEvenReach,                       // radius to which the solid is even, in that of the lip
+  kTermInside,                          // on the bottom of what is hollow
 };
 
 // What a grasp is judged as: one function each.

@@ -31,7 +31,7 @@ class Rings {
   // What is further in is at least as deep as the deepest around it.
   void FillInwards() {
     for (std::size_t i = lowest_.size() - 1; i-- > 0;) {
-      if (lowest_[i] > 1e2F) lowest_[i] = lowest_[i + 1];
+      lowest_[i] = std::min(lowest_[i], lowest_[i + 1]);
     }
   }
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "core/grasping/jaw_grasps.h"
 #include "core/grasping/suction_patch.h"
+#include "core/grasping/suction_places.h"
 #include "core/types/interruption.h"
 
 namespace fovea {
@@ -13,21 +15,6 @@ namespace {
 
 constexpr float kCentimetres = 100;
 constexpr float kTube_m = 0.15F;  // of the tube behind the cup that must be free
-
-// Pixels of the object, spread evenly; the nearest to the middle of its mask among them.
-std::vector<cv::Point> PixelsToTry(const GraspScene& scene, const DetectedObject& object) {
-  constexpr int kAcross = 8;
-  std::vector<cv::Point> pixels;
-  const cv::Rect& bounds = object.bounds_px;
-  for (int i = 0; i < kAcross; ++i) {
-    for (int j = 0; j < kAcross; ++j) {
-      const cv::Point pixel(bounds.x + (2 * j + 1) * bounds.width / (2 * kAcross),
-                            bounds.y + (2 * i + 1) * bounds.height / (2 * kAcross));
-      if (scene.labels.at<std::uint16_t>(pixel) == object.label) pixels.push_back(pixel);
-    }
-  }
-  return pixels;
-}
 
 // The smallest distance between the tube and what else is in the columns of the grid, up to 20 mm;
 // negative where they meet.
@@ -62,50 +49,6 @@ float TubeGap(const HandGrid& grid, const Eigen::Vector3f& center, const Eigen::
   return gap;
 }
 
-struct Surface {
-  Eigen::Vector3f normal;
-  float curvature_per_m = 0;
-};
-
-// The face of a box that faces a patch most.
-Eigen::Vector3f FaceTowards(const OrientedBox& box, const Eigen::Vector3f& normal) {
-  const Eigen::Vector3f cosines = box.rotation.transpose() * normal;
-  Eigen::Index axis = 0;
-  cosines.cwiseAbs().maxCoeff(&axis);
-  return cosines[axis] > 0 ? box.rotation.col(axis) : Eigen::Vector3f(-box.rotation.col(axis));
-}
-
-Surface SurfaceOf(const DetectedObject& object, const SuctionPatch& patch) {
-  constexpr float kOnTop = 0.7F;  // cosine
-  const Shape& shape = object.shape;
-  const Eigen::Vector3f from = patch.center - shape.center;
-  switch (shape.kind) {
-    case Shape::Kind::kBox:
-    case Shape::Kind::kFlat:
-      return {FaceTowards(object.box, patch.normal), 0};
-    case Shape::Kind::kSphere:
-      return {from.normalized(), 1 / shape.radius_m};
-    case Shape::Kind::kCylinder: {
-      const float along = shape.axis.dot(patch.normal);
-      if (std::abs(along) > kOnTop) return {along > 0 ? shape.axis : -shape.axis, 0};
-      return {(from - shape.axis * shape.axis.dot(from)).normalized(), 1 / shape.radius_m};
-    }
-    case Shape::Kind::kRevolution:
-    case Shape::Kind::kOther:
-      break;
-  }
-  return {patch.normal, patch.curvature_per_m};
-}
-
-// Of the solid that the object is taken for, which is surer than that of a noisy patch, where the
-// two agree; else that of the patch.
-Surface SurfaceAt(const DetectedObject& object, const SuctionPatch& patch) {
-  constexpr float kAgree = 0.9F;  // cosine: 26 degrees
-  const Surface surface = SurfaceOf(object, patch);
-  return surface.normal.dot(patch.normal) > kAgree ? surface
-                                                   : Surface{patch.normal, patch.curvature_per_m};
-}
-
 // A lip follows more than the largest curvature where that is still even to it.
 constexpr float kMostCurvature = 2.2F;  // times the largest
 
@@ -115,15 +58,30 @@ bool IsEven(const SuctionPatch& patch, const SuctionGripper& cup, float noise_m)
 }
 
 // Of a few sizes from that of the cup on, the widest that would lie on the object.
-float UsableDiameter(const GraspScene& scene, const DetectedObject& object, const cv::Point& pixel,
-                     const SuctionGripper& cup, float noise_m) {
+float UsableDiameter(const GraspScene& scene, const DetectedObject& object,
+                     const SuctionPlace& place, const SuctionGripper& cup, float noise_m) {
   float usable = cup.diameter_m;
   for (const float times : {1.25F, 1.5F, 2.0F, 3.0F}) {
-    const auto wider = PatchAt(scene, object.label, pixel, times * cup.diameter_m);
+    const auto wider =
+        PatchAt(scene, object.label, place.pixel, place.center, times * cup.diameter_m);
     if (!wider || !IsEven(*wider, cup, noise_m)) break;
     usable = times * cup.diameter_m;
   }
   return usable;
+}
+
+// What a lip does not seal on, or why a place is out of reach.
+std::optional<NoGrasp::Reason> WhyNot(const SuctionPlace& place, const Gripper& gripper,
+                                      const Eigen::Vector3f& approach, float noise_m) {
+  const auto& cup = std::get<SuctionGripper>(gripper.hand);
+  const bool is_uneven = place.of_solid
+                             ? place.seen.unevenness_m > cup.max_unevenness_m + 2 * noise_m
+                             : !IsEven(place.seen, cup, noise_m);
+  if (is_uneven || place.curvature_per_m > kMostCurvature * cup.max_curvature_per_m) {
+    return NoGrasp::Reason::kNoSeal;
+  }
+  const bool is_sloped = -place.normal.dot(approach) < std::cos(gripper.max_tilt_rad);
+  return is_sloped ? std::optional(NoGrasp::Reason::kSloped) : std::nullopt;
 }
 
 }  // namespace
@@ -134,56 +92,56 @@ std::vector<ScoredGrasp> FindSuctionGrasps(const GraspScene& scene, const Detect
   constexpr float kNoise_m = 0.001F, kNoisePerM = 0.002F;  // of depth, per square metre
   const auto& cup = std::get<SuctionGripper>(gripper.hand);
   const Eigen::Vector3f approach = -grid.frame.rotation.col(2);
+  const CompletedSolid solid(object, grid.frame);
   const GraspTerms of_object = TermsOfObject(scene, object);
+  int num_missed = 0;
+  std::vector<SuctionPlace> places = SeenPlaces(scene, object, cup.diameter_m, num_missed);
+  for (int i = 0; i < num_missed; ++i) failures.Add(NoGrasp::Reason::kTooLittleSeen);
+  const auto of_solid = SolidPlaces(scene, object, approach, cup.diameter_m);
+  places.insert(places.end(), of_solid.begin(), of_solid.end());
   std::vector<ScoredGrasp> grasps;
-  for (const cv::Point& pixel : PixelsToTry(scene, object)) {
+  for (const SuctionPlace& place : places) {
     InterruptionPoint();
-    const auto patch = PatchAt(scene, object.label, pixel, cup.diameter_m);
-    if (!patch) {
-      failures.Add(NoGrasp::Reason::kTooLittleSeen);
+    const Eigen::Vector3f& normal = place.normal;
+    const float noise = kNoise_m + kNoisePerM * place.center.z() * place.center.z();
+    if (const auto reason = WhyNot(place, gripper, approach, noise)) {
+      if (!place.of_solid) failures.Add(*reason);
       continue;
     }
-    const float noise = kNoise_m + kNoisePerM * patch->center.z() * patch->center.z();
-    const Surface surface = SurfaceAt(object, *patch);
-    const Eigen::Vector3f& normal = surface.normal;
-    const float cosine = -normal.dot(approach), curvature = surface.curvature_per_m;
-    if (!IsEven(*patch, cup, noise) || curvature > kMostCurvature * cup.max_curvature_per_m) {
-      failures.Add(NoGrasp::Reason::kNoSeal);
-      continue;
-    }
-    if (cosine < std::cos(gripper.max_tilt_rad)) {
-      failures.Add(NoGrasp::Reason::kSloped);
-      continue;
-    }
-    const float gap = TubeGap(grid, patch->center, normal, cup.diameter_m / 2);
+    const float gap = TubeGap(grid, place.center, normal, cup.diameter_m / 2);
     if (gap < 0) {
       failures.Add(NoGrasp::Reason::kNeighbor);
       continue;
     }
-    const Eigen::Vector3f to_middle = object.box.center - patch->center;
+    const Eigen::Vector3f to_middle = object.box.center - place.center;
     const float off_center = (to_middle - normal * to_middle.dot(normal)).norm();
+    const float cosine = -normal.dot(approach);
+    const SuctionPatch& seen = place.seen;
     ScoredGrasp scored;
     scored.family = GraspFamily::kSuction;
     scored.terms = of_object;
     GraspTerms& t = scored.terms;
-    t[kTermUnevenness] = std::min(4.0F, patch->unevenness_m / noise);
-    t[kTermCurvature] = std::min(4.0F, curvature / cup.max_curvature_per_m);
+    t[kTermUnevenness] = std::min(4.0F, seen.unevenness_m / noise);
+    t[kTermCurvature] = std::min(4.0F, place.curvature_per_m / cup.max_curvature_per_m);
     t[kTermTilt] = std::sqrt(std::max(0.0F, 1 - cosine * cosine));
     t[kTermOffCenter] = std::min(4.0F, off_center / cup.diameter_m);
-    t[kTermCovered] = patch->covered;
+    t[kTermCovered] = seen.covered;
     t[kTermTubeGap] = kCentimetres * gap;
-    t[kTermPoints] = std::min(2.0F, static_cast<float>(patch->num_points) / 100);
-    t[kTermDisagrees] = normal.cross(patch->normal).norm();
+    t[kTermPoints] = std::min(2.0F, static_cast<float>(seen.num_points) / 100);
+    t[kTermDisagrees] = normal.cross(seen.normal).norm();
+    t[kTermEvenReach] = EvenReach(object, solid, grid.frame, place, cup);
+    t[kTermInside] = place.is_inside ? 1 : 0;
     Grasp& grasp = scored.grasp;
     grasp.kind = Grasp::Kind::kSuction;
     grasp.gripper = index;
-    grasp.tool_center_point = patch->center;
+    grasp.tool_center_point = place.center;
     grasp.approach = -normal;
     grasp.closing = normal.unitOrthogonal();
     grasp.clearance_m = gap;
-    grasp.unevenness_m = patch->unevenness_m;
+    grasp.unevenness_m = seen.unevenness_m;
+    grasp.unseen_contacts = 1 - seen.covered;
     grasp.off_center_m = off_center;
-    grasp.usable_diameter_m = UsableDiameter(scene, object, pixel, cup, noise);
+    grasp.usable_diameter_m = UsableDiameter(scene, object, place, cup, noise);
     t[kTermUsable] = std::min(2.0F, kCentimetres * (grasp.usable_diameter_m - cup.diameter_m) / 2);
     grasps.push_back(scored);
   }

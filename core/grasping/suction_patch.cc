@@ -43,14 +43,12 @@ std::size_t SectorOf(float x, float y) {
 }  // namespace
 
 std::optional<SuctionPatch> PatchAt(const GraspScene& scene, int label, const cv::Point& pixel,
-                                    float diameter_m) {
+                                    const Eigen::Vector3f& middle, float diameter_m) {
   constexpr std::size_t kLeastPoints = 8;
   constexpr float kLip = 0.55F;  // of the radius: what lies farther out is under the lip
-  const cv::Vec3f& p = scene.points.at<cv::Vec3f>(pixel);
-  if (std::isnan(p[2])) return std::nullopt;
+  if (std::isnan(middle.z())) return std::nullopt;
   // A little farther than the lip, so that an edge just beyond it is seen.
   const float radius = 1.15F * diameter_m / 2;
-  const Eigen::Vector3f middle(p[0], p[1], p[2]);
   const auto points = PointsAround(scene, label, pixel, middle, radius);
   if (points.size() < kLeastPoints) return std::nullopt;
 

@@ -10,17 +10,17 @@
 namespace fovea {
 
 struct SuctionPatch {
-  Eigen::Vector3f center;     // on the fitted surface, camera frame
-  Eigen::Vector3f normal;     // unit vector, towards the camera
+  Eigen::Vector3f center = Eigen::Vector3f::Zero();  // on the fitted surface, camera frame
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();  // unit vector, towards the camera
   float unevenness_m = 0;     // root mean square distance from the fitted surface
   float curvature_per_m = 0;  // of the fitted surface, on the average of all directions
   float covered = 0;          // share of sixteen sectors of the lip with points of the object
   int num_points = 0;
 };
 
-// The patch of an object around a pixel of it, under a cup of this diameter: a plane, then a round
-// surface over it. None where there are too few points.
+// The patch of an object around a place of it, which is seen in `pixel`, under a cup of this
+// diameter: a plane, then a round surface over it. None where there are too few points.
 std::optional<SuctionPatch> PatchAt(const GraspScene& scene, int label, const cv::Point& pixel,
-                                    float diameter_m);
+                                    const Eigen::Vector3f& middle, float diameter_m);
 
 }  // namespace fovea

@@ -28,8 +28,9 @@ struct Grasp {
   float pre_grasp_distance_m = 0.1F;
   // Smallest distance between the open hand on its way in and what was seen, or may stand unseen.
   float clearance_m = 0;
-  float unseen_contacts = 0;  // share of both contact areas that no pixel shows, 0 … 1
-  float probability = 0;      // of success, 0 … 1, calibrated on generated scenes
+  // Share of both contact areas, or of the lip of a cup, that no pixel shows, 0 … 1.
+  float unseen_contacts = 0;
+  float probability = 0;  // of success, 0 … 1, calibrated on generated scenes
   // Of suction: root mean square distance of the patch from the surface fitted to it, the largest
   // cup that fits on, and the distance of the tool axis from the middle of the object.
   float unevenness_m = 0;

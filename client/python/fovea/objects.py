@@ -85,7 +85,8 @@ class Grasp:
     pre_grasp_position: FloatArray | None = None
     # Smallest distance between the open hand on its way in and everything else.
     clearance_m: float = 0.0
-    unseen_contacts: float = 0.0  # share of both contact areas that no pixel shows, 0 … 1
+    # share of both contact areas, or of the lip of a suction cup, that no pixel shows, 0 … 1
+    unseen_contacts: float = 0.0
     # With suction: of the patch from a plane or sphere, root mean square; the widest cup that fits
     # on it; how far the object's middle is from the tool's axis.
     unevenness_m: float = 0.0

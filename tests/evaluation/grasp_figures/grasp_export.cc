@@ -20,6 +20,12 @@ nlohmann::json ToJson(const GraspedObject& object) {
     nlohmann::json outcomes = nlohmann::json::array();
     for (const Outcome outcome : result.outcomes) outcomes.push_back(NameOf(outcome));
     nlohmann::json json = {{"outcomes", outcomes}, {"probabilities", result.probabilities}};
+    if (!result.candidate_outcomes.empty()) {
+      for (std::size_t i = 0; i < result.candidate_outcomes.size(); ++i) {
+        json["candidates"].push_back(
+            {NameOf(result.candidate_outcomes[i]), result.candidate_probabilities[i]});
+      }
+    }
     if (result.possible) json["possible"] = *result.possible;
     if (result.reason >= 0) json["no_grasp_reason"] = result.reason;
     grippers.push_back(json);

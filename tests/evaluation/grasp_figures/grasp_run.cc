@@ -46,8 +46,21 @@ std::vector<GripperResult> Check(const PhysicalScene& scene, int body,
   return results;
 }
 
+void CheckCandidates(const PhysicalScene& scene, int body, const std::vector<Gripper>& grippers,
+                     std::vector<ScoredGrasp> candidates, std::vector<GripperResult>& results) {
+  std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
+    return a.grasp.probability > b.grasp.probability;
+  });
+  for (const ScoredGrasp& candidate : candidates) {
+    const Grasp& grasp = candidate.grasp;
+    GripperResult& result = results.at(grasp.gripper);
+    result.candidate_outcomes.push_back(CheckGrasp(scene, body, grippers[grasp.gripper], grasp));
+    result.candidate_probabilities.push_back(double{grasp.probability});
+  }
+}
+
 GraspRun CheckScene(const GeneratedScene& scene, const std::vector<Gripper>& grippers,
-                    bool find_possible) {
+                    const GraspQuestions& questions) {
   const PhysicalScene physical(scene.scene);
   Possible possible(physical, grippers);
   GraspRun run;
@@ -69,7 +82,11 @@ GraspRun CheckScene(const GeneratedScene& scene, const std::vector<Gripper>& gri
           scene.seed,
           match.visible_share,
           Check(physical, body, grippers, frame.detections.objects[match.answer])};
-      for (std::size_t g = 0; find_possible && g < grippers.size(); ++g) {
+      if (questions.candidates) {
+        CheckCandidates(physical, body, grippers, frame.grasp_candidates[match.answer],
+                        object.grippers);
+      }
+      for (std::size_t g = 0; questions.possible && g < grippers.size(); ++g) {
         object.grippers[g].possible = possible.Of(body, g);
       }
       run.objects.push_back(std::move(object));
@@ -99,13 +116,13 @@ std::vector<Gripper> EvaluationGrippers() {
   return {narrow, wide, cup};
 }
 
-GraspRun RunGrasps(const GeneratedFlags& flags, bool find_possible) {
+GraspRun RunGrasps(const GeneratedFlags& flags, const GraspQuestions& questions) {
   DetectorOptions options = OptionsOf(flags);
   options.grippers = EvaluationGrippers();
   if (!flags.overlays.empty()) std::filesystem::create_directories(flags.overlays);
   std::vector<GraspRun> runs(NumScenes(flags));
   ForEachGeneratedScene(flags, options, [&](std::size_t i, const GeneratedScene& scene) {
-    runs[i] = CheckScene(scene, options.grippers, find_possible);
+    runs[i] = CheckScene(scene, options.grippers, questions);
     if (!flags.overlays.empty()) WriteOverlays(flags.overlays, scene, options.grippers);
   });
   GraspRun all;

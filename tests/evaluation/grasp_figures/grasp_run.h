@@ -16,7 +16,11 @@ struct GripperResult {
   std::vector<Outcome> outcomes;  // of the grasps that were offered, in their order
   std::vector<double> probabilities;
   std::optional<bool>
-      possible;     // whether a search with the true solids finds a grasp, if asked for
+      possible;  // whether a search with the true solids finds a grasp, if asked for
+  // Of the candidates that were judged, offered or not, if asked for: their outcomes, likeliest
+  // first, and probabilities.
+  std::vector<Outcome> candidate_outcomes;
+  std::vector<double> candidate_probabilities;
   int reason = -1;  // of none offered, NoGrasp::Reason; -1 = none was given
 
   bool FirstSucceeds() const { return !outcomes.empty() && outcomes.front() == Outcome::kSuccess; }
@@ -39,8 +43,12 @@ struct GraspRun {
   std::vector<double> grasps_ms;       // of stage "grasps", one for each frame
 };
 
-// Writes pictures to flags.overlays, if any. `find_possible`: also search, which takes a second for
-// each object and gripper without a grasp.
-GraspRun RunGrasps(const GeneratedFlags& flags, bool find_possible);
+struct GraspQuestions {
+  bool possible = false;    // whether there is a grasp at all: a second for each object and gripper
+  bool candidates = false;  // how those end that were judged, up to 400 of each object and gripper
+};
+
+// Writes pictures to flags.overlays, if any.
+GraspRun RunGrasps(const GeneratedFlags& flags, const GraspQuestions& questions);
 
 }  // namespace fovea::evaluation

@@ -12,11 +12,11 @@ namespace fovea::evaluation {
 namespace {
 
 struct Flags : GeneratedFlags {
-  bool possible = false;
+  GraspQuestions questions;
 };
 
 void Run(const Flags& flags) {
-  const GraspRun run = RunGrasps(flags, flags.possible);
+  const GraspRun run = RunGrasps(flags, flags.questions);
   PrintGrasps(std::cout, run);
   WriteJson(flags.json, ToJson(run));
   if (!flags.plot.empty() && !run.objects.empty()) WriteText(flags.plot, DrawSvg(GraspCharts(run)));
@@ -29,8 +29,10 @@ void AddGraspsCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "grasps", "Check the grasps of generated scenes against the true solids in them");
   AddGeneratedFlags(*command, *flags);
-  command->add_flag("--possible", flags->possible,
+  command->add_flag("--possible", flags->questions.possible,
                     "Also search whether there is a grasp from above at all: slow");
+  command->add_flag("--candidates", flags->questions.candidates,
+                    "Also check every grasp that was judged: tells where grasps are lost");
   command->add_option("--overlays", flags->overlays,
                       "Write pictures of the first grasps to this folder: green succeeds");
   command->callback([flags] { Run(*flags); });
