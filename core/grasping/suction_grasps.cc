@@ -1,7 +1,6 @@
 #include "core/grasping/suction_grasps.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
@@ -21,23 +20,13 @@ constexpr float kTube_m = 0.15F;  // of the tube behind the cup that must be fre
 float TubeGap(const HandGrid& grid, const Eigen::Vector3f& center, const Eigen::Vector3f& normal,
               float radius_m) {
   constexpr float kFarthest_m = 0.02F, kOnPatch_m = 0.006F;
-  // Around the tube, cosines and sines of multiples of 45 degrees.
-  constexpr float kHalf = 0.70710678F;
-  constexpr std::array<std::pair<float, float>, 8> kAround = {{{1, 0},
-                                                               {kHalf, kHalf},
-                                                               {0, 1},
-                                                               {-kHalf, kHalf},
-                                                               {-1, 0},
-                                                               {-kHalf, -kHalf},
-                                                               {0, -1},
-                                                               {kHalf, -kHalf}}};
   const Eigen::Vector3f start = grid.frame.FromCamera(center);
   const Eigen::Vector3f way = grid.frame.rotation.transpose() * normal;
   const Eigen::Vector3f u = way.unitOrthogonal(), v = way.cross(u);
   float gap = kFarthest_m;
   for (float along = kOnPatch_m; along < kTube_m; along += 0.01F) {
     for (const float wider : {0.0F, 0.005F, 0.01F, 0.02F}) {
-      for (const auto& [c, s] : kAround) {
+      for (const auto& [c, s] : kAroundLip) {
         const Eigen::Vector3f at = start + along * way + (radius_m + wider) * (c * u + s * v);
         const int x = grid.CellAt(at.x()), y = grid.CellAt(at.y());
         if (x < 0 || y < 0 || x >= grid.size || y >= grid.size) continue;

@@ -2,12 +2,24 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <opencv2/core/types.hpp>
 #include <optional>
 
 #include "core/grasping/grasp_scene.h"
 
 namespace fovea {
+
+// Cosines and sines of the multiples of 45 degrees: places around a lip.
+constexpr float kCosineOf45 = 0.70710678F;
+constexpr std::array<std::array<float, 2>, 8> kAroundLip = {{{1, 0},
+                                                             {kCosineOf45, kCosineOf45},
+                                                             {0, 1},
+                                                             {-kCosineOf45, kCosineOf45},
+                                                             {-1, 0},
+                                                             {-kCosineOf45, -kCosineOf45},
+                                                             {0, -1},
+                                                             {kCosineOf45, -kCosineOf45}}};
 
 struct SuctionPatch {
   Eigen::Vector3f center = Eigen::Vector3f::Zero();  // on the fitted surface, camera frame

@@ -1,7 +1,6 @@
 #include "core/grasping/suction_places.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/grasping/sight.h"
@@ -127,18 +126,10 @@ std::vector<SuctionPlace> SpotsOf(const DetectedObject& object, const Eigen::Vec
 // Whether the solid is even to a lip of this radius.
 bool IsEvenAt(const CompletedSolid& solid, const Eigen::Vector3f& center,
               const Eigen::Vector3f& normal, float radius_m, const SuctionGripper& cup) {
-  constexpr float kAbove_m = 0.05F, kHalf = 0.70710678F;
-  constexpr std::array<std::array<float, 2>, 8> kAround = {{{1, 0},
-                                                            {kHalf, kHalf},
-                                                            {0, 1},
-                                                            {-kHalf, kHalf},
-                                                            {-1, 0},
-                                                            {-kHalf, -kHalf},
-                                                            {0, -1},
-                                                            {kHalf, -kHalf}}};
+  constexpr float kAbove_m = 0.05F;
   const Eigen::Vector3f u = normal.unitOrthogonal(), v = normal.cross(u);
   float low = 1, high = -1;
-  for (const auto& [c, s] : kAround) {
+  for (const auto& [c, s] : kAroundLip) {
     const Eigen::Vector3f from = center + radius_m * (c * u + s * v) + kAbove_m * normal;
     const auto span = solid.Along(from, -normal);
     if (!span) return false;
