@@ -21,8 +21,9 @@ demo: configured
 	@cmake --build --preset $(PRESET) --target fovea-server fovea fovea-observer fovea_scenes_tool
 	@deploy/demo.sh $(BUILD)
 
+# Some tests wait more than they compute.
 test: build
-	@ctest --preset $(PRESET) -j 2
+	@ctest --preset $(PRESET) -j $$(( $$(nproc) + 2 ))
 
 lint: dependencies
 	@deploy/lint.sh $(BUILD)
