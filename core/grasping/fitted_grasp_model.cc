@@ -7,7 +7,7 @@ const GraspModel& FittedGraspModel() {
   constexpr double kNone = TermFunction::kNoKnot;
   // A line a term, in the order of grasp_terms.h.
   // clang-format off
-  static const GraspModel kModel = {{{
+  static const GraspModel model = {{{
       {-6.4035, {{  // across
           {{0.9433, 1.075, 1.202, 1.434, 1.894}, {-0.60873, -0.19244, 0.40475, 0.89215, 1.4584, -1.3076}},
           {{0.8862, 0.9603, 0.9857, 0.9947, 0.9982}, {0.10976, 3.9225, 1.9157, -41.478, 149.39, -214.23}},
@@ -118,7 +118,7 @@ const GraspModel& FittedGraspModel() {
       }}},
   }}};
   // clang-format on
-  return kModel;
+  return model;
 }
 
 }  // namespace fovea

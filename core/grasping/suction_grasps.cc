@@ -14,6 +14,7 @@ namespace {
 
 constexpr float kCentimetres = 100;
 constexpr float kTube_m = 0.15F;  // of the tube behind the cup that must be free
+constexpr int kSteps = 15;        // along it
 
 // The smallest distance between the tube and what else is in the columns of the grid, up to 20 mm;
 // negative where they meet.
@@ -24,7 +25,8 @@ float TubeGap(const HandGrid& grid, const Eigen::Vector3f& center, const Eigen::
   const Eigen::Vector3f way = grid.frame.rotation.transpose() * normal;
   const Eigen::Vector3f u = way.unitOrthogonal(), v = way.cross(u);
   float gap = kFarthest_m;
-  for (float along = kOnPatch_m; along < kTube_m; along += 0.01F) {
+  for (int step = 0; step < kSteps; ++step) {
+    const float along = kOnPatch_m + static_cast<float>(step) * kTube_m / kSteps;
     for (const float wider : {0.0F, 0.005F, 0.01F, 0.02F}) {
       for (const auto& [c, s] : kAroundLip) {
         const Eigen::Vector3f at = start + along * way + (radius_m + wider) * (c * u + s * v);

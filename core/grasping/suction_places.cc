@@ -154,7 +154,7 @@ std::vector<SuctionPlace> SeenPlaces(const GraspScene& scene, const DetectedObje
       const cv::Point pixel(bounds.x + (2 * j + 1) * bounds.width / (2 * kAcross),
                             bounds.y + (2 * i + 1) * bounds.height / (2 * kAcross));
       if (scene.labels.at<std::uint16_t>(pixel) != object.label) continue;
-      const auto& point = scene.points.at<Eigen::Vector3f>(pixel);
+      const auto& point = scene.points.ptr<Eigen::Vector3f>(pixel.y)[pixel.x];
       const auto patch = PatchAt(scene, object.label, pixel, point, diameter_m);
       if (!patch) {
         ++num_missed;

@@ -127,7 +127,7 @@ std::string ToSource(const GraspModel& model) {
       "  constexpr double kNone = TermFunction::kNoKnot;\n"
       "  // A line a term, in the order of grasp_terms.h.\n"
       "  // clang-format off\n"
-      "  static const GraspModel kModel = {{{\n";
+      "  static const GraspModel model = {{{\n";
   for (std::size_t f = 0; f < kNumGraspFamilies; ++f) {
     const GraspFunction& function = model.families[f];
     text += fmt::format("      {{{:.5g}, {{{{  // {}\n", function.bias, kNames[f]);
@@ -136,7 +136,7 @@ std::string ToSource(const GraspModel& model) {
     }
     text += "      }}},\n";
   }
-  return text + "  }}};\n  // clang-format on\n  return kModel;\n}\n\n}  // namespace fovea\n";
+  return text + "  }}};\n  // clang-format on\n  return model;\n}\n\n}  // namespace fovea\n";
 }
 
 }  // namespace fovea::evaluation
