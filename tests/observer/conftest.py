@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import os
 import subprocess
+import threading
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
@@ -23,6 +24,9 @@ from processes import (
 )
 
 import fovea
+
+if TYPE_CHECKING:
+    from browser import Browser
 
 
 @dataclass
@@ -128,3 +132,62 @@ def visitor(observer: ObserverProcess) -> Visitor:
 @pytest.fixture
 def robots(server: ServerProcess) -> Robots:
     return Robots(server.address)
+
+
+class Sending:
+    """A robot that sends the same frame again and again, until the end of a test."""
+
+    def __init__(self, robots: Robots, robot: str, frame: fovea.Frame) -> None:
+        self.answer = robots.detect(robot, frame, return_masks=True)
+        self._stop = threading.Event()
+        self._thread = threading.Thread(target=self._run, args=(robots, robot, frame))
+
+    def _run(self, robots: Robots, robot: str, frame: fovea.Frame) -> None:
+        while not self._stop.wait(0.05):
+            robots.detect(robot, frame)
+
+    def __enter__(self) -> Sending:
+        self._thread.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._stop.set()
+        self._thread.join()
+
+
+@pytest.fixture
+def sending(robots: Robots, scene: Scene) -> Iterator[Sending]:
+    with Sending(robots, "kitchen-1", scene.frame()) as robot:
+        yield robot
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    """Debian's Chromium, where that is."""
+    pytest.importorskip("selenium", reason="python3-selenium is not installed")
+    from browser import CHROMIUM, DRIVER, Browser
+
+    if not (CHROMIUM and DRIVER):
+        pytest.skip("chromium and chromium-driver are not installed")
+    opened = Browser()
+    yield opened
+    opened.close()
+
+
+@pytest.fixture
+def picture(browser: Browser, observer: ObserverProcess, sending: Sending) -> Any:
+    """The canvas of the robot that sends, in large, with a frame in it."""
+    browser.log_in(observer.url, OBSERVERS["ann"][0])
+    browser.find("[data-robot=kitchen-1] button").click()
+    return browser.find("#picture[data-id]")
+
+
+@pytest.fixture
+def past(browser: Browser, recorded: Recorded, scene: Scene) -> Iterator[Any]:
+    """The canvas of a robot that sends, and of which there is a history from before."""
+    frames = [scene.frame(id=f"before {number}") for number in range(4)]
+    recorded.record("arm", *frames)
+    browser.log_in(recorded.observer.url, OBSERVERS["ann"][0])
+    with Sending(recorded.robots, "arm", scene.frame(id="now")):
+        browser.find("[data-robot=arm] button").click()
+        yield browser.find("#picture[data-id]")

@@ -3,82 +3,19 @@
 from __future__ import annotations
 
 import itertools
-import json
-import threading
-import zipfile
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from conftest import Recorded, Robots, Scene, recorder_is_ready
-from picking import Picking
-from processes import (
-    OBSERVERS,
-    ObserverProcess,
-    ServerProcess,
-    Visitor,
-    history_flags,
-    write_observers,
-)
+from conftest import Recorded, Robots, Scene, Sending
+from processes import OBSERVERS, ObserverProcess, ServerProcess, write_observers
 
 import fovea
 
 pytest.importorskip("selenium", reason="python3-selenium is not installed")
-from browser import CHROMIUM, DRIVER, Browser  # noqa: E402
+from browser import Browser  # noqa: E402
 from selenium.webdriver.common.keys import Keys  # noqa: E402
-
-pytestmark = pytest.mark.skipif(
-    not (CHROMIUM and DRIVER), reason="chromium and chromium-driver are not installed"
-)
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    opened = Browser()
-    yield opened
-    opened.close()
-
-
-class Sending:
-    """A robot that sends the same frame again and again, until the end of a test."""
-
-    def __init__(self, robots: Robots, robot: str, frame: fovea.Frame) -> None:
-        self.answer = robots.detect(robot, frame, return_masks=True)
-        self._stop = threading.Event()
-        self._thread = threading.Thread(target=self._run, args=(robots, robot, frame))
-
-    def _run(self, robots: Robots, robot: str, frame: fovea.Frame) -> None:
-        while not self._stop.wait(0.05):
-            robots.detect(robot, frame)
-
-    def __enter__(self) -> Sending:
-        self._thread.start()
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self._stop.set()
-        self._thread.join()
-
-
-@pytest.fixture
-def sending(robots: Robots, scene: Scene) -> Iterator[Sending]:
-    with Sending(robots, "kitchen-1", scene.frame()) as robot:
-        yield robot
-
-
-@pytest.fixture
-def picture(browser: Browser, observer: ObserverProcess, sending: Sending) -> Any:
-    """The canvas of the robot that sends, in large, with a frame in it."""
-    browser.log_in(observer.url, OBSERVERS["ann"][0])
-    browser.find("[data-robot=kitchen-1] button").click()
-    return browser.find("#picture[data-id]")
-
-
-def stop(browser: Browser) -> None:
-    """What is shown stays."""
-    browser.press("stop")
 
 
 def masks_of(answer: fovea.Detections, shape: tuple[int, ...]) -> Any:
@@ -126,7 +63,7 @@ def test_robots_are_tiles_with_problems_first(
 def test_shows_objects_at_their_pixels(
     browser: Browser, picture: Any, sending: Sending, scene: Scene
 ) -> None:
-    stop(browser)
+    browser.press("stop")
     for name in ("boxes", "labels"):
         browser.press(name)
     with_masks = browser.pixels(picture)
@@ -146,7 +83,7 @@ def test_shows_objects_at_their_pixels(
 
 
 def test_hovering_links_table_and_picture(browser: Browser, picture: Any, sending: Sending) -> None:
-    stop(browser)
+    browser.press("stop")
     rows = browser.all("#objects tbody tr")
     assert len(rows) == len(sending.answer.objects)
     labels = masks_of(sending.answer, browser.pixels(picture).shape)
@@ -174,7 +111,7 @@ def test_points_in_3d_are_where_they_are(
     cloud = browser.find("#cloud")
     point = browser.find("#point")
     browser.until(lambda: browser.hover(cloud, 0.5, 0.5) or point.get_attribute("value"))
-    stop(browser)
+    browser.press("stop")
     height, width = scene.depth.shape
     intrinsics = scene.intrinsics
     tried = 0
@@ -205,7 +142,7 @@ def test_the_cloud_is_turned_and_measured_by_keys(
     browser.press("3D")
     cloud = browser.find("#cloud")
     browser.until(lambda: browser.drawn(cloud)[:, :, :3].max() > 0)
-    stop(browser)
+    browser.press("stop")
     point = browser.find("#point")
     cloud.send_keys(Keys.HOME)
     browser.until(lambda: point.get_attribute("value"))
@@ -266,259 +203,10 @@ def test_says_what_is_away_and_goes_on(browser: Browser, scene: Scene, tmp_path:
                 assert "has started anew" in browser.texts("#failure")[0]
 
 
-@pytest.fixture
-def past(browser: Browser, recorded: Recorded, scene: Scene) -> Iterator[Any]:
-    """The canvas of a robot that sends, and of which there is a history from before."""
-    frames = [scene.frame(id=f"before {number}") for number in range(4)]
-    recorded.record("arm", *frames)
-    browser.log_in(recorded.observer.url, OBSERVERS["ann"][0])
-    with Sending(recorded.robots, "arm", scene.frame(id="now")):
-        browser.find("[data-robot=arm] button").click()
-        yield browser.find("#picture[data-id]")
-
-
-def shown(browser: Browser) -> str:
-    """The name of the frame that is shown."""
-    return browser.texts("#facts")[0].split(" · ")[0].removeprefix("frame ")
-
-
-def test_steps_back_into_the_history_and_on_again(browser: Browser, past: Any) -> None:
-    browser.until(lambda: " recorded" in browser.texts("#moment")[0])
-    stop(browser)
-    body = browser.find("body")
-    while shown(browser) == "now":
-        at = past.get_attribute("data-id")
-        body.send_keys(",")
-        browser.until(lambda at=at: past.get_attribute("data-id") != at)
-    assert shown(browser) == "before 3"
-    assert past.get_attribute("data-past") == "true"
-    assert "of the history" in browser.texts("#facts")[0]
-    assert browser.all("#objects tbody tr")
-    for name in ("before 2", "before 1"):
-        body.send_keys(",")
-        browser.until(lambda name=name: shown(browser) == name)
-    for name in ("before 2", "before 3", "now"):
-        body.send_keys(".")
-        browser.until(lambda name=name: shown(browser) == name)
-    body.send_keys(" ")
-    browser.until(lambda: past.get_attribute("data-past") == "false")
-
-
-def test_the_time_line_leads_to_moments(browser: Browser, past: Any) -> None:
-    line = browser.find("#timeline")
-    browser.until(lambda: " recorded" in browser.texts("#moment")[0])
-    # Long before there was anything: the nearest is the first.
-    browser.click(line, 0.01, 0.5)
-    browser.until(lambda: past.get_attribute("data-past") == "true")
-    assert shown(browser).startswith("before")
-    first = shown(browser)
-    line.send_keys(Keys.ARROW_RIGHT)
-    browser.until(lambda: shown(browser) != first)
-    line.send_keys(Keys.HOME)
-    browser.until(lambda: shown(browser) == first)
-    line.send_keys(Keys.END)
-    browser.until(lambda: shown(browser) == "now")
-
-
-def test_the_past_is_in_3d_too(browser: Browser, past: Any) -> None:
-    browser.press("3D")
-    browser.until(lambda: " recorded" in browser.texts("#moment")[0])
-    browser.click(browser.find("#timeline"), 0.01, 0.5)
-    browser.until(lambda: past.get_attribute("data-past") == "true")
-    cloud = browser.find("#cloud")
-    browser.until(lambda: browser.drawn(cloud)[:, :, :3].max() > 0)
-
-
-def test_saves_a_frame_and_the_seconds_around(browser: Browser, past: Any, tmp_path: Path) -> None:
-    browser.downloads_to(tmp_path)
-    stop(browser)
-    browser.find("body").send_keys("f")
-    browser.until(lambda: list(tmp_path.glob("fovea_arm_*.zip")))
-    browser.until(lambda: "saved fovea_arm_" in browser.texts("#saved")[0])
-    with zipfile.ZipFile(next(tmp_path.glob("*.zip"))) as file:
-        frames = json.loads(file.read("bundle.json"))["frames"]
-        assert len(frames) == 1 and frames[0]["robot"] == "arm"
-    for path in tmp_path.iterdir():
-        path.unlink()
-    around = browser.find("#around")
-    around.clear()
-    around.send_keys("1")
-    browser.press("save")
-    browser.until(lambda: list(tmp_path.glob("fovea_arm_*.zip")))
-    with zipfile.ZipFile(next(tmp_path.glob("*.zip"))) as file:
-        assert len(json.loads(file.read("bundle.json"))["frames"]) > 1
-
-
-def test_tries_options_beside_the_answer(
-    browser: Browser, past: Any, recorded: Recorded, scene: Scene
-) -> None:
-    browser.press("try")
-    browser.until(lambda: browser.all("#options tbody tr"))
-    before = browser.pixels(browser.find("#before"))
-    assert browser.all("#options tbody tr .words")[0].text
-    browser.find("#run").click()
-    browser.until(lambda: "nothing changed" in browser.texts("#tried")[0])
-    rows = browser.texts("#changes tbody tr td:last-child")
-    assert rows and set(rows) == {"the same"}
-    assert np.array_equal(browser.pixels(browser.find("#after")), before)
-    find = browser.find("#find")
-    find.send_keys("min_probability")
-    assert 0 < len(browser.all("#options tbody tr")) < 5
-    changes = {"objects.min_probability": 0.97}
-    wanted = recorded.robots.detect("other", scene.frame(), parameters=changes).objects
-    assert 0 < len(wanted) < len(rows)
-    set_option(browser, *changes.popitem())
-    browser.until(lambda: browser.texts("#command")[0].endswith("objects.min_probability=0.97"))
-    browser.find("#run").click()
-    browser.until(lambda: "gone" in browser.texts("#changes tbody tr td:last-child"))
-    assert "changed" in browser.texts("#tried")[0]
-    tried = browser.texts("#changes tbody tr td:nth-child(2)")
-    assert {text for text in tried if text != "–"} == {str(found.label) for found in wanted}
-    set_option(browser, "objects.min_probability", 7)
-    browser.find("#run").click()
-    browser.until(lambda: browser.texts("#tried.bad"))
-    assert "objects.min_probability" in browser.texts("#tried.bad")[0]
-
-
-def test_a_frame_that_is_not_recorded_is_tried_by_the_nearest(
-    browser: Browser, scene: Scene, tmp_path: Path
-) -> None:
-    """A robot that sends faster than the history is kept."""
-    flags = history_flags(tmp_path, rate=0.1)
-    with (
-        ServerProcess(write_observers(tmp_path)) as server,
-        ObserverProcess(server.address, "127.0.0.1:0", *flags) as observer,
-    ):
-        visitor, robots = Visitor(observer.address), Robots(server.address)
-        visitor.log_in(OBSERVERS["ann"][0])
-        recorder_is_ready(visitor, robots)
-        robots.detect("arm", scene.frame(id="recorded"))
-        visitor.history("arm", 1)
-        browser.log_in(observer.url, OBSERVERS["ann"][0])
-        robots.detect("arm", scene.frame(id="between"))
-        browser.find("[data-robot=arm] button").click()
-        browser.until(lambda: shown(browser) == "between")
-        browser.press("try")
-        browser.until(lambda: shown(browser) == "recorded")
-        told = browser.texts("#picked")[0]
-        assert told.startswith("the history does not hold the frame") and told.endswith("before it")
-        browser.until(lambda: browser.all("#options tbody tr"))
-
-
-def set_option(browser: Browser, name: str, value: float) -> None:
-    script = "arguments[0].value = arguments[1]; arguments[0].dispatchEvent(new Event('change'))"
-    field = browser.find(f"[data-option='{name}']")
-    browser.driver.execute_script(script, field, str(value))
-
-
-def is_gone(browser: Browser, robot: str, number: str) -> bool:
-    script = """const [robot, id, done] = arguments;
-        fetch(`/api/answer?robot=${robot}&id=${id}`).then((answer) => done(answer.status === 404))"""
-    return bool(browser.driver.execute_async_script(script, robot, number))
-
-
-def test_a_click_marks_an_object_for_the_robot(
-    browser: Browser, recorded: Recorded, scene: Scene
-) -> None:
-    with Picking(recorded.robots.address, "hand", scene.frame(id="picked")) as robot:
-        browser.log_in(recorded.observer.url, OBSERVERS["ann"][0])
-        browser.find("[data-robot=hand] button").click()
-        picture = browser.find("#picture[data-id]")
-        assert robot.first is not None
-        found = robot.first.objects[0]
-        box = found.bounding_box
-        width, height = scene.depth.shape[1], scene.depth.shape[0]
-        labels = scene.labels[box.y : box.y + box.height, box.x : box.x + box.width]
-        ys, xs = np.nonzero(labels)
-        at = np.argmin((xs - xs.mean()) ** 2 + (ys - ys.mean()) ** 2)
-        browser.click(picture, (box.x + xs[at] + 0.5) / width, (box.y + ys[at] + 0.5) / height)
-        browser.until(lambda: "hand got object" in browser.texts("#picked")[0])
-        browser.until(lambda: robot.picks)
-        assert robot.picks[0].label == found.label and robot.picks[0].observer == "ann"
-        # Of a frame that has long been pushed out by others, too.
-        stop(browser)
-        browser.until(lambda: is_gone(browser, "hand", picture.get_attribute("data-id")))
-        browser.click(picture, (box.x + xs[at] + 0.5) / width, (box.y + ys[at] + 0.5) / height)
-        browser.until(lambda: len(robot.picks) == 2)
-        assert robot.picks[1].label == found.label
-
-
-def test_a_robot_that_takes_no_picks_is_said(
-    browser: Browser, past: Any, recorded: Recorded
-) -> None:
-    row = browser.find("#objects tbody tr")
-    stop(browser)
-    row = browser.find("#objects tbody tr")
-    browser.driver.execute_script("arguments[0].focus()", row)
-    row.send_keys("\ue007")  # Enter
-    browser.until(lambda: browser.texts("#picked.bad"))
-    assert "arm takes no picks" in browser.texts("#picked.bad")[0]
-
-
-def test_who_may_only_look_is_shown_no_more(
-    browser: Browser, recorded: Recorded, scene: Scene
-) -> None:
-    recorded.record("kitchen-1", scene.frame())
-    browser.log_in(recorded.observer.url, OBSERVERS["ben"][0])
-    with Sending(recorded.robots, "kitchen-1", scene.frame()):
-        browser.find("[data-robot=kitchen-1] button").click()
-        browser.find("#picture[data-id]")
-        browser.until(lambda: " recorded" in browser.texts("#moment")[0])
-        labels = browser.texts(".bar button")
-        assert "stop" in labels and not {"save", "save frame", "try"} & set(labels)
-        assert not browser.all(".picks")
-
-
 def test_without_a_history_its_flags_are_told(browser: Browser, picture: Any) -> None:
     assert not browser.find("#timeline").is_displayed()
     told = browser.find("#no-history").text
     assert "--history FOLDER" in told and "--history-token-file" in told
-
-
-def seek_first(browser: Browser, name: str) -> None:
-    """A single click leads to the first frame of the history, of this name."""
-    browser.click(browser.find("#timeline"), 0.01, 0.5)
-    picture = browser.find("#picture")
-    browser.until(lambda: picture.get_attribute("data-past") == "true" and shown(browser) == name)
-
-
-def test_the_history_goes_on_after_both_were_killed(
-    browser: Browser, scene: Scene, tmp_path: Path
-) -> None:
-    observers, flags = write_observers(tmp_path), history_flags(tmp_path)
-    says = lambda text: browser.until(lambda: text in browser.texts("#servers")[0])  # noqa: E731
-    with (
-        ServerProcess(observers) as server,
-        ObserverProcess(server.address, "127.0.0.1:0", *flags) as observer,
-    ):
-        visitor = Visitor(observer.address)
-        visitor.log_in(OBSERVERS["ann"][0])
-        recorder_is_ready(visitor, Robots(server.address))
-        Robots(server.address).detect("arm", scene.frame(id="before both"))
-        visitor.history("arm", 1)
-        browser.log_in(observer.url, OBSERVERS["ann"][0])
-        with Sending(Robots(server.address), "arm", scene.frame(id="before both")):
-            browser.find("[data-robot=arm] button").click()
-            browser.find("#picture[data-id]")
-            browser.until(lambda: " recorded" in browser.texts("#moment")[0])
-        place = browser.find("#timeline").rect
-        server.kill()
-        says("is away: ")
-        assert (
-            browser.find("#timeline").rect == place
-        ), "what is said moves nothing that is clicked on"
-        seek_first(browser, "before both")  # what is there can still be seen
-        observer.kill()
-        says("the observer is away")
-        with (
-            ServerProcess(observers, server.address) as again,
-            ObserverProcess(server.address, observer.address, *flags),
-        ):
-            browser.find("#token").send_keys(OBSERVERS["ann"][0] + "\n")
-            with Sending(Robots(again.address), "arm", scene.frame(id="after both")):
-                browser.find("#picture[data-id]")
-                browser.until(lambda: shown(browser) == "after both")
-                seek_first(browser, "before both")
 
 
 @pytest.mark.parametrize(
@@ -544,7 +232,7 @@ def test_points_have_the_colours_of_their_pixels_with_any_lens(
         browser.press("3D")
         cloud = browser.find("#cloud")
         browser.until(lambda: browser.drawn(cloud)[:, :, 2].max() > 100)
-        stop(browser)
+        browser.press("stop")
         drawn = browser.drawn(cloud).astype(int)
     rows, columns = drawn.shape[:2]
     tried = 0
