@@ -135,7 +135,7 @@ void PlanGrasps(const GraspScene& scene, const std::vector<Gripper>& grippers,
     std::vector<Planner::Found> found = planner.PlanFor(i);
     std::vector<ScoredGrasp> judged;
     for (std::size_t g = 0; g < grippers.size(); ++g) {
-      const std::vector<Grasp> ranked = RankGrasps(found[g].grasps, grippers[g].max_grasps);
+      const std::vector<Grasp> ranked = RankGrasps(found[g].grasps, grippers[g]);
       if (ranked.empty()) objects[i].no_grasps.push_back({g, ReasonOf(found[g], objects[i])});
       objects[i].grasps.insert(objects[i].grasps.end(), ranked.begin(), ranked.end());
       judged.insert(judged.end(), found[g].grasps.begin(), found[g].grasps.end());

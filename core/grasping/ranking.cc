@@ -16,15 +16,15 @@ bool AreAlike(const Grasp& a, const Grasp& b) {
 
 }  // namespace
 
-std::vector<Grasp> RankGrasps(std::vector<ScoredGrasp> grasps, int max_grasps) {
+std::vector<Grasp> RankGrasps(std::vector<ScoredGrasp> grasps, const Gripper& gripper) {
   std::stable_sort(grasps.begin(), grasps.end(), [](const ScoredGrasp& a, const ScoredGrasp& b) {
     return a.grasp.probability > b.grasp.probability;
   });
   std::vector<Grasp> ranked;
   for (const ScoredGrasp& scored : grasps) {
     const Grasp& grasp = scored.grasp;
-    if (grasp.probability < kLeastProbability ||
-        ranked.size() >= static_cast<std::size_t>(max_grasps)) {
+    if (grasp.probability < gripper.min_probability ||
+        ranked.size() >= static_cast<std::size_t>(gripper.max_grasps)) {
       break;
     }
     const bool is_known = std::any_of(ranked.begin(), ranked.end(),

@@ -5,13 +5,12 @@
 
 #include "core/grasping/grasp_terms.h"
 #include "core/types/grasp.h"
+#include "core/types/gripper.h"
 
 namespace fovea {
 
-// Less likely ones are not offered.
-inline constexpr float kLeastProbability = 0.5F;
-
-// The likeliest first, no two nearly alike, at most `max_grasps`. `grasps` have their probability.
-std::vector<Grasp> RankGrasps(std::vector<ScoredGrasp> grasps, int max_grasps);
+// The likeliest first, no two nearly alike, at most as many as the gripper wants, none less likely
+// than it allows. `grasps` have their probability.
+std::vector<Grasp> RankGrasps(std::vector<ScoredGrasp> grasps, const Gripper& gripper);
 
 }  // namespace fovea

@@ -35,6 +35,8 @@ struct Gripper {
   std::optional<Eigen::Vector3f> approach;
   float max_tilt_rad = 0.35F;  // of a grasp's approach from the preferred one; suction: 0.8
   int max_grasps = 5;          // returned for each object
+  // What is less likely to succeed is not returned, 0 … 1.
+  float min_probability = 0.5F;
 };
 
 }  // namespace fovea

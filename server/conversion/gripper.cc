@@ -76,6 +76,11 @@ Gripper GripperFromProto(const v1::Gripper& proto, const std::string& path) {
   }
   RequireField(proto.max_grasps() <= kMaxGrasps, path + ".max_grasps", "must be at most 20");
   if (proto.max_grasps() > 0) gripper.max_grasps = static_cast<int>(proto.max_grasps());
+  if (proto.has_min_probability()) {
+    RequireField(proto.min_probability() >= 0 && proto.min_probability() <= 1,
+                 path + ".min_probability", "must be from 0 to 1");
+    gripper.min_probability = static_cast<float>(proto.min_probability());
+  }
   return gripper;
 }
 
@@ -100,6 +105,7 @@ v1::Gripper ToProto(const Gripper& gripper) {
   if (gripper.approach) *proto.mutable_approach() = ToProto(*gripper.approach);
   proto.set_max_tilt_rad(gripper.max_tilt_rad);
   proto.set_max_grasps(static_cast<std::uint32_t>(gripper.max_grasps));
+  proto.set_min_probability(gripper.min_probability);
   return proto;
 }
 

@@ -14,7 +14,11 @@ import numpy as np
 
 import fovea
 
-HANDS = [fovea.Gripper("jaw", max_opening_m=0.14), fovea.Gripper("cup", suction_diameter_m=0.03)]
+LEAST = 0.05  # likely to hold; it can try again
+HANDS = [
+    fovea.Gripper("jaw", max_opening_m=0.14, max_grasps=20, min_probability=LEAST),
+    fovea.Gripper("cup", suction_diameter_m=0.03, max_grasps=20, min_probability=LEAST),
+]
 
 parser = argparse.ArgumentParser(description=__doc__)
 parser.add_argument("address", help="of the server, HOST:PORT")
@@ -44,7 +48,7 @@ try:
 
             free = [grasp for each in found.objects if not each.blocked_by for grasp in each.grasps]
             best = max(free, key=chance, default=None)
-            if best is None or chance(best) <= 0.1:  # it is not worth the while
+            if best is None or chance(best) <= LEAST:  # it is not worth the while
                 tell(left=found.objects)
             else:
                 tell(grasp=best)

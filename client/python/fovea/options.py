@@ -44,6 +44,8 @@ class Gripper:
     # How far the approach may be from straight down, radians; None: 0.35, with suction 0.8.
     max_tilt_rad: float | None = None
     max_grasps: int = 5  # for each object
+    # What is less likely to succeed is not returned; None: 0.5. Less, if failing costs little.
+    min_probability: float | None = None
 
     def to_proto(self) -> detection_pb2.Gripper:
         proto = detection_pb2.Gripper(name=self.name, max_grasps=self.max_grasps)
@@ -56,6 +58,8 @@ class Gripper:
             proto.jaw.finger_thickness_m = self.finger_thickness_m
         if self.max_tilt_rad is not None:
             proto.max_tilt_rad = self.max_tilt_rad
+        if self.min_probability is not None:
+            proto.min_probability = self.min_probability
         return proto
 
 

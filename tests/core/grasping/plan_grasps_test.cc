@@ -144,6 +144,24 @@ TEST(PlanGrasps, FarFromStraightDownItComesFromTheSideToo) {
                           [](const Grasp& g) { return g.kind == Grasp::Kind::kSide; }));
 }
 
+TEST(PlanGrasps, WhoAllowsLessLikelyGraspsGetsMore) {
+  Gripper careful = Jaw(0.085F), bold = Jaw(0.085F);
+  careful.max_grasps = bold.max_grasps = 20;
+  careful.min_probability = 0.9F;
+  bold.min_probability = 0.05F;
+  // Just below the hand: few of its grasps are likely.
+  const auto objects =
+      Plan({Thing(ShapeKind::kBox, {0.14, 0.076, 0.1}, {0, 0}, 0)}, {careful, bold});
+  int num_careful = 0, num_bold = 0, num_unlikely = 0;
+  for (const Grasp& grasp : objects[0].grasps) {
+    (grasp.gripper == 0 ? num_careful : num_bold) += 1;
+    EXPECT_GE(grasp.probability, grasp.gripper == 0 ? 0.9F : 0.05F);
+    num_unlikely += grasp.probability < 0.5F ? 1 : 0;
+  }
+  EXPECT_GT(num_bold, num_careful);
+  EXPECT_GT(num_unlikely, 0);
+}
+
 TEST(PlanGrasps, PlansNothingWhereNoneAsks) {
   const auto objects = Plan({Thing(ShapeKind::kBox, {0.1, 0.06, 0.1}, {0, 0}, 0)}, {});
   EXPECT_TRUE(objects[0].grasps.empty());

@@ -22,7 +22,8 @@ namespace {
 
 constexpr std::size_t kAttemptsPerThing = 4;
 
-// The robot's hands: two fingers that open 140 mm, and a cup of 30 mm.
+// The robot's hands: two fingers that open 140 mm, and a cup of 30 mm. It can try again, so that
+// unlikely grasps are welcome.
 std::vector<Gripper> Hands() {
   JawGripper jaw;
   jaw.max_opening_m = 0.14F;
@@ -32,6 +33,10 @@ std::vector<Gripper> Hands() {
   cup.name = "cup";
   cup.hand = SuctionGripper{};
   cup.max_tilt_rad = 0.8F;
+  for (Gripper* hand : {&fingers, &cup}) {
+    hand->max_grasps = 20;
+    hand->min_probability = 0.05F;
+  }
   return {fingers, cup};
 }
 

@@ -32,12 +32,15 @@ TEST(Grippers, OfARequestAreCheckedAndFilledIn) {
   v1::Gripper& gripper = *options.add_grippers();
   gripper.mutable_jaw()->set_max_opening_m(0.14);
   gripper.set_max_grasps(3);
+  gripper.set_min_probability(0.2);
   options.add_grippers()->mutable_suction();
   const std::vector<Gripper> grippers = server::FromProto(options);
   ASSERT_EQ(grippers.size(), 2U);
   EXPECT_FLOAT_EQ(std::get<JawGripper>(grippers[0].hand).max_opening_m, 0.14F);
   EXPECT_FLOAT_EQ(std::get<JawGripper>(grippers[0].hand).finger_length_m, 0.04F);
   EXPECT_EQ(grippers[0].max_grasps, 3);
+  EXPECT_FLOAT_EQ(grippers[0].min_probability, 0.2F);
+  EXPECT_FLOAT_EQ(grippers[1].min_probability, 0.5F);
   EXPECT_FLOAT_EQ(std::get<SuctionGripper>(grippers[1].hand).diameter_m, 0.03F);
   EXPECT_FLOAT_EQ(grippers[1].max_tilt_rad, 0.8F);
 }
@@ -65,6 +68,10 @@ TEST(Grippers, AWrongFieldIsNamed) {
               StartsWith("options.grasps.grippers[0].max_tilt_rad: "));
   EXPECT_THAT(error_of([](auto& g) { g.set_max_grasps(21); }),
               StartsWith("options.grasps.grippers[0].max_grasps: "));
+  EXPECT_THAT(error_of([](auto& g) { g.set_min_probability(1.5); }),
+              StartsWith("options.grasps.grippers[0].min_probability: "));
+  EXPECT_THAT(error_of([](auto& g) { g.set_min_probability(NAN); }),
+              StartsWith("options.grasps.grippers[0].min_probability: "));
 }
 
 TEST(RobotGrippers, StandInWhereTheRequestSaysNothing) {
