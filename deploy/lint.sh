@@ -34,7 +34,7 @@ fi
 # it also sees what a file forgot to include. What is generated is taken from BUILD_FOLDER.
 if [ -n "$sources" ]; then
   cmake -S . -B "$build/tidy" -G Ninja -D CMAKE_BUILD_TYPE=Release -D CMAKE_EXPORT_COMPILE_COMMANDS=ON \
-    -D FOVEA_UNITY_TESTS=OFF -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
+    -D FOVEA_UNITY=OFF -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
   sed -i "s#$build/tidy/#$build/#g" "$build/tidy/compile_commands.json"
   echo "$sources" | xargs -P 2 -n 4 clang-tidy --quiet -p "$build/tidy"
 fi

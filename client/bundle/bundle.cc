@@ -21,7 +21,7 @@ constexpr int kVersion = 1;
 constexpr const char* kFormat = "fovea-bundle";
 constexpr const char* kRequest = "_request.pb";
 
-[[noreturn]] void Fail(const std::string& text) { throw std::invalid_argument(text); }
+[[noreturn]] void Refuse(const std::string& text) { throw std::invalid_argument(text); }
 
 std::string TextOf(const json& value) {
   return value.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
@@ -113,7 +113,7 @@ template <typename Message>
 Message Parsed(const ZipReader& zip, const std::string& file) {
   Message message;
   if (!message.ParseFromString(zip.Read(file))) {
-    Fail(file + " in it is no " + Message::descriptor()->full_name());
+    Refuse(file + " in it is no " + Message::descriptor()->full_name());
   }
   return message;
 }
@@ -152,18 +152,18 @@ Bundle::Bundle(std::string zip, const ZipLimits& limits) : zip_(std::move(zip), 
     if (file.size() <= std::string(kRequest).size() || !file.ends_with(kRequest)) continue;
     names_.push_back(file.substr(0, file.size() - std::string(kRequest).size()));
   }
-  if (names_.empty()) Fail("holds no frame");
+  if (names_.empty()) Refuse("holds no frame");
   std::ranges::sort(names_);
 }
 
 void Bundle::CheckAbout() const {
-  if (!zip_.Has("bundle.json")) Fail("has no bundle.json, so it is none of fovea-observer's");
+  if (!zip_.Has("bundle.json")) Refuse("has no bundle.json, so it is none of fovea-observer's");
   const json about = json::parse(zip_.Read("bundle.json"), nullptr, /*allow_exceptions=*/false);
   const auto is = [&](const char* key, auto wanted) {
     return about.is_object() && about.contains(key) && about[key] == wanted;
   };
-  if (!is("format", kFormat)) Fail("has a bundle.json that is none of fovea-observer's");
-  if (!is("version", kVersion)) Fail("is of a version that this program does not know");
+  if (!is("format", kFormat)) Refuse("has a bundle.json that is none of fovea-observer's");
+  if (!is("version", kVersion)) Refuse("is of a version that this program does not know");
 }
 
 v1::DetectRequest Bundle::RequestOf(const std::string& name) const {
@@ -179,7 +179,7 @@ std::string Bundle::ColorFileOf(const std::string& name) const {
   for (const char* ending : {"_color.png", "_color.jpg"}) {
     if (zip_.Has(name + ending)) return zip_.Read(name + ending);
   }
-  Fail("has no " + name + "_color.png (or .jpg)");
+  Refuse("has no " + name + "_color.png (or .jpg)");
 }
 
 std::string Bundle::DepthFileOf(const std::string& name) const {

@@ -14,12 +14,6 @@
 namespace fovea::capture {
 namespace {
 
-struct Destroy {
-  void operator()(void* handle) const { tjDestroy(handle); }
-  void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
-  void operator()(unsigned char* buffer) const { tjFree(buffer); }
-};
-
 google::protobuf::Timestamp TimestampOf(std::chrono::system_clock::time_point time) {
   using std::chrono::nanoseconds;
   return google::protobuf::util::TimeUtil::NanosecondsToTimestamp(
@@ -29,6 +23,12 @@ google::protobuf::Timestamp TimestampOf(std::chrono::system_clock::time_point ti
 }  // namespace
 
 struct Encoder::Codecs {
+  struct Destroy {
+    void operator()(void* handle) const { tjDestroy(handle); }
+    void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
+    void operator()(unsigned char* buffer) const { tjFree(buffer); }
+  };
+
   std::unique_ptr<std::remove_pointer_t<tjhandle>, Destroy> jpeg{tjInitCompress()};
   std::unique_ptr<ZSTD_CCtx, Destroy> zstd{ZSTD_createCCtx()};
 };
@@ -63,7 +63,7 @@ v1::ColorImage Encoder::EncodeColor(const cv::Mat& color) {
   const int failed =
       tjCompress2(codecs_->jpeg.get(), color.data, color.cols, static_cast<int>(color.step),
                   color.rows, TJPF_RGB, &bytes, &size, TJSAMP_420, options_.jpeg_quality, 0);
-  const std::unique_ptr<unsigned char, Destroy> owner(bytes);
+  const std::unique_ptr<unsigned char, Codecs::Destroy> owner(bytes);
   if (failed != 0) {
     throw std::runtime_error(std::string("JPEG: ") + tjGetErrorStr2(codecs_->jpeg.get()));
   }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "server/access/wall_clock.h"
+
 namespace fovea::server {
 namespace {
 
@@ -81,7 +83,7 @@ ClientAuthority::ClientAuthority(const std::vector<Certificate>& authorities,
 
 std::chrono::sys_seconds ClientAuthority::GoodUntil(const std::string& certificate,
                                                     const std::string& chain) const {
-  const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+  const std::chrono::sys_seconds now = NowInSeconds();
   {
     const std::lock_guard lock(mutex_);
     const auto known = good_.find(certificate);

@@ -6,6 +6,8 @@
 
 #include <utility>
 
+#include "server/access/wall_clock.h"
+
 namespace fovea::server {
 namespace {
 
@@ -16,10 +18,6 @@ void LogCertificate(const ServerOptions& options, const TlsFiles& files) {
   spdlog::info("certificate of {}: subject \"{}\", serial number {}, good until {}",
                options.tls_cert, SubjectOf(*files.leaf), SerialOf(*files.leaf),
                TextOf(ExpiryOf(*files.leaf)));
-}
-
-std::chrono::sys_seconds Now() {
-  return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
 }
 
 }  // namespace
@@ -84,12 +82,12 @@ void Credentials::WarnOfWhatIsDue() const {
   if (!has_tls()) return;
   const TlsFiles files = this->files();
   const std::chrono::sys_seconds expiry = ExpiryOf(*files.leaf);
-  if (expiry < Now() + kSoon) {
+  if (expiry < NowInSeconds() + kSoon) {
     spdlog::warn("--tls-cert: the certificate of {} {} {}", options_.tls_cert,
-                 expiry < Now() ? "has expired at" : "expires soon, at", TextOf(expiry));
+                 expiry < NowInSeconds() ? "has expired at" : "expires soon, at", TextOf(expiry));
   }
   if (!files.authority) return;
-  for (const std::string& list : files.authority->OverdueLists(Now())) {
+  for (const std::string& list : files.authority->OverdueLists(NowInSeconds())) {
     spdlog::warn("--tls-crl: {}: {}; what it revokes stays revoked", options_.tls_crl, list);
   }
 }

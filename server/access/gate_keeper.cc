@@ -7,15 +7,12 @@
 #include <utility>
 
 #include "server/access/token_line.h"
+#include "server/access/wall_clock.h"
 #include "server/connections/socket_address.h"
 #include "server/rpc/call_names.h"
 
 namespace fovea::server {
 namespace {
-
-std::chrono::sys_seconds Now() {
-  return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
-}
 
 RobotId Certified(const std::string& name) { return {name, name}; }
 
@@ -70,7 +67,7 @@ Admission GateKeeper::Admit(const grpc::ServerContextBase& context) const {
   if (rules.authority) admission.expires = CertifiedUntil(*rules.authority, *peer);
   if (rules.tokens) {
     const TokenTable::Entry& entry =
-        rules.tokens->EntryOf(BearerTokenOf(context.client_metadata()), Now());
+        rules.tokens->EntryOf(BearerTokenOf(context.client_metadata()), NowInSeconds());
     admission.robot = Certified(entry.robot);
     admission.expires = std::min(admission.expires, entry.expires);
     return admission;
@@ -86,7 +83,7 @@ Admission GateKeeper::Admit(const grpc::ServerContextBase& context) const {
 }
 
 void GateKeeper::Readmit(const grpc::ServerContextBase& context, Admission* admission) const {
-  if (rules().number == admission->rules && Now() < admission->expires) return;
+  if (rules().number == admission->rules && NowInSeconds() < admission->expires) return;
   const Admission again = Admit(context);
   if (again.robot.name != admission->robot.name)
     throw Unauthenticated("the token is another robot's now");

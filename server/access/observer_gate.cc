@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "server/access/token_line.h"
+#include "server/access/wall_clock.h"
 
 namespace fovea::server {
 
@@ -22,7 +23,7 @@ ObserverEntry ObserverGate::Admit(const grpc::ServerContextBase& context) const 
     const std::lock_guard lock(mutex_);
     table = table_;
   }
-  const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+  const std::chrono::sys_seconds now = NowInSeconds();
   return table->EntryOf(BearerTokenOf(context.client_metadata()), now);
 }
 

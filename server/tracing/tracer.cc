@@ -8,9 +8,9 @@
 namespace fovea::server {
 namespace {
 
-std::chrono::nanoseconds Nanoseconds(double milliseconds) {
+std::chrono::nanoseconds Nanoseconds(double duration_ms) {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(
-      std::chrono::duration<double, std::milli>(milliseconds));
+      std::chrono::duration<double, std::milli>(duration_ms));
 }
 
 Span FrameSpan(const TracedFrame& frame, Span::Time now) {

@@ -4,16 +4,12 @@
 
 #include "server/build_info.h"
 #include "server/status.h"
-#include "server/watching/single_metric.h"
+#include "server/watching/metric_kinds.h"
 
 namespace fovea::server {
 namespace {
 
 constexpr std::size_t kMaxRobots = 64;
-
-auto& CounterFamily(prometheus::Registry& registry, const char* name, const char* help) {
-  return prometheus::BuildCounter().Name(name).Help(help).Register(registry);
-}
 
 auto& Counter(prometheus::Registry& registry, const char* name, const char* help) {
   return CounterFamily(registry, name, help).Add({});

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-#include "server/watching/single_metric.h"
+#include "server/watching/metric_kinds.h"
 
 namespace fovea::server {
 namespace {

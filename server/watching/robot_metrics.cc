@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "server/watching/metric_kinds.h"
+
 namespace fovea::server {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-auto& CounterFamily(prometheus::Registry& registry, const char* name, const char* help) {
-  return prometheus::BuildCounter().Name(name).Help(help).Register(registry);
-}
-
 // Seconds; few, since every robot has them.
-const prometheus::Histogram::BucketBoundaries& Buckets() {
+const prometheus::Histogram::BucketBoundaries& RobotBuckets() {
   static const prometheus::Histogram::BucketBoundaries buckets{0.05, 0.1, 0.2, 0.5, 1, 2, 5};
   return buckets;
 }
@@ -100,7 +98,7 @@ RobotMetrics::Figures RobotMetrics::Make(const std::string& name) {
           .seen = Clock::now(),
           .received = &received_.Add(labels),
           .refused = &refused_.Add(labels),
-          .answer_times = &answer_times_.Add(labels, Buckets()),
+          .answer_times = &answer_times_.Add(labels, RobotBuckets()),
           .answered = {}};
 }
 
