@@ -57,8 +57,9 @@ void AddQuestionFlags(CLI::App& command, DetectFlags& flags) {
   command
       .add_option("--gripper", flags.grippers,
                   "Plan grasps for: jaw=OPENING, suction=DIAMETER (metres), or none; may be "
-                  "repeated; jaw=0.085 unless given")
-      ->type_name("KIND=METRES")
+                  "repeated; jaw=0.085 unless given. LEAST: of the probabilities to hold that are "
+                  "returned, 0.5 unless given")
+      ->type_name("KIND=METRES[,LEAST]")
       ->allow_extra_args(false);
   AddFlag(command, "--place", flags.place, "LENGTH,WIDTH,HEIGHT",
           "Find free places for something of this size (metres)");

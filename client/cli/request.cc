@@ -22,6 +22,14 @@ auto FromFile(const std::string& path, const std::function<std::string()>& read,
   }
 }
 
+// METRES or METRES,LEAST: the least probability of what is returned.
+double ParseHand(const std::string& text, const std::string& form, v1::Gripper* gripper) {
+  const std::size_t count = text.find(',') == std::string::npos ? 1 : 2;
+  const auto numbers = ParseNumbers(text, count, "--gripper", form);
+  if (count == 2) gripper->set_min_probability(numbers.back());
+  return numbers.front();
+}
+
 }  // namespace
 
 std::optional<DepthCamera> ParseDepthCamera(const std::string& intrinsics,
@@ -64,13 +72,12 @@ void ParseGrippers(const std::vector<std::string>& texts, v1::DetectOptions* opt
     }
     v1::Gripper& gripper = *options->mutable_grasps()->add_grippers();
     gripper.set_name(text);
-    const std::string form = "jaw=OPENING or suction=DIAMETER in metres, or none";
+    const std::string form =
+        "jaw=OPENING or suction=DIAMETER in metres, with ,LEAST probability or without, or none";
     if (text.starts_with("jaw=")) {
-      gripper.mutable_jaw()->set_max_opening_m(
-          ParseNumbers(text.substr(4), 1, "--gripper", form).front());
+      gripper.mutable_jaw()->set_max_opening_m(ParseHand(text.substr(4), form, &gripper));
     } else if (text.starts_with("suction=")) {
-      gripper.mutable_suction()->set_diameter_m(
-          ParseNumbers(text.substr(8), 1, "--gripper", form).front());
+      gripper.mutable_suction()->set_diameter_m(ParseHand(text.substr(8), form, &gripper));
     } else {
       throw std::invalid_argument(
           std::string("--gripper: \"").append(text).append("\" is not ").append(form));
