@@ -33,8 +33,8 @@ enum JawTerm : std::size_t {
   kTermClearance,                        // beside the fingers, up to 2
   kTermTipGap,                           // below the tips, up to 2
   kTermPalmGap,                          // below the palm, up to 2
-  kTermSlopeAcross,                      // the steeper contact
-  kTermSlopeDown,                        // the steeper contact
+  kTermSlopeAcross,                      // the steeper contact, or the line between them
+  kTermSlopeDown,                        // the same
   kTermContactWidth,                     // share of the pad's width, the narrower contact
   kTermContactDepth,                     // from the tips up, the lower contact, up to 2.5
   kTermUnseenContacts,                   // share

@@ -10,13 +10,14 @@ namespace {
 constexpr float kBelowRim_m = 0.008F;
 constexpr float kLeastWall_m = 0.004F;
 
-// Of rings about the axis, one cell wide: how low it is empty.
+// Of rings about the axis, one cell wide and none beyond the radius, or the rim would be lowered as
+// well and the palm would meet it: how low it is empty.
 class Rings {
  public:
   Rings(float radius_m, float width_m)
       : width_m_(width_m),
-        lowest_(static_cast<std::size_t>(std::max(1.0F, radius_m / width_m)) + 1,
-                -HandGrid::kNothing) {}
+        lowest_(static_cast<std::size_t>(std::max(1.0F, radius_m / width_m)), -HandGrid::kNothing) {
+  }
 
   void IsEmptyAt(float radius_m, float height_m) {
     const auto ring = static_cast<std::size_t>(radius_m / width_m_);

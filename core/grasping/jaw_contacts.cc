@@ -86,22 +86,25 @@ JawContact ContactOf(const Reaches& reaches, const TurnedGrid& turned, const Jaw
   }
   const float farthest = first.outwards_m;
   const float sign = is_towards_plus ? -1.0F : 1.0F;
+  constexpr float kFar_m = 1;
   Reaches near;
-  float low = 1, high = -1;
+  Span across = {kFar_m, -kFar_m}, above = {kFar_m, -kFar_m};
   for (const Reach& reach : reaches) {
     const bool is_next = is_exact && reach.across_m == first.across_m &&
                          std::abs(reach.height_m - first.height_m) < kNextLevel_m;
     if (reach.outwards_m < farthest - 2 * patch_m && !is_next) continue;
     near.push_back(reach);
     if (reach.outwards_m < farthest - patch_m) continue;
-    low = std::min(low, reach.across_m);
-    high = std::max(high, reach.across_m);
-    contact.depth_m = std::max(contact.depth_m, reach.height_m - place.tip_m);
+    const float above_m = reach.height_m - place.tip_m;
+    across = {std::min(across.low, reach.across_m), std::max(across.high, reach.across_m)};
+    above = {std::min(above.low, above_m), std::max(above.high, above_m)};
     contact.places.push_back(
         turned.ToGrid(sign * reach.outwards_m, reach.across_m, reach.height_m));
   }
   contact.along_m = sign * farthest;
-  contact.share = std::clamp((high - low) / pad_width_m, 0.0F, 1.0F);
+  contact.share = std::clamp((across.high - across.low) / pad_width_m, 0.0F, 1.0F);
+  contact.across_m = across;
+  contact.above_tip_m = above;
   if (near.size() > 2) {
     const Eigen::Vector2f slopes = SlopesOf(near, place);
     contact.slope_across = slopes.x();
@@ -110,7 +113,15 @@ JawContact ContactOf(const Reaches& reaches, const TurnedGrid& turned, const Jaw
   return contact;
 }
 
+// Between them; 0 where they overlap.
+float Gap(const Span& a, const Span& b) { return std::max({0.0F, a.low - b.high, b.low - a.high}); }
+
 }  // namespace
+
+Eigen::Vector2f LineBetween(const std::array<JawContact, 2>& contacts, float width_m) {
+  const auto& [a, b] = contacts;
+  return Eigen::Vector2f(Gap(a.across_m, b.across_m), Gap(a.above_tip_m, b.above_tip_m)) / width_m;
+}
 
 std::array<JawContact, 2> CloseOn(const TurnedGrid& turned, const CompletedSolid& solid,
                                   const JawPlace& place, const JawGripper& gripper) {

@@ -13,13 +13,18 @@
 namespace fovea {
 
 struct JawContact {
-  float along_m = 0;       // where the finger stops, along the closing direction
-  float slope_across = 0;  // of the surface there against the pad, as a tangent: across the pad
-  float slope_down = 0;    // and along it
-  float share = 0;         // of the pad's width that touches
-  float depth_m = 0;       // from the tip up to where it touches still
+  float along_m = 0;           // where the finger stops, along the closing direction
+  float slope_across = 0;      // of the surface there against the pad, as a tangent: across the pad
+  float slope_down = 0;        // and along it
+  float share = 0;             // of the pad's width that touches
+  Span across_m, above_tip_m;  // where it touches: across the pads, and from the tip up
   std::vector<Eigen::Vector3f> places;  // that touch, in the grid's frame
 };
+
+// How far from the closing direction the straightest line from one contact to the other runs, as
+// tangents: across the pads and along them. Thin things are held well only where both fingers touch
+// at the same place. `width_m`: between them, above 0.
+Eigen::Vector2f LineBetween(const std::array<JawContact, 2>& contacts, float width_m);
 
 // Of the fingers that close towards +closing and -closing. From the completed solid where it is
 // known and the place is around the whole object, else from the columns of the grid.

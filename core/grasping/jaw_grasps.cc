@@ -125,9 +125,12 @@ void AddGrasp(const Turn& turn, const JawPlace& place, const GraspTerms& of_obje
   const float middle = (contacts[1].along_m + contacts[0].along_m) / 2;
   if (contacts[0].places.empty() || contacts[1].places.empty() || width <= 0) return;
   if (width > hand.jaw.max_opening_m) return hand.failures.Add(NoGrasp::Reason::kTooWide);
-  const auto steeper = [&](float a, float b) { return std::max(std::abs(a), std::abs(b)); };
-  const float across = steeper(contacts[0].slope_across, contacts[1].slope_across);
-  const float down = steeper(contacts[0].slope_down, contacts[1].slope_down);
+  const Eigen::Vector2f line = LineBetween(contacts, width);
+  const auto steepest = [](float a, float b, float c) {
+    return std::max({std::abs(a), std::abs(b), c});
+  };
+  const float across = steepest(contacts[0].slope_across, contacts[1].slope_across, line.x());
+  const float down = steepest(contacts[0].slope_down, contacts[1].slope_down, line.y());
   if (std::max(across, down) > kTooSteep * hand.jaw.friction) {
     return hand.failures.Add(NoGrasp::Reason::kSloped);
   }
@@ -142,7 +145,7 @@ void AddGrasp(const Turn& turn, const JawPlace& place, const GraspTerms& of_obje
   t[kTermSlopeDown] = down;
   t[kTermContactWidth] = std::min(contacts[0].share, contacts[1].share);
   t[kTermContactDepth] =
-      kCentimetres * std::min({0.025F, contacts[0].depth_m, contacts[1].depth_m});
+      kCentimetres * std::min({0.025F, contacts[0].above_tip_m.high, contacts[1].above_tip_m.high});
   t[kTermUnseenContacts] = UnseenShare(turn.scene, turn.object.label, turn.grid, contacts);
   const HandSights sights = LookAtFingers(turn.scene, turn.object.label, turn.grid, turn.turned,
                                           place, middle, OpenedAround(width, hand.jaw), hand.jaw);

@@ -82,7 +82,8 @@ std::vector<OutlinePoint> OutlineAlongColors(const RgbdFrame& frame, const cv::M
   const std::vector<int> offsets = profiles.BestWayAround();
   std::vector<OutlinePoint> outline(contour.size());
   for (std::size_t i = 0; i < contour.size(); ++i) {
-    const float offset = static_cast<float>(offsets[i] * scale);
+    // The edge lies between the last place inside and the first outside.
+    const float offset = (static_cast<float>(offsets[i]) + 0.5F) * static_cast<float>(scale);
     const OutlineProfiles::Sample beyond = profiles.Beyond(i, offsets[i]);
     outline[i] = {.pixel = contour[i] + outwards[i] * offset,
                   .outwards = outwards[i],

@@ -97,6 +97,19 @@ TEST(PlanGrasps, ABallWiderThanTheHandIsNotTakenByItsTop) {
   EXPECT_TRUE(objects[0].grasps.empty());
 }
 
+TEST(PlanGrasps, ABowlWiderThanTheHandIsTakenByItsRim) {
+  const auto objects =
+      Plan({Thing(ShapeKind::kBowl, {0.16, 0.16, 0.055}, {0, 0}, 0, 0, 0.005)}, {Jaw(0.085F)});
+  const DetectedObject& bowl = objects[0];
+  ASSERT_FALSE(bowl.grasps.empty());
+  const Grasp& grasp = bowl.grasps[0];
+  EXPECT_EQ(grasp.kind, Grasp::Kind::kRim);
+  const Eigen::Vector3f from_middle =
+      bowl.box.rotation.transpose() * (grasp.tool_center_point - bowl.box.center);
+  EXPECT_NEAR(from_middle.head<2>().norm(), 0.0775F, 0.006F);  // the middle of the wall
+  EXPECT_LT(from_middle.z(), 0.0275F - 0.003F);
+}
+
 TEST(PlanGrasps, ACupFollowsALargeBallTowardsItsMiddle) {
   const auto objects = Plan({Thing(ShapeKind::kSphere, {0.12, 0.12, 0.12}, {0, 0}, 0)}, {Cup()});
   ASSERT_FALSE(objects[0].grasps.empty());

@@ -29,7 +29,7 @@ struct Picture {
   }
 };
 
-// Of points that look to the right.
+// Of points that look to the right. Pixel k reaches from k - 0.5 to k + 0.5.
 float RightEnd(const std::vector<OutlinePoint>& outline) {
   std::vector<float> ends;
   for (const OutlinePoint& point : outline) {
@@ -44,14 +44,14 @@ TEST(OutlineAlongColors, GoesOutToTheColorsWhereDepthIsMissing) {
   Picture picture;
   picture.points(cv::Rect(200, 150, 108, 100)).setTo(cv::Scalar::all(kNone));
   picture.Put(red, mask);
-  EXPECT_NEAR(RightEnd(picture.Outline(mask)), 299, 1.5F);
+  EXPECT_NEAR(RightEnd(picture.Outline(mask)), 299.5, 0.6F);
 }
 
 TEST(OutlineAlongColors, GoesInToTheColorsWhereDepthReachesOver) {
   const cv::Rect red(200, 150, 100, 100), mask(196, 146, 108, 108);
   Picture picture;
   picture.Put(red, mask);
-  EXPECT_NEAR(RightEnd(picture.Outline(mask)), 299, 1.5F);
+  EXPECT_NEAR(RightEnd(picture.Outline(mask)), 299.5, 0.6F);
 }
 
 TEST(OutlineAlongColors, StaysAtTheMaskWhereColorsTellNothing) {
@@ -59,7 +59,7 @@ TEST(OutlineAlongColors, StaysAtTheMaskWhereColorsTellNothing) {
   Picture picture;
   picture.Put(mask, mask);
   picture.frame.color_rgb.setTo(cv::Scalar(90, 90, 90));
-  EXPECT_NEAR(RightEnd(picture.Outline(mask)), 299, 1.5F);
+  EXPECT_NEAR(RightEnd(picture.Outline(mask)), 299.5, 0.6F);
 }
 
 TEST(OutlineAlongColors, KnowsWhereSomethingNearerOrTheImageEndsIt) {
