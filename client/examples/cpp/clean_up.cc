@@ -19,11 +19,13 @@ double Distance(const Vector3& a, const Vector3& b) {
   return std::hypot(a.x() - b.x(), a.y() - b.y(), a.z() - b.z());
 }
 
-// Half as much for each time that it was tried: what is still there did not hold.
+// Half as much for each time that it was tried, less for places near it: what is still there did
+// not hold.
 double Chance(const Grasp& grasp, const std::vector<Grasp>& tried) {
   double chance = grasp.probability();
   for (const Grasp& before : tried) {
-    if (Distance(grasp.tool_center_point(), before.tool_center_point()) < 0.03) chance /= 2;
+    const double apart = Distance(grasp.tool_center_point(), before.tool_center_point());
+    chance *= 1 - 0.5 * std::exp(-apart / 0.05);
   }
   return chance;
 }

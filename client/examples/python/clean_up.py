@@ -28,9 +28,9 @@ tried: list[fovea.Grasp] = []
 
 
 def chance(grasp: fovea.Grasp) -> float:
-    """Half as much for each time that it was tried: what is still there did not hold."""
+    """Half as much for each time that it was tried, less for places near it: it did not hold."""
     apart = [np.linalg.norm(grasp.tool_center_point - each.tool_center_point) for each in tried]
-    return grasp.probability * 0.5 ** sum(bool(distance < 0.03) for distance in apart)
+    return grasp.probability * float(np.prod([1 - 0.5 * np.exp(-each / 0.05) for each in apart]))
 
 
 def tell(**decision: Any) -> None:
