@@ -117,9 +117,9 @@ class Visitor:
         own = {"Origin": f"http://{self.address}", "X_Fovea_CSRF": self.csrf}
         return self.ask("POST", path, json.dumps(body), **own)
 
-    def history(self, robot: str, count: int = 0) -> list[int]:
+    def history(self, robot: str, count: int = 0, patience: float = PATIENCE) -> list[int]:
         """The frames that are there; waits for so many."""
-        end = time.monotonic() + PATIENCE
+        end = time.monotonic() + patience
         while time.monotonic() < end:
             ids = self.get(f"/api/history?robot={quote(robot)}").json()["ids"]
             if len(ids) >= count:
