@@ -119,6 +119,7 @@ std::vector<Gripper> FromProto(const v1::GraspOptions& options) {
                "must be at most 8");
   if (options.grippers().empty()) return {Gripper{}};
   std::vector<Gripper> grippers;
+  grippers.reserve(static_cast<std::size_t>(options.grippers_size()));
   for (int i = 0; i < options.grippers_size(); ++i) {
     grippers.push_back(GripperFromProto(options.grippers(i),
                                         "options.grasps.grippers[" + std::to_string(i) + "]"));
