@@ -90,7 +90,7 @@ def test_saves_a_frame_and_the_seconds_around(browser: Browser, past: Any, tmp_p
         path.unlink()
     around = browser.find("#around")
     around.clear()
-    around.send_keys("1")
+    around.send_keys("10")
     browser.press("save")
     browser.until(lambda: list(tmp_path.glob("fovea_arm_*.zip")))
     with zipfile.ZipFile(next(tmp_path.glob("*.zip"))) as file:
