@@ -39,6 +39,8 @@ def iou(found: fovea.BoundingBox2D, box: list[int]) -> float:
 
 
 def main() -> None:
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
     address, folder = sys.argv[1], Path(sys.argv[2])
     errors: list[float] = []
     with fovea.Client(address, timeout=60) as client:
