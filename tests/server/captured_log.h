@@ -10,14 +10,17 @@
 #include <string_view>
 #include <utility>
 
+#include "server/logging/log_limiter.h"
+
 namespace fovea::testing {
 
-// What is logged while it lives. A line that holds `fails_at` is not: it throws what spdlog hands
-// on.
+// What is logged while it lives, however much was before it. A line that holds `fails_at` is not:
+// it throws what spdlog hands on.
 class CapturedLog {
  public:
   explicit CapturedLog(const std::string& fails_at = "")
       : text_(std::make_shared<Text>(fails_at)), before_(spdlog::default_logger()) {
+    server::LogLimiter::Global().Summarize(server::LogLimiter::Clock::time_point::max());
     spdlog::set_default_logger(std::make_shared<spdlog::logger>("captured", text_));
   }
   ~CapturedLog() { spdlog::set_default_logger(before_); }
