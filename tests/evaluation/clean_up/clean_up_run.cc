@@ -4,8 +4,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <filesystem>
+#include <mutex>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
@@ -107,11 +107,13 @@ void CleanUpOne(const CleanUpFlags& flags, CleanedScene& result) {
 
 }  // namespace
 
-std::vector<CleanedScene> CleanUp(const CleanUpFlags& flags) {
+std::vector<CleanedScene> CleanUp(const CleanUpFlags& flags, const SceneEnded& on_end) {
   if (!flags.pictures.empty()) std::filesystem::create_directories(flags.pictures);
   const auto count = static_cast<std::size_t>(flags.num_scenes);
   std::vector<CleanedScene> scenes(count);
-  std::atomic<std::size_t> done = 0;
+  std::mutex mutex;  // guards what follows
+  std::vector<char> has_ended(count, 0);
+  std::size_t done = 0, told = 0;
   ForEachIndex(count, flags.num_threads, [&](std::size_t i) {
     scenes[i].seed = flags.first_seed + i;
     try {
@@ -119,7 +121,10 @@ std::vector<CleanedScene> CleanUp(const CleanUpFlags& flags) {
     } catch (const std::exception& error) {
       scenes[i].error = error.what();
     }
+    const std::scoped_lock lock(mutex);
+    has_ended[i] = 1;
     ShowProgress("scenes", ++done, count);
+    for (; told < count && has_ended[told] != 0; ++told) on_end(scenes[told]);
   });
   return scenes;
 }

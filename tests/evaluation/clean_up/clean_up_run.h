@@ -1,6 +1,7 @@
 // Scenes that a program cleans up, step by step.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -40,7 +41,9 @@ struct CleanedScene {
 
 // Starts the program for each scene, tells it what the camera sees (client_dialog.h), does as it
 // wants, and so on until it has had enough. What goes wrong with the program of one scene is that
-// scene's error.
-std::vector<CleanedScene> CleanUp(const CleanUpFlags& flags);
+// scene's error. Calls `on_end` with each scene in turn, as soon as it and those before it have
+// ended, one call at a time.
+using SceneEnded = std::function<void(const CleanedScene&)>;
+std::vector<CleanedScene> CleanUp(const CleanUpFlags& flags, const SceneEnded& on_end);
 
 }  // namespace fovea::evaluation

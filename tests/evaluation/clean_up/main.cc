@@ -51,11 +51,11 @@ int Run(int argc, char** argv) {
     return app.exit(error);
   }
   std::signal(SIGPIPE, SIG_IGN);  // of a program that has ended
-  const std::vector<CleanedScene> scenes = CleanUp(flags);
-  for (const CleanedScene& scene : scenes) {
+  const auto print = [](const CleanedScene& scene) {
     PrintSteps(std::cout, scene);
-    std::cout << '\n';
-  }
+    std::cout << std::endl;  // what has been done is not lost if the rest is
+  };
+  const std::vector<CleanedScene> scenes = CleanUp(flags, print);
   PrintSummary(std::cout, scenes);
   WriteJson(json, ToJson(scenes));
   const bool all_ended = std::all_of(scenes.begin(), scenes.end(),
