@@ -31,11 +31,18 @@ SIZES_MM = {
 
 
 def iou(found: fovea.BoundingBox2D, box: list[int]) -> float:
+    """`box`: x0, y0, x1, y1, as boxes.json has it."""
     x0, y0, x1, y1 = box
     width = min(x1, found.x + found.width) - max(x0, found.x)
     height = min(y1, found.y + found.height) - max(y0, found.y)
     shared = max(0, width) * max(0, height)
     return shared / (found.width * found.height + (x1 - x0) * (y1 - y0) - shared)
+
+
+def most_alike(objects: list[fovea.Object], box: list[int]) -> fovea.Object | None:
+    """Of those whose box has an IoU above 0.5 with this one."""
+    found = [each for each in objects if iou(each.bounding_box, box) > 0.5]
+    return max(found, key=lambda each: iou(each.bounding_box, box), default=None)
 
 
 def main() -> None:
@@ -55,9 +62,9 @@ def main() -> None:
                 for thing in things:
                     if thing["name"] not in SIZES_MM:
                         continue
-                    best = max(found.objects, key=lambda each: iou(each.bounding_box, thing["box"]))
                     label = f"{source}/{name} {thing['name']}"
-                    if iou(best.bounding_box, thing["box"]) <= 0.5:
+                    best = most_alike(found.objects, thing["box"])
+                    if best is None:
                         print(f"{label:34} not found")
                         continue
                     sizes = sorted(
