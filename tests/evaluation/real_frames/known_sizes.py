@@ -42,7 +42,7 @@ def iou(found: fovea.BoundingBox2D, box: list[int]) -> float:
 def most_alike(objects: list[fovea.Object], box: list[int]) -> fovea.Object | None:
     """Of those whose box has an IoU above 0.5 with this one."""
     found = [each for each in objects if iou(each.bounding_box, box) > 0.5]
-    return max(found, key=lambda each: iou(each.bounding_box, box), default=None)
+    return max(found, key=lambda each: iou(each.bounding_box, box)) if found else None
 
 
 def main() -> None:
