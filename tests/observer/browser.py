@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from processes import PATIENCE
 from selenium import webdriver
+from selenium.common.exceptions import StaleElementReferenceException
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
@@ -67,8 +68,15 @@ class Browser:
         script = "return [...document.querySelectorAll(arguments[0])].map(e => e.textContent)"
         return list(self.driver.execute_script(script, selector))
 
+    def text(self, selector: str) -> str:
+        """Of the first; nothing where there is none yet."""
+        return (self.texts(selector) or [""])[0]
+
     def until(self, is_so: Callable[[], Any]) -> Any:
-        return WebDriverWait(self.driver, PATIENCE, poll_frequency=0.05).until(lambda _: is_so())
+        """What the page replaces meanwhile is looked for again."""
+        gone = (StaleElementReferenceException,)
+        wait = WebDriverWait(self.driver, PATIENCE, 0.05, ignored_exceptions=gone)
+        return wait.until(lambda _: is_so())
 
     def log_in(self, url: str, token: str) -> None:
         self.driver.delete_all_cookies()
@@ -77,11 +85,15 @@ class Browser:
         self.find("#token").send_keys(token + Keys.ENTER)
 
     def press(self, label: str) -> None:
-        for button in self.all(".bar button"):
-            if button.text == label:
+        """Waits for the button."""
+
+        def pressed() -> bool:
+            buttons = [button for button in self.all(".bar button") if button.text == label]
+            for button in buttons:
                 button.click()
-                return
-        raise AssertionError(f"there is no button {label}")
+            return bool(buttons)
+
+        self.until(pressed)
 
     def pixels(self, canvas: WebElement, before: str = "") -> np.ndarray[Any, Any]:
         script = "let canvas = arguments[0];" + before + READ_CANVAS

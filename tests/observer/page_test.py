@@ -186,21 +186,21 @@ def test_says_in_words_why_little_was_found(
 
 def test_says_what_is_away_and_goes_on(browser: Browser, scene: Scene, tmp_path: Path) -> None:
     observers = write_observers(tmp_path)
-    says = lambda text: browser.until(lambda: text in browser.texts("#servers")[0])  # noqa: E731
+    says = lambda text: browser.until(lambda: text in browser.text("#servers"))  # noqa: E731
     with ServerProcess(observers) as server, ObserverProcess(server.address) as observer:
         browser.log_in(observer.url, OBSERVERS["ann"][0])
         says(server.address)
         server.kill()
         says(f"{server.address} is away: ")
         with ServerProcess(observers, server.address) as again:
-            browser.until(lambda: browser.texts("#servers")[0] == server.address)
+            browser.until(lambda: browser.text("#servers") == server.address)
             Robots(again.address).detect("attic", scene.frame())
             browser.find("[data-robot=attic] canvas[data-id]")
             observer.kill()
             says("the observer is away")
             with ObserverProcess(again.address, observer.address):
                 browser.find("#token")  # it knows no browser any more
-                assert "has started anew" in browser.texts("#failure")[0]
+                assert "has started anew" in browser.text("#failure")
 
 
 def test_without_a_history_its_flags_are_told(browser: Browser, picture: Any) -> None:
