@@ -109,6 +109,12 @@ std::vector<SavedFrame> CaptureTest::Saved(const std::string& folder) const {
   return saved;
 }
 
+std::string CaptureTest::ReadAnswer(Process& capture) {
+  std::string line = capture.ReadLine();
+  while (line.starts_with("note: ")) line = capture.ReadLine();
+  return line;
+}
+
 void CaptureTest::ExpectOneLineError(const Finished& finished, const std::string& text) {
   EXPECT_EQ(finished.exit_code, 1);
   // Notes may stand above it.

@@ -47,6 +47,8 @@ class CaptureTest : public ::testing::Test {
   // In the order of their names. Fails where one is none of the generated frames.
   std::vector<SavedFrame> Saved(const std::string& folder) const;
 
+  // The next line that is no note on a busy machine.
+  static std::string ReadAnswer(Process& capture);
   static void ExpectOneLineError(const Finished& finished, const std::string& text);
 
   const TemporaryFolder folder_;

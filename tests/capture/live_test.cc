@@ -99,7 +99,7 @@ TEST_F(CaptureTest, SaysWhereTheIntrinsicsComeFrom) {
 TEST_F(CaptureTest, EndsCleanlyOnSignals) {
   for (const int signal : {SIGINT, SIGTERM}) {
     Process capture(CommandLine(Live(), {{"FOVEA_CAMERA_FPS", "30"}}));
-    EXPECT_THAT(capture.ReadLine(), HasSubstr(" objects"));
+    EXPECT_THAT(ReadAnswer(capture), HasSubstr(" objects"));
     capture.Signal(signal);
     const Finished finished = capture.Wait();
     EXPECT_EQ(finished.exit_code, 0) << finished.err;

@@ -107,13 +107,13 @@ TEST_F(MishapsTest, ComesBackAfterUnplugging) {
   const Environment environment{{"FOVEA_CAMERA_CONTROL", At("unplugged")},
                                 {"FOVEA_CAMERA_FPS", "30"}};
   Process capture(CommandLine(Live(), environment));
-  EXPECT_THAT(capture.ReadLine(), HasSubstr(" objects"));
+  EXPECT_THAT(ReadAnswer(capture), HasSubstr(" objects"));
   folder_.Write("unplugged", "");
   capture.AwaitError("the camera fovea/test@0/1 was unplugged; waiting");
   std::filesystem::remove(At("unplugged"));
   capture.AwaitError("the camera fovea/test@0/1 is back");
   // More answers than can have been under way.
-  for (int i = 0; i < 5; ++i) EXPECT_THAT(capture.ReadLine(), HasSubstr(" objects"));
+  for (int i = 0; i < 5; ++i) EXPECT_THAT(ReadAnswer(capture), HasSubstr(" objects"));
   capture.Signal(SIGINT);
   const Finished finished = capture.Wait();
   EXPECT_EQ(finished.exit_code, 0) << finished.err;

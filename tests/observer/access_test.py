@@ -108,7 +108,7 @@ def test_each_observer_sees_its_robots_and_no_other(
         for robot in ("attic-1", "kitchen-1"):
             robots.detect(robot, scene.frame())
         kitchen = of_ben.robot("kitchen-1")
-        seen = {name: of_ann.robot(name) for name in ("attic-1", "kitchen-1")}
+        seen = of_ann.robots("attic-1", "kitchen-1")
     for part in ("answer", "preview"):
         assert visitors["ben"].get(part_of(kitchen, part)).status == 200
         for robot in seen.values():

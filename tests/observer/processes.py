@@ -153,11 +153,13 @@ class Events:
         self._connection.close()
 
     def next(self) -> Any:
-        while True:
+        end = time.monotonic() + PATIENCE
+        while time.monotonic() < end:
             line = self.response.readline().decode()
             assert line, "the stream has ended"
             if line.startswith("data: "):
                 return json.loads(line[len("data: ") :])
+        raise AssertionError("the stream lives, but nothing happens")
 
     def robot(self, name: str, newer_than: int = 0) -> Any:
         """Of the list of robots, the next one of this name."""
@@ -165,6 +167,13 @@ class Events:
             for robot in self.next()["robots"]:
                 if robot["robot"] == name and robot["id"] > newer_than:
                     return robot
+
+    def robots(self, *names: str) -> dict[str, Any]:
+        """The first lines of these robots, which may come together or one after the other."""
+        seen: dict[str, Any] = {}
+        while not all(name in seen for name in names):
+            seen = {robot["robot"]: robot for robot in self.next()["robots"]} | seen
+        return {name: seen[name] for name in names}
 
     def servers(self, state: str) -> Any:
         while True:
