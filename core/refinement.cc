@@ -1,8 +1,11 @@
 #include "core/refinement.h"
 
+#include <utility>
+
 #include "core/objects/rejection.h"
 #include "core/segmentation/labels.h"
 #include "core/segmentation/segment_graph.h"
+#include "core/types/helpers.h"
 #include "core/types/interruption.h"
 
 namespace fovea {
@@ -28,8 +31,10 @@ RefinedScene Refine(const LabelledScene& scene, const DetectorOptions& options) 
   RefinedScene result;
   result.segments = SplitIntoSegments(scene.grid, scene.labels);
   RequireFewSegments(result.segments);
-  result.tree = JoinSegments(scene, result.segments, options);
-  result.evidence = CollectEvidence(scene, result.segments, result.tree, options.support);
+  SegmentEvidence seen;
+  RunTogether({[&] { result.tree = JoinSegments(scene, result.segments, options); },
+               [&] { seen = LookAtSegments(scene, result.segments, options.support); }});
+  result.evidence = CollectEvidence(std::move(seen), result.tree);
   InterruptionPoint();
   const std::vector<double> probabilities =
       ObjectProbabilities(result.tree, options.object_model->LogWeights(result.evidence));

@@ -5,6 +5,7 @@
 #include "core/scene/flat_things.h"
 #include "core/scene/missing_depth.h"
 #include "core/scene/walls.h"
+#include "core/types/helpers.h"
 #include "core/types/lab.h"
 
 namespace fovea {
@@ -19,6 +20,16 @@ void AddFlatThings(const std::vector<char>& is_flat_thing, const CameraIntrinsic
   }
 }
 
+// What is background but for walls, and the colours by which flat things are told from it.
+void SetThings(const RgbdFrame& frame, const DetectorOptions& options, SceneGeometry& scene) {
+  scene.is_background =
+      FindBackground(scene.grid, scene.supports, options.support, frame.intrinsics, options.region);
+  scene.colors = ColorsOfVoxels(scene.grid, scene.lab);
+  AddFlatThings(FindFlatThings(scene.grid, scene.colors, scene.is_background, scene.supports,
+                               options.support, options.flat_things),
+                frame.intrinsics, options.region, scene);
+}
+
 void AddWalls(const std::vector<char>& on_wall, std::vector<char>& is_background) {
   for (std::size_t v = 0; v < on_wall.size(); ++v) is_background[v] |= on_wall[v];
 }
@@ -29,11 +40,13 @@ SceneGeometry FindGeometry(const RgbdFrame& frame, const cv::Mat& depth_m, const
                            const DetectorOptions& options, StageClock& clock) {
   SceneGeometry scene;
   scene.points = points;
-  NormalMap normals = EstimateNormals(points, frame.intrinsics, options.normals);
+  // The wide ones of wide windows, which noise far away tilts less than every pixel's.
+  NormalMap normals, wide_normals;
+  RunTogether(
+      {[&] { normals = EstimateNormals(points, frame.intrinsics, options.normals); },
+       [&] { wide_normals = EstimateNormals(points, frame.intrinsics, options.gravity.normals); }});
   clock.Begin("support");
 
-  // Of wide windows, which noise far away tilts less than every pixel's.
-  const NormalMap wide_normals = EstimateNormals(points, frame.intrinsics, options.gravity.normals);
   scene.gravity = FindGravity(frame.gravity, wide_normals.vectors, options.gravity);
   scene.supports = FindSupports(points, wide_normals, scene.gravity.direction, options.support);
   // What cannot be measured leaves a hole in its support.
@@ -41,16 +54,13 @@ SceneGeometry FindGeometry(const RgbdFrame& frame, const cv::Mat& depth_m, const
                                      options.support.max_height_m, scene.points, normals);
   clock.Begin("voxels");
 
-  scene.grid = BuildVoxelGrid(scene.points, normals, options.voxels);
-  scene.is_background =
-      FindBackground(scene.grid, scene.supports, options.support, frame.intrinsics, options.region);
-  scene.lab = LabOf(frame.color_rgb);
-  scene.colors = ColorsOfVoxels(scene.grid, scene.lab);
-  AddFlatThings(FindFlatThings(scene.grid, scene.colors, scene.is_background, scene.supports,
-                               options.support, options.flat_things),
-                frame.intrinsics, options.region, scene);
-  scene.on_wall = FindWalls(scene.grid, -scene.gravity.direction, scene.supports, options.support,
-                            options.walls);
+  RunTogether({[&] { scene.grid = BuildVoxelGrid(scene.points, normals, options.voxels); },
+               [&] { scene.lab = LabOf(frame.color_rgb); }});
+  RunTogether({[&] { SetThings(frame, options, scene); },
+               [&] {
+                 scene.on_wall = FindWalls(scene.grid, -scene.gravity.direction, scene.supports,
+                                           options.support, options.walls);
+               }});
   AddWalls(scene.on_wall, scene.is_background);
   return scene;
 }

@@ -10,6 +10,7 @@
 #include "core/grasping/jaw_grasps.h"
 #include "core/grasping/ranking.h"
 #include "core/grasping/suction_grasps.h"
+#include "core/types/helpers.h"
 #include "core/types/interruption.h"
 
 namespace fovea {
@@ -131,17 +132,22 @@ void PlanGrasps(const GraspScene& scene, const std::vector<Gripper>& grippers,
                 std::vector<std::vector<ScoredGrasp>>* candidates) {
   if (grippers.empty()) return;
   const Planner planner(scene, grippers, objects);
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    std::vector<Planner::Found> found = planner.PlanFor(i);
-    std::vector<ScoredGrasp> judged;
+  if (candidates != nullptr) candidates->resize(objects.size());
+  // Planning reads of the others where they are, never what they are taken by.
+  ForEachTogether(objects.size(), [&](std::size_t i) {
+    const std::vector<Planner::Found> found = planner.PlanFor(i);
+    DetectedObject& object = objects[i];
     for (std::size_t g = 0; g < grippers.size(); ++g) {
-      const std::vector<Grasp> ranked = RankGrasps(found[g].grasps, grippers[g]);
-      if (ranked.empty()) objects[i].no_grasps.push_back({g, ReasonOf(found[g], objects[i])});
-      objects[i].grasps.insert(objects[i].grasps.end(), ranked.begin(), ranked.end());
-      judged.insert(judged.end(), found[g].grasps.begin(), found[g].grasps.end());
+      const std::vector<ScoredGrasp>& all = found[g].grasps;
+      const std::vector<Grasp> ranked = RankGrasps(all, grippers[g]);
+      if (ranked.empty()) object.no_grasps.push_back({g, ReasonOf(found[g], object)});
+      object.grasps.insert(object.grasps.end(), ranked.begin(), ranked.end());
+      if (candidates != nullptr) {
+        std::vector<ScoredGrasp>& judged = (*candidates)[i];
+        judged.insert(judged.end(), all.begin(), all.end());
+      }
     }
-    if (candidates != nullptr) candidates->push_back(std::move(judged));
-  }
+  });
 }
 
 }  // namespace fovea

@@ -8,6 +8,7 @@
 #include "core/objects/color_names.h"
 #include "core/objects/selection.h"
 #include "core/shape/complete_objects.h"
+#include "core/types/helpers.h"
 #include "core/types/interruption.h"
 
 namespace fovea {
@@ -116,18 +117,19 @@ void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points, const cv::Ma
   detections.diagnostics.segments_too_small = selection.num_too_small;
   detections.diagnostics.objects_less_salient = selection.num_less_salient;
   detections.labels = cv::Mat::zeros(frame.depth_m.size(), CV_16UC1);
-  std::vector<std::optional<SupportSurface>> supports_of_objects;
-  for (const Candidate& candidate : selection.candidates) {
-    InterruptionPoint();
+  const std::vector<Candidate>& candidates = selection.candidates;
+  std::vector<std::optional<SupportSurface>> supports_of_objects(candidates.size());
+  detections.objects.resize(candidates.size());
+  ForEachTogether(candidates.size(), [&](std::size_t i) {
     auto [object, support] =
-        Describe(frame, points, candidate, supports, detections.gravity.direction, options);
-    supports_of_objects.push_back(support);
-    object.label = static_cast<int>(detections.objects.size()) + 1;
-    for (const cv::Point& pixel : candidate.pixels) {
+        Describe(frame, points, candidates[i], supports, detections.gravity.direction, options);
+    object.label = static_cast<int>(i) + 1;
+    for (const cv::Point& pixel : candidates[i].pixels) {
       detections.labels.at<std::uint16_t>(pixel) = static_cast<std::uint16_t>(object.label);
     }
-    detections.objects.push_back(std::move(object));
-  }
+    supports_of_objects[i] = support;
+    detections.objects[i] = std::move(object);
+  });
   CompleteObjects(frame, points, supports_of_objects, detections);
 }
 

@@ -129,18 +129,19 @@ void Placement::Add(const Placement& other) {
   num_level += other.num_level;
 }
 
-std::vector<ObjectEvidence> CollectEvidence(const LabelledScene& scene,
-                                            const std::vector<int>& segments, const MergeTree& tree,
-                                            const SupportOptions& support_options) {
-  std::vector<ObjectEvidence> evidence(tree.nodes.size());
+SegmentEvidence LookAtSegments(const LabelledScene& scene, const std::vector<int>& segments,
+                               const SupportOptions& support_options) {
+  SegmentEvidence result;
   const cv::Mat image = LabelImage(scene.grid, segments);
-  std::vector<Surroundings> surroundings = FindSurroundings(scene, image);
-  surroundings.resize(tree.num_segments + 1);
   const std::vector<Part> parts =
       CollectParts(scene.grid, segments, scene.colors, scene.intrinsics, scene.up);
-  for (std::size_t i = 0; i < tree.num_segments; ++i) {
+  result.surroundings = FindSurroundings(scene, image);
+  result.surroundings.resize(parts.size());
+  std::vector<ObjectEvidence>& evidence = result.of_segments;
+  evidence.resize(parts.size() - 1);
+  for (std::size_t i = 0; i < evidence.size(); ++i) {
     evidence[i].part = parts[i + 1];
-    evidence[i].borders = surroundings[i + 1].counts;
+    evidence[i].borders = result.surroundings[i + 1].counts;
   }
   CountPixels(image, scene.standing, evidence);
   LongLoop loop;
@@ -150,7 +151,13 @@ std::vector<ObjectEvidence> CollectEvidence(const LabelledScene& scene,
     evidence[segments[v] - 1].placement.Add(
         PlacementOf(scene.grid.voxels[v], scene.up, scene.supports, support_options));
   }
-  Summation summation(evidence, std::move(surroundings));
+  return result;
+}
+
+std::vector<ObjectEvidence> CollectEvidence(SegmentEvidence segments, const MergeTree& tree) {
+  std::vector<ObjectEvidence> evidence = std::move(segments.of_segments);
+  evidence.resize(tree.nodes.size());
+  Summation summation(evidence, std::move(segments.surroundings));
   for (std::size_t n = tree.num_segments; n < tree.nodes.size(); ++n) {
     InterruptionPoint();
     const MergeNode& node = tree.nodes[n];

@@ -36,10 +36,18 @@ struct ObjectEvidence {
   bool is_likely = false;      // the former speaks for it and the latter against more
 };
 
-// One entry a node of `tree`. `segments`: one entry a voxel, its labels. Cost: proportional to the
-// image, and for n segments to n log n.
-std::vector<ObjectEvidence> CollectEvidence(const LabelledScene& scene,
-                                            const std::vector<int>& segments, const MergeTree& tree,
-                                            const SupportOptions& support_options);
+// What can be said of segments however they are joined.
+struct SegmentEvidence {
+  std::vector<ObjectEvidence> of_segments;  // of label i + 1, without joins
+  std::vector<Surroundings> surroundings;   // by label
+};
+
+// `segments`: one entry a voxel, its labels. Cost: proportional to the image.
+SegmentEvidence LookAtSegments(const LabelledScene& scene, const std::vector<int>& segments,
+                               const SupportOptions& support_options);
+
+// One entry a node of `tree`, which is of the same segments. Cost: for n segments proportional to
+// n log n.
+std::vector<ObjectEvidence> CollectEvidence(SegmentEvidence segments, const MergeTree& tree);
 
 }  // namespace fovea

@@ -6,8 +6,10 @@
 #include <numbers>
 #include <numeric>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 
 #include "core/scene/plane_fit.h"
+#include "core/scene/plane_votes.h"
 #include "core/types/interruption.h"
 
 namespace fovea {
@@ -15,17 +17,10 @@ namespace {
 
 constexpr int kMaxPlanes = 8;
 constexpr double kMinAreaM2 = 0.08;  // visible, of a part that is wall
-constexpr int kDirections = 36;      // of the horizon, every 10°
-constexpr float kOffsetBinM = 0.05F;
-constexpr float kCellM = 0.04F;    // of the grid on a plane, at least
-constexpr float kMaxCells = 2048;  // along a side of it, however far the points reach
-constexpr int kSolidCells = 5;     // edge of a square within a wall: legs of a table have none
+constexpr float kCellM = 0.04F;      // of the grid on a plane, at least
+constexpr float kMaxCells = 2048;    // along a side of it, however far the points reach
+constexpr int kSolidCells = 5;       // edge of a square within a wall: legs of a table have none
 constexpr float kMinCosine = std::numbers::sqrt2_v<float> / 2;  // of what has a plane's direction
-
-// A candidate's share in the votes: its size as seen, at the distance where it is seen.
-float VisibleArea(const Voxel& voxel) {
-  return static_cast<float>(voxel.num_points) * voxel.mean.z() * voxel.mean.z();
-}
 
 // Voxels on no support whose normal lies within 45° of the horizon: noise tilts normals far away.
 std::vector<int> UprightVoxels(const VoxelGrid& grid, const Eigen::Vector3f& up,
@@ -41,44 +36,6 @@ std::vector<int> UprightVoxels(const VoxelGrid& grid, const Eigen::Vector3f& up,
     if (!IsOnSupport(supports, grid.voxels[v].mean, tolerance)) upright.push_back(v);
   }
   return upright;
-}
-
-std::vector<Eigen::Vector3f> Directions(const Eigen::Vector3f& up) {
-  const Eigen::Vector3f x = up.unitOrthogonal();
-  const Eigen::Vector3f y = up.cross(x);
-  std::vector<Eigen::Vector3f> directions;
-  for (int i = 0; i < kDirections; ++i) {
-    const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / kDirections;
-    directions.emplace_back(std::cos(angle) * x + std::sin(angle) * y);
-  }
-  return directions;
-}
-
-// The plane with most votes: each voxel votes in the directions within 45° of its normal.
-SupportSurface MostVoted(const VoxelGrid& grid, const std::vector<int>& candidates,
-                         const std::vector<Eigen::Vector3f>& directions) {
-  float farthest = 0;
-  for (const int v : candidates) farthest = std::max(farthest, grid.voxels[v].mean.norm());
-  const int half = static_cast<int>(farthest / kOffsetBinM) + 2;
-  SupportSurface best;
-  float best_votes = 0;
-  std::vector<float> votes;
-  for (const Eigen::Vector3f& direction : directions) {
-    InterruptionPoint();
-    votes.assign(2 * static_cast<std::size_t>(half) + 1, 0.0F);
-    for (const int v : candidates) {
-      const Voxel& voxel = grid.voxels[v];
-      if (voxel.normal.dot(direction) < kMinCosine) continue;
-      const float bin = std::floor(voxel.mean.dot(direction) / kOffsetBinM);
-      votes[static_cast<std::size_t>(static_cast<int>(bin) + half)] += VisibleArea(voxel);
-    }
-    const auto fullest = std::max_element(votes.begin(), votes.end());
-    if (*fullest <= best_votes) continue;
-    best_votes = *fullest;
-    const auto bin = static_cast<float>(fullest - votes.begin() - half);
-    best = {direction, -(bin + 0.5F) * kOffsetBinM, 0};
-  }
-  return best;
 }
 
 std::vector<int> Inliers(const VoxelGrid& grid, const std::vector<int>& voxels,
@@ -141,6 +98,7 @@ class LargeParts {
     Keep(occupied, options);
   }
 
+  bool Exist() const { return exist_; }
   bool Contain(const Eigen::Vector3f& point) const {
     const cv::Point cell = CellOf(point);
     return cv::Rect({}, large_.size()).contains(cell) && large_.at<uchar>(cell) != 0;
@@ -168,7 +126,9 @@ class LargeParts {
       if (static_cast<float>(extent) * cell_m_ < options.min_extent_m) continue;
       if (area_m2 < kMinAreaM2) continue;
       const cv::Mat is_part = parts == part;
-      if (cv::countNonZero(solid & is_part) > 0) large_.setTo(255, is_part);
+      if (cv::countNonZero(solid & is_part) == 0) continue;
+      large_.setTo(255, is_part);
+      exist_ = true;
     }
     cv::dilate(large_, large_, cv::Mat::ones(3, 3, CV_8UC1));
   }
@@ -177,6 +137,7 @@ class LargeParts {
   Eigen::Vector2f origin_;                 // of the grid
   float cell_m_ = kCellM;                  // edge length of its cells
   cv::Mat large_;                          // CV_8UC1, one pixel a cell
+  bool exist_ = false;
 };
 
 }  // namespace
@@ -186,27 +147,32 @@ std::vector<char> FindWalls(const VoxelGrid& grid, const Eigen::Vector3f& up,
                             const WallOptions& options) {
   std::vector<char> on_wall(grid.voxels.size(), 0);
   if (options.min_extent_m <= 0) return on_wall;
-  const std::vector<Eigen::Vector3f> directions = Directions(up);
   const std::vector<int> upright = UprightVoxels(grid, up, supports, tolerance);
   std::vector<int> all(grid.voxels.size());
   std::iota(all.begin(), all.end(), 0);
   std::vector<int> candidates = upright;
+  PlaneVotes votes(grid, upright, up);
   for (int i = 0; i < kMaxPlanes && candidates.size() >= 3; ++i) {
-    const SupportSurface plane =
-        Refine(grid, candidates, MostVoted(grid, candidates, directions), tolerance);
+    const std::optional<SupportSurface> voted = votes.MostVoted();
+    if (!voted) break;
+    const SupportSurface plane = Refine(grid, candidates, *voted, tolerance);
     if (Inliers(grid, candidates, plane, tolerance, 1.0F).empty()) break;
     // Also of those that went to an earlier plane, perhaps one across this wall.
     const std::vector<int> inliers =
         Facing(grid, Inliers(grid, upright, plane, tolerance, 1.0F), plane);
     const LargeParts parts(grid, inliers, plane, up, options);
     InterruptionPoint();
-    for (const int v : Inliers(grid, all, plane, tolerance, 1.5F)) {
-      if (parts.Contain(grid.voxels[v].mean)) on_wall[v] = 1;
+    if (parts.Exist()) {
+      for (const int v : Inliers(grid, all, plane, tolerance, 1.5F)) {
+        if (parts.Contain(grid.voxels[v].mean)) on_wall[v] = 1;
+      }
     }
-    std::erase_if(candidates, [&](int v) {
+    const auto explained = std::stable_partition(candidates.begin(), candidates.end(), [&](int v) {
       const Eigen::Vector3f& p = grid.voxels[v].mean;
-      return std::abs(plane.HeightOf(p)) <= 1.5F * SupportTolerance(p.z(), tolerance);
+      return std::abs(plane.HeightOf(p)) > 1.5F * SupportTolerance(p.z(), tolerance);
     });
+    votes.Remove({explained, candidates.end()});
+    candidates.erase(explained, candidates.end());
   }
   return on_wall;
 }

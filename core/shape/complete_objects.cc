@@ -4,11 +4,13 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "core/shape/completed.h"
 #include "core/shape/outline.h"
 #include "core/shape/shape_fit.h"
+#include "core/types/helpers.h"
 #include "core/types/interruption.h"
 
 namespace fovea {
@@ -98,6 +100,19 @@ std::vector<Carrier> CarriersOf(const DetectedObject& object,
   return carriers;
 }
 
+std::vector<std::vector<OutlinePoint>> OutlinesOf(const RgbdFrame& frame, const cv::Mat& points,
+                                                  const Detections& detections) {
+  std::vector<std::vector<OutlinePoint>> outlines(detections.objects.size());
+  ForEachTogether(outlines.size(), [&](std::size_t i) {
+    const DetectedObject& object = detections.objects[i];
+    InterruptionPoint();
+    if (object.depth_missing) return;  // its box is a guess already
+    outlines[i] =
+        OutlineAlongColors(frame, points, detections.labels, object.label, object.bounds_px);
+  });
+  return outlines;
+}
+
 }  // namespace
 
 void CompleteObjects(const RgbdFrame& frame, const cv::Mat& points,
@@ -110,22 +125,23 @@ void CompleteObjects(const RgbdFrame& frame, const cv::Mat& points,
   const auto bottom = [&](std::size_t i) { return HeightAlong(up, objects[i].visible_box, 0); };
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return bottom(a) < bottom(b); });
+  const std::vector<std::vector<OutlinePoint>> outlines = OutlinesOf(frame, points, detections);
   std::vector<std::size_t> done;
   for (const std::size_t i : order) {
     InterruptionPoint();
     DetectedObject& object = objects[i];
-    if (object.depth_missing) continue;  // its box is a guess already
-    const std::vector<OutlinePoint> outline =
-        OutlineAlongColors(frame, points, detections.labels, object.label, object.bounds_px);
-    FittedShape best;
+    if (object.depth_missing) continue;
+    const std::vector<OutlinePoint>& outline = outlines[i];
+    std::optional<FittedShape> best;
     LevelFrame best_frame;
     std::optional<int> carrier;
     const auto consider = [&](float drop_m, std::optional<int> label, float extra_cost) {
       LevelFrame under = FrameUnder(object.visible_box);
       under.origin -= under.rotation.col(2) * drop_m;
-      FittedShape shape = FitShape(object, outline, frame.intrinsics, under);
+      FittedShape shape =
+          FitShape(object, outline, {points, detections.labels, frame.intrinsics}, under);
       shape.fit.cost += extra_cost;
-      if (best.fit.cost <= shape.fit.cost) return;
+      if (best && best->fit.cost <= shape.fit.cost) return;
       best = std::move(shape);
       best_frame = under;
       carrier = label;
@@ -142,8 +158,8 @@ void CompleteObjects(const RgbdFrame& frame, const cv::Mat& points,
       }
     }
     if (carrier) object.stands_on.push_back(*carrier);
-    SetShape(best, best_frame, object);
-    SetUnseenShare(detections.labels, frame.intrinsics, best, best_frame, object);
+    SetShape(*best, best_frame, object);
+    SetUnseenShare(detections.labels, frame.intrinsics, *best, best_frame, object);
     done.push_back(i);
   }
 }

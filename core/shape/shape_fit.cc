@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
+#include "core/shape/seen_through.h"
 #include "core/shape/uncertainty.h"
+#include "core/types/helpers.h"
 
 namespace fovea {
 namespace {
@@ -116,6 +119,12 @@ float CostOfKind(const FittedSolid& fit) {
   return 0;
 }
 
+// Of what is left of 1: edges that are off let some be seen through anything.
+float CostOfSeenThrough(float share) {
+  constexpr float kUsual = 0.2F, kMost = 0.7F;  // shares
+  return std::clamp((share - kUsual) / (kMost - kUsual), 0.0F, 1.0F);
+}
+
 Shape::Kind KindOf(const FittedSolid& fit) {
   constexpr float kFlat_m = 0.03F, kFlatShare = 0.5F;
   constexpr float kEvenRadii = 0.12F;
@@ -141,6 +150,19 @@ Shape::Kind KindOf(const FittedSolid& fit) {
   return Shape::Kind::kOther;
 }
 
+// One of each kind that it may be.
+std::vector<FittedSolid> FitSolids(const SeenObject& seen, const OrientedBox& start) {
+  std::vector<Solid> starts;
+  for (const Solid::Kind kind :
+       {Solid::Kind::kBox, Solid::Kind::kUprightCylinder, Solid::Kind::kLyingCylinder,
+        Solid::Kind::kSphere, Solid::Kind::kFrustum}) {
+    if (MayBe(kind, start.size_m)) starts.push_back(StartOf(kind, start));
+  }
+  std::vector<FittedSolid> fits(starts.size());
+  ForEachTogether(starts.size(), [&](std::size_t i) { fits[i] = FitSolid(seen, starts[i]); });
+  return fits;
+}
+
 }  // namespace
 
 bool IsHollow(const FittedSolid& fit) {
@@ -153,19 +175,16 @@ LevelFrame FrameUnder(const OrientedBox& box) {
 }
 
 FittedShape FitShape(const DetectedObject& object, const std::vector<OutlinePoint>& outline,
-                     const CameraIntrinsics& intrinsics, const LevelFrame& frame) {
-  const SeenObject seen = See(object, outline, intrinsics, frame);
+                     const SeenScene& scene, const LevelFrame& frame) {
+  const SeenObject seen = See(object, outline, scene.intrinsics, frame);
   OrientedBox start = object.visible_box;
   const Eigen::Vector3f top = start.center + frame.rotation.col(2) * (start.size_m.z() / 2);
   start.size_m.z() = frame.FromCamera(top).z();
   FittedShape best;
   float best_cost = 2, odds = 0;
-  for (const Solid::Kind kind :
-       {Solid::Kind::kBox, Solid::Kind::kUprightCylinder, Solid::Kind::kLyingCylinder,
-        Solid::Kind::kSphere, Solid::Kind::kFrustum}) {
-    if (!MayBe(kind, start.size_m)) continue;
-    const FittedSolid fit = FitSolid(seen, StartOf(kind, start));
-    const float cost = fit.cost + CostOfKind(fit);
+  for (const FittedSolid& fit : FitSolids(seen, start)) {
+    const float through = SeenThroughShare(scene, object.label, object.bounds_px, fit.solid, frame);
+    const float cost = 1 - (1 - fit.cost) * (1 - CostOfSeenThrough(through)) + CostOfKind(fit);
     const float squared = std::max(cost, 0.02F) * std::max(cost, 0.02F);
     odds += 1 / (squared * squared);
     if (cost >= best_cost) continue;

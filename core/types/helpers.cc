@@ -167,13 +167,27 @@ void Helpers::Help() {
   }
 }
 
+bool IsHelped() {
+  return scope_of_thread != nullptr && !scope_of_thread->helpers_.threads_.empty();
+}
+
 void RunTogether(const std::vector<Task>& tasks) {
-  const bool alone = scope_of_thread == nullptr || scope_of_thread->helpers_.threads_.empty();
-  if (!alone && tasks.size() > 1) {
+  if (IsHelped() && tasks.size() > 1) {
     scope_of_thread->helpers_.Run(*scope_of_thread, tasks);
   } else {
     for (const Task& task : tasks) task();
   }
+}
+
+void ForEachTogether(std::size_t count, const std::function<void(std::size_t)>& work) {
+  if (!IsHelped()) {
+    for (std::size_t i = 0; i < count; ++i) work(i);
+    return;
+  }
+  std::vector<Task> tasks;
+  tasks.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) tasks.emplace_back([&work, i] { work(i); });
+  RunTogether(tasks);
 }
 
 }  // namespace fovea

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <cstddef>
 #include <functional>
 #include <list>
 #include <mutex>
@@ -18,6 +19,12 @@ using Task = std::function<void()>;
 // being helped (Helpers::Scope), else in turn. What a task throws is thrown here; where several do,
 // that of the first of them. A stop that is asked of this thread reaches all of them.
 void RunTogether(const std::vector<Task>& tasks);
+
+// The same for `work` on each number from 0 to `count` - 1.
+void ForEachTogether(std::size_t count, const std::function<void(std::size_t)>& work);
+
+// Whether others may work for this thread.
+bool IsHelped();
 
 class Helpers {
  public:
@@ -41,6 +48,7 @@ class Helpers {
 
    private:
     friend class Helpers;
+    friend bool IsHelped();
     friend void fovea::RunTogether(const std::vector<Task>& tasks);
 
     Helpers& helpers_;
@@ -51,6 +59,7 @@ class Helpers {
   static std::chrono::nanoseconds Waited();
 
  private:
+  friend bool IsHelped();
   friend void RunTogether(const std::vector<Task>& tasks);
   struct Batch;
 

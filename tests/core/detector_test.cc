@@ -41,6 +41,16 @@ bool SameBits(const cv::Mat& a, const cv::Mat& b) {
          std::memcmp(a.data, b.data, a.total() * a.elemSize()) == 0;
 }
 
+void ExpectSame(const std::vector<Grasp>& a, const std::vector<Grasp>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].tool_center_point, b[i].tool_center_point);
+    EXPECT_EQ(a[i].approach, b[i].approach);
+    EXPECT_EQ(a[i].closing, b[i].closing);
+    EXPECT_EQ(a[i].probability, b[i].probability);
+  }
+}
+
 void ExpectSame(const Detections& a, const Detections& b) {
   EXPECT_TRUE(SameBits(a.labels, b.labels));
   ASSERT_EQ(a.objects.size(), b.objects.size());
@@ -48,6 +58,8 @@ void ExpectSame(const Detections& a, const Detections& b) {
     EXPECT_EQ(a.objects[i].box.center, b.objects[i].box.center);
     EXPECT_EQ(a.objects[i].box.rotation, b.objects[i].box.rotation);
     EXPECT_EQ(a.objects[i].confidence, b.objects[i].confidence);
+    EXPECT_EQ(a.objects[i].shape.kind, b.objects[i].shape.kind);
+    ExpectSame(a.objects[i].grasps, b.objects[i].grasps);
   }
 }
 
@@ -79,12 +91,17 @@ TEST_P(Detector, GivesTheSameBitsOnEveryRunAndThread) {
 
 TEST_P(Detector, GivesTheSameBitsWithHelpers) {
   const RgbdFrame frame = TabletopTruth().frame;
-  const Detections alone = Detect(frame, options_);
+  DetectorOptions options = options_;
+  options.grippers.resize(2);
+  options.grippers[1].hand = SuctionGripper();
+  const Detections alone = Detect(frame, options);
+  EXPECT_TRUE(std::any_of(alone.objects.begin(), alone.objects.end(),
+                          [](const DetectedObject& object) { return !object.grasps.empty(); }));
   for (const int num_threads : {2, 3, 5}) {
     SCOPED_TRACE(num_threads);
     Helpers helpers(num_threads);
     const Helpers::Scope scope(helpers, num_threads);
-    ExpectSame(alone, Detect(frame, options_));
+    ExpectSame(alone, Detect(frame, options));
   }
 }
 

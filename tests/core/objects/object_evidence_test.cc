@@ -24,7 +24,7 @@ std::vector<ObjectEvidence> EvidenceOfPair(TestScene& scene) {
   scene.Put({80, 40, 20, 30}, 1, 1);
   scene.Put({100, 40, 20, 30}, 1, 2);
   const LabelledScene labelled = scene.Labelled();
-  return CollectEvidence(labelled, scene.segments, PairTree(), {});
+  return CollectEvidence(LookAtSegments(labelled, scene.segments, {}), PairTree());
 }
 
 TEST(CollectEvidence, AddsUpWithoutInnerBorders) {

@@ -27,6 +27,16 @@ TEST(Helpers, AreNotNeeded) {
   EXPECT_EQ(numbers, (std::vector<int>{1, 2, 3}));
 }
 
+TEST(Helpers, TakeEachNumberOnce) {
+  std::vector<int> alone(5), helped(5);
+  ForEachTogether(alone.size(), [&](std::size_t i) { alone[i] += static_cast<int>(i); });
+  Helpers helpers(3);
+  const Helpers::Scope scope(helpers, 3);
+  ForEachTogether(helped.size(), [&](std::size_t i) { helped[i] += static_cast<int>(i); });
+  EXPECT_EQ(alone, (std::vector<int>{0, 1, 2, 3, 4}));
+  EXPECT_EQ(helped, alone);
+}
+
 TEST(Helpers, RunTasksBesideEachOther) {
   Helpers helpers(3);
   const Helpers::Scope scope(helpers, 3);
