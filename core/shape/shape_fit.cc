@@ -183,10 +183,11 @@ FittedShape FitShape(const DetectedObject& object, const std::vector<OutlinePoin
   FittedShape best;
   float best_cost = 2, odds = 0;
   for (const FittedSolid& fit : FitSolids(seen, start)) {
-    const float through = SeenThroughShare(scene, object.label, object.bounds_px, fit.solid, frame);
-    const float cost = 1 - (1 - fit.cost) * (1 - CostOfSeenThrough(through)) + CostOfKind(fit);
-    const float squared = std::max(cost, 0.02F) * std::max(cost, 0.02F);
+    const float explains = fit.cost + CostOfKind(fit);
+    const float squared = std::max(explains, 0.02F) * std::max(explains, 0.02F);
     odds += 1 / (squared * squared);
+    const float through = SeenThroughShare(scene, object.label, object.bounds_px, fit.solid, frame);
+    const float cost = 1 - (1 - explains) * (1 - CostOfSeenThrough(through));
     if (cost >= best_cost) continue;
     best_cost = cost;
     best.fit = fit;
