@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <optional>
 #include <utility>
 
 #include "core/shape/completed.h"
@@ -132,16 +131,15 @@ void CompleteObjects(const RgbdFrame& frame, const cv::Mat& points,
     DetectedObject& object = objects[i];
     if (object.depth_missing) continue;
     const std::vector<OutlinePoint>& outline = outlines[i];
-    std::optional<FittedShape> best;
+    FittedShape best;
     LevelFrame best_frame;
     std::optional<int> carrier;
     const auto consider = [&](float drop_m, std::optional<int> label, float extra_cost) {
       LevelFrame under = FrameUnder(object.visible_box);
       under.origin -= under.rotation.col(2) * drop_m;
-      FittedShape shape =
-          FitShape(object, outline, {points, detections.labels, frame.intrinsics}, under);
+      FittedShape shape = FitShape(object, outline, frame.intrinsics, under);
       shape.fit.cost += extra_cost;
-      if (best && best->fit.cost <= shape.fit.cost) return;
+      if (best.fit.cost <= shape.fit.cost) return;
       best = std::move(shape);
       best_frame = under;
       carrier = label;
@@ -158,8 +156,8 @@ void CompleteObjects(const RgbdFrame& frame, const cv::Mat& points,
       }
     }
     if (carrier) object.stands_on.push_back(*carrier);
-    SetShape(*best, best_frame, object);
-    SetUnseenShare(detections.labels, frame.intrinsics, *best, best_frame, object);
+    SetShape(best, best_frame, object);
+    SetUnseenShare(detections.labels, frame.intrinsics, best, best_frame, object);
     done.push_back(i);
   }
 }

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <vector>
 
-#include "core/shape/seen_through.h"
 #include "core/shape/uncertainty.h"
 #include "core/types/helpers.h"
 
@@ -119,12 +118,6 @@ float CostOfKind(const FittedSolid& fit) {
   return 0;
 }
 
-// Of what is left of 1: edges that are off let some be seen through anything.
-float CostOfSeenThrough(float share) {
-  constexpr float kUsual = 0.2F, kMost = 0.7F;  // shares
-  return std::clamp((share - kUsual) / (kMost - kUsual), 0.0F, 1.0F);
-}
-
 Shape::Kind KindOf(const FittedSolid& fit) {
   constexpr float kFlat_m = 0.03F, kFlatShare = 0.5F;
   constexpr float kEvenRadii = 0.12F;
@@ -175,19 +168,17 @@ LevelFrame FrameUnder(const OrientedBox& box) {
 }
 
 FittedShape FitShape(const DetectedObject& object, const std::vector<OutlinePoint>& outline,
-                     const SeenScene& scene, const LevelFrame& frame) {
-  const SeenObject seen = See(object, outline, scene.intrinsics, frame);
+                     const CameraIntrinsics& intrinsics, const LevelFrame& frame) {
+  const SeenObject seen = See(object, outline, intrinsics, frame);
   OrientedBox start = object.visible_box;
   const Eigen::Vector3f top = start.center + frame.rotation.col(2) * (start.size_m.z() / 2);
   start.size_m.z() = frame.FromCamera(top).z();
   FittedShape best;
   float best_cost = 2, odds = 0;
   for (const FittedSolid& fit : FitSolids(seen, start)) {
-    const float explains = fit.cost + CostOfKind(fit);
-    const float squared = std::max(explains, 0.02F) * std::max(explains, 0.02F);
+    const float cost = fit.cost + CostOfKind(fit);
+    const float squared = std::max(cost, 0.02F) * std::max(cost, 0.02F);
     odds += 1 / (squared * squared);
-    const float through = SeenThroughShare(scene, object.label, object.bounds_px, fit.solid, frame);
-    const float cost = 1 - (1 - explains) * (1 - CostOfSeenThrough(through));
     if (cost >= best_cost) continue;
     best_cost = cost;
     best.fit = fit;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <opencv2/core/mat.hpp>
 #include <vector>
 
 #include "core/shape/outline.h"
@@ -39,17 +38,9 @@ struct FittedShape {
   BoxUncertainty uncertainty;
 };
 
-// What the camera sees; all of one size.
-struct SeenScene {
-  const cv::Mat& points;  // CV_32FC3, camera frame; NaN = none
-  const cv::Mat& labels;  // CV_16UC1, 0 = none
-  const CameraIntrinsics& intrinsics;
-};
-
 // Tries each solid on the points of the object and the rays through its outline, from the box that
-// stands around its visible points, and takes the likeliest. It costs where something is seen
-// through it.
+// stands around its visible points, and takes the likeliest.
 FittedShape FitShape(const DetectedObject& object, const std::vector<OutlinePoint>& outline,
-                     const SeenScene& scene, const LevelFrame& frame);
+                     const CameraIntrinsics& intrinsics, const LevelFrame& frame);
 
 }  // namespace fovea

@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <iostream>
-#include <opencv2/imgcodecs.hpp>
 
 #include "tests/core/shape/things_on_floor.h"
 
@@ -56,33 +54,6 @@ TEST(CompleteObjects, OfRoundThingsTheBack) {
     EXPECT_GT(object.box.rotation.col(0).z(), 0.5F);
     EXPECT_NEAR(object.box.rotation.col(0).dot(found.gravity.direction), 0, 1e-3F);
   }
-}
-
-// A disc of which only a crescent is left, with the floor in place of the rest.
-ThingsOnFloor Crescent(double pitch_deg) {
-  ThingsOnFloor disc =
-      CompleteThings({Thing(ShapeKind::kCylinder, {0.18, 0.18, 0.035}, {0, 0}, 0)}, pitch_deg);
-  const ThingsOnFloor floor = CompleteThings({}, pitch_deg);
-  DetectedObject& object = disc.detections.objects[0];
-  const cv::Rect bounds = object.bounds_px;
-  cv::Mat rest(disc.points.size(), CV_8UC1, cv::Scalar(0));
-  rest(cv::Rect(bounds.tl(), cv::Size(bounds.width, bounds.height / 3))) = 255;
-  cv::ellipse(rest, bounds.tl() + cv::Point(bounds.width / 2, bounds.height * 2 / 5),
-              {bounds.width * 2 / 5, bounds.height * 2 / 5}, 0, 0, 360, 255, cv::FILLED);
-  floor.points.copyTo(disc.points, rest);
-  floor.frame.color_rgb.copyTo(disc.frame.color_rgb, rest);
-  disc.detections.labels.setTo(0, rest);
-  Describe(disc.points, disc.detections.labels, -disc.detections.gravity.direction, object);
-  return disc;
-}
-
-TEST(CompleteObjects, OfBentThingsNothingWhereTheFloorIsSeen) {
-  ThingsOnFloor crescent = Crescent(50);
-  const DetectedObject& object = crescent.detections.objects[0];
-  EXPECT_EQ(object.shape.kind, Shape::Kind::kCylinder) << "before anything was taken away";
-  CompleteObjects(crescent.frame, crescent.points, {std::nullopt}, crescent.detections);
-  EXPECT_NE(object.shape.kind, Shape::Kind::kCylinder);
-  EXPECT_LT(object.box.size_m.y(), 0.12F);
 }
 
 TEST(CompleteObjects, SeenFromAboveAThingReachesDownToTheFloor) {

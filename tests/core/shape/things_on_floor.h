@@ -4,7 +4,6 @@
 #include <numbers>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
-#include <optional>
 #include <vector>
 
 #include "core/depth/back_projection.h"
@@ -33,26 +32,6 @@ inline scenes::Body Thing(scenes::ShapeKind kind, const Eigen::Vector3d& size_m,
   return body;
 }
 
-// What is known of an object before it is completed.
-inline void Describe(const cv::Mat& points, const cv::Mat& labels, const Eigen::Vector3f& up,
-                     DetectedObject& object,
-                     const std::optional<SupportSurface>& support = std::nullopt) {
-  std::vector<Eigen::Vector3f> positions;
-  std::vector<cv::Point> pixels;
-  cv::findNonZero(labels == object.label, pixels);
-  object.cloud.clear();
-  object.centroid.setZero();
-  for (const cv::Point& pixel : pixels) {
-    const cv::Vec3f& p = points.at<cv::Vec3f>(pixel);
-    object.cloud.push_back({p[0], p[1], p[2]});
-    positions.emplace_back(p[0], p[1], p[2]);
-    object.centroid += positions.back() / static_cast<float>(pixels.size());
-  }
-  object.bounds_px = cv::boundingRect(pixels);
-  object.visible_box = FitOrientedBox(positions, up, support);
-  object.box = object.visible_box;
-}
-
 // On a floor, seen from 0.9 m away and this high up.
 inline ThingsOnFloor CompleteThings(const std::vector<scenes::Body>& things, double pitch_deg) {
   scenes::Scene scene;
@@ -77,7 +56,18 @@ inline ThingsOnFloor CompleteThings(const std::vector<scenes::Body>& things, dou
   for (std::size_t i = 0; i < things.size(); ++i) {
     DetectedObject& object = detections.objects.emplace_back();
     object.label = static_cast<int>(i) + 1;
-    Describe(points, labelled.labels, support.normal, object, support);
+    std::vector<Eigen::Vector3f> positions;
+    std::vector<cv::Point> pixels;
+    cv::findNonZero(labelled.labels == object.label, pixels);
+    for (const cv::Point& pixel : pixels) {
+      const cv::Vec3f& p = points.at<cv::Vec3f>(pixel);
+      object.cloud.push_back({p[0], p[1], p[2]});
+      positions.emplace_back(p[0], p[1], p[2]);
+      object.centroid += positions.back() / static_cast<float>(pixels.size());
+    }
+    object.bounds_px = cv::boundingRect(pixels);
+    object.visible_box = FitOrientedBox(positions, support.normal, support);
+    object.box = object.visible_box;
   }
   CompleteObjects(labelled.frame, points,
                   std::vector<std::optional<SupportSurface>>(things.size(), support), detections);
