@@ -4,31 +4,56 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
 
 namespace fovea {
 namespace {
 
-// Points of the object within the radius of the middle, of at most some 15 x 15 pixels.
-std::vector<Eigen::Vector3f> PointsAround(const GraspScene& scene, int label,
-                                          const cv::Point& pixel, const Eigen::Vector3f& middle,
-                                          float radius_m) {
-  constexpr int kAcross = 15;
+constexpr int kAcross = 15, kMostPoints = (2 * kAcross - 1) * (2 * kAcross - 1);
+using PatchArray = Eigen::Array<float, Eigen::Dynamic, 1, Eigen::ColMajor, kMostPoints, 1>;
+
+// Points of a patch, as seen from its middle.
+struct PatchPoints {
+  PatchArray x, y, z;
+
+  PatchArray Along(const Eigen::Vector3f& axis) const {
+    return axis.x() * x + axis.y() * y + axis.z() * z;
+  }
+};
+
+// Of the object, within the radius of the middle, of pixels that are one apart or, where there are
+// more than some 15 across, several.
+PatchPoints PointsAround(const GraspScene& scene, int label, const cv::Point& pixel,
+                         const Eigen::Vector3f& middle, float radius_m) {
   const float reach_px = radius_m * static_cast<float>(scene.intrinsics.fx_px) / middle.z();
   const int reach = std::max(1, static_cast<int>(std::ceil(reach_px)));
   const int step = std::max(1, 2 * reach / kAcross);
-  std::vector<Eigen::Vector3f> points;
+  PatchPoints found{PatchArray(kMostPoints), PatchArray(kMostPoints), PatchArray(kMostPoints)};
+  Eigen::Index count = 0;
+  const cv::Rect image({}, scene.labels.size());
   for (int row = pixel.y - reach; row <= pixel.y + reach; row += step) {
+    if (row < 0 || row >= image.height) continue;
+    const auto* labels = scene.labels.ptr<std::uint16_t>(row);
+    const auto* points = scene.points.ptr<Eigen::Vector3f>(row);
     for (int column = pixel.x - reach; column <= pixel.x + reach; column += step) {
-      if (row < 0 || column < 0 || row >= scene.labels.rows || column >= scene.labels.cols)
-        continue;
-      if (scene.labels.ptr<std::uint16_t>(row)[column] != label) continue;
-      const cv::Vec3f& p = scene.points.ptr<cv::Vec3f>(row)[column];
-      const Eigen::Vector3f point(p[0], p[1], p[2]);
-      if (!std::isnan(p[2]) && (point - middle).norm() < radius_m) points.push_back(point);
+      if (column < 0 || column >= image.width || labels[column] != label) continue;
+      const Eigen::Vector3f from = points[column] - middle;
+      if (!(from.squaredNorm() < radius_m * radius_m)) continue;  // nor what is not measured
+      found.x[count] = from.x();
+      found.y[count] = from.y();
+      found.z[count++] = from.z();
     }
   }
-  return points;
+  for (PatchArray* array : {&found.x, &found.y, &found.z}) array->conservativeResize(count);
+  return found;
+}
+
+// Sums of products of the coordinates, around their mean.
+Eigen::Matrix3f SpreadOf(const PatchPoints& points, const Eigen::Vector3f& mean) {
+  const PatchArray x = points.x - mean.x(), y = points.y - mean.y(), z = points.z - mean.z();
+  const float xy = (x * y).sum(), xz = (x * z).sum(), yz = (y * z).sum();
+  Eigen::Matrix3f spread;
+  spread << x.square().sum(), xy, xz, xy, y.square().sum(), yz, xz, yz, z.square().sum();
+  return spread;
 }
 
 // Of sixteen parts of a turn, without an arc tangent: the octant, halved.
@@ -40,55 +65,49 @@ std::size_t SectorOf(float x, float y) {
   return quarter + (x < 0 ? 4U : 0U) + (y < 0 ? 8U : 0U);
 }
 
+// Of the sixteen sectors, the share with points farther from the middle than `lip_m`.
+float CoveredShare(const PatchArray& x, const PatchArray& y, float lip_m) {
+  std::array<bool, 16> is_covered{};
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    if (x[i] * x[i] + y[i] * y[i] > lip_m * lip_m) is_covered[SectorOf(x[i], y[i])] = true;
+  }
+  return static_cast<float>(std::count(is_covered.begin(), is_covered.end(), true)) / 16;
+}
+
 }  // namespace
 
 std::optional<SuctionPatch> PatchAt(const GraspScene& scene, int label, const cv::Point& pixel,
                                     const Eigen::Vector3f& middle, float diameter_m) {
-  constexpr std::size_t kLeastPoints = 8;
+  constexpr Eigen::Index kLeastPoints = 8;
   constexpr float kLip = 0.55F;  // of the radius: what lies farther out is under the lip
   if (std::isnan(middle.z())) return std::nullopt;
   // A little farther than the lip, so that an edge just beyond it is seen.
   const float radius = 1.15F * diameter_m / 2;
-  const auto points = PointsAround(scene, label, pixel, middle, radius);
-  if (points.size() < kLeastPoints) return std::nullopt;
+  const PatchPoints points = PointsAround(scene, label, pixel, middle, radius);
+  const Eigen::Index count = points.x.size();
+  if (count < kLeastPoints) return std::nullopt;
 
-  Eigen::Vector3f mean = Eigen::Vector3f::Zero();
-  for (const Eigen::Vector3f& point : points) mean += point / static_cast<float>(points.size());
-  Eigen::Matrix3f spread = Eigen::Matrix3f::Zero();
-  for (const Eigen::Vector3f& point : points) spread += (point - mean) * (point - mean).transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> axes(spread);
+  const Eigen::Vector3f mean(points.x.mean(), points.y.mean(), points.z.mean());
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> axes(SpreadOf(points, mean));
   SuctionPatch patch;
   patch.normal = axes.eigenvectors().col(0);
   if (patch.normal.dot(middle) > 0) patch.normal = -patch.normal;
   const Eigen::Vector3f u = axes.eigenvectors().col(2), v = patch.normal.cross(u);
 
-  // height = a + b · squared distance from the middle
-  Eigen::Matrix2f sums = Eigen::Matrix2f::Zero();
-  Eigen::Vector2f right = Eigen::Vector2f::Zero();
-  std::array<bool, 16> is_covered{};
-  for (const Eigen::Vector3f& point : points) {
-    const Eigen::Vector3f from = point - middle;
-    const float x = from.dot(u), y = from.dot(v), height = (point - mean).dot(patch.normal);
-    const Eigen::Vector2f row(1, (x * x + y * y) / (radius * radius));
-    sums += row * row.transpose();
-    right += row * height;
-    if (std::hypot(x, y) > kLip * radius) is_covered[SectorOf(x, y)] = true;
-  }
+  // height over the plane through the middle = a + b · squared distance from the middle
+  const PatchArray x = points.Along(u), y = points.Along(v), height = points.Along(patch.normal);
+  const PatchArray squared = (x.square() + y.square()) / (radius * radius);
+  const float sum = squared.sum();
+  Eigen::Matrix2f sums;
+  sums << static_cast<float>(count), sum, sum, squared.square().sum();
   sums.diagonal().array() += 1e-3F;
+  const Eigen::Vector2f right(height.sum(), (squared * height).sum());
   const Eigen::Vector2f fit = sums.inverse() * right;
-  float squares = 0;
-  for (const Eigen::Vector3f& point : points) {
-    const Eigen::Vector3f from = point - middle;
-    const float height = (point - mean).dot(patch.normal);
-    const Eigen::Vector3f level = from - patch.normal * from.dot(patch.normal);
-    const float rest = height - fit[0] - fit[1] * level.squaredNorm() / (radius * radius);
-    squares += rest * rest;
-  }
-  patch.unevenness_m = std::sqrt(squares / static_cast<float>(points.size()));
+  patch.unevenness_m = std::sqrt((height - fit[0] - fit[1] * squared).square().mean());
   patch.curvature_per_m = 2 * std::abs(fit[1]) / (radius * radius);
-  patch.covered = static_cast<float>(std::count(is_covered.begin(), is_covered.end(), true)) / 16;
-  patch.num_points = static_cast<int>(points.size());
-  patch.center = middle + patch.normal * (fit[0] - (middle - mean).dot(patch.normal));
+  patch.covered = CoveredShare(x, y, kLip * radius);
+  patch.num_points = static_cast<int>(count);
+  patch.center = middle + patch.normal * fit[0];
   return patch;
 }
 
