@@ -1,6 +1,7 @@
 #include "client/client.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 
@@ -48,10 +49,25 @@ grpc::Status NotReady(grpc::StatusCode code, const std::string& problem) {
   return {code, "the server is not ready: " + problem};
 }
 
+ClientOptions Checked(ClientOptions options) {
+  if (!IsPrintableAscii(options.robot)) {
+    throw std::invalid_argument("robot: \"" + options.robot + "\" is not printable ASCII");
+  }
+  if (!IsPrintableAscii(options.token)) {
+    throw std::invalid_argument("token: is not printable ASCII");
+  }
+  return options;
+}
+
 }  // namespace
 
+bool IsPrintableAscii(std::string_view text) {
+  return std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
+}
+
 Client::Client(const std::string& address, ClientOptions options)
-    : options_(std::move(options)), servers_(std::make_shared<Servers>(address, options_)) {}
+    : options_(Checked(std::move(options))),
+      servers_(std::make_shared<Servers>(address, options_)) {}
 
 void Client::WaitUntilReady(std::chrono::milliseconds timeout) const {
   using Clock = Servers::Clock;

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace fovea::client {
 
@@ -31,10 +32,14 @@ struct ClientOptions {
   int max_answer_mib = 64;
   // Encrypts where it is given.
   std::optional<TlsOptions> tls = std::nullopt;
+  // Both of printable ASCII characters, which is all that gRPC sends: others are refused.
   // Sent as `authorization: Bearer …`; empty = none. Without TLS anybody on the way can read it.
   std::string token = {};
   // The robot's name, sent as `fovea-robot`; empty = the server goes by the host.
   std::string robot = {};
 };
+
+// Whether a call can have this as a value of its metadata; gRPC ends the process where not.
+bool IsPrintableAscii(std::string_view text);
 
 }  // namespace fovea::client

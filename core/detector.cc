@@ -170,10 +170,10 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& op
     const std::vector<int> labels = LabelVoxels(energy, options.mrf);
     clock.Begin("refinement");
     // Section 3.3: segments that look alike are one object.
-    found.Add(labels,
-              Refine({scene.grid, labels, scene.points, scene.lab, scene.colors, frame.intrinsics,
-                      -scene.gravity.direction, scene.supports, scene.standing, scene.on_wall},
-                     options));
+    found.Add(labels, Refine({scene.grid, labels, scene.points, scene.lab, scene.colors,
+                              frame.intrinsics, -scene.gravity.direction, scene.supports,
+                              scene.standing, scene.on_wall, frame.unseen},
+                             options));
   };
   const cv::Mat saliency = MeanSaliency(salience.color, salience.depth);
   for (const std::vector<char>& outside : PortionsInTime(scene, saliency, budget)) {
@@ -255,6 +255,8 @@ Detections NothingYet(const RgbdFrame& frame) {
   Detections result;
   result.labels = cv::Mat::zeros(frame.depth_m.size(), CV_16UC1);
   result.incomplete = true;
+  result.gravity = frame.gravity ? Gravity{frame.gravity->normalized(), Gravity::Source::kGiven}
+                                 : Gravity{Eigen::Vector3f::UnitY(), Gravity::Source::kAssumed};
   return result;
 }
 

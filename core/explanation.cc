@@ -53,8 +53,8 @@ std::vector<std::string> SegmentLosses(const Diagnostics& d) {
   }
   if (d.segments_implausible > 0) {
     losses.push_back(fmt::format(
-        "{} possible objects were considered and are not likely enough: return_rejected tells why, "
-        "objects.min_probability how likely is enough",
+        "{} possible objects were considered and are not likely enough: return_rejected (of "
+        "fovea detect: --show rejected) tells why, objects.min_probability how likely is enough",
         d.segments_implausible));
   }
   if (losses.empty()) {

@@ -8,6 +8,7 @@
 
 #include "core/lens/distort_answer.h"
 #include "core/lens/undistortion.h"
+#include "core/types/interruption.h"
 #include "server/compute_limit.h"
 #include "server/conversion/detections.h"
 #include "server/conversion/field_error.h"
@@ -169,21 +170,19 @@ void FrameAnswerer::Show(const FrameRequest& request, const Caller& caller,
   LogCurrentException("a frame that was answered is not shown");
 }
 
-Detections FrameAnswerer::DetectInTime(const RgbdFrame& frame, const DetectorOptions& options,
-                                       const Asker& asker, Trace* trace,
-                                       std::vector<StageTime>* times) const {
-  std::optional<Helpers::Scope> helped;
-  if (asker.is_helped) helped.emplace(helpers_, max_threads_per_frame_);
+// All of it, decoding and lenses too, can be stopped and has one limit.
+Detections FrameAnswerer::Compute(const FrameRequest& request, const Asker& asker, Trace* trace,
+                                  RgbdFrame* decoded, std::vector<StageTime>* times) const {
   const ComputeLimit limit(max_compute_);
   bool passed = false;
+  const auto should_stop = [&] {
+    passed = limit.HasPassed();
+    return passed || asker.is_gone();
+  };
+  const InterruptionScope interruption(should_stop);
+  EnterStage("decode");
   try {
-    Detections detections = detect_(frame, options, trace, [&] {
-      passed = limit.HasPassed();
-      return passed || asker.is_gone();
-    });
-    times->insert(times->end(), detections.stage_times.begin(), detections.stage_times.end());
-    times->push_back({kProcessorWait, Milliseconds(limit.WaitedForProcessor())});
-    return detections;
+    return Compute(request, asker, {limit, should_stop}, trace, decoded, times);
   } catch (const Cancelled& cancelled) {
     times->insert(times->end(), cancelled.stage_times.begin(), cancelled.stage_times.end());
     if (passed && !asker.is_gone()) throw ComputeLimitPassed(cancelled.stage, max_compute_);
@@ -191,8 +190,9 @@ Detections FrameAnswerer::DetectInTime(const RgbdFrame& frame, const DetectorOpt
   }
 }
 
-Detections FrameAnswerer::Compute(const FrameRequest& request, const Asker& asker, Trace* trace,
-                                  RgbdFrame* decoded, std::vector<StageTime>* times) const {
+Detections FrameAnswerer::Compute(const FrameRequest& request, const Asker& asker, const End& end,
+                                  Trace* trace, RgbdFrame* decoded,
+                                  std::vector<StageTime>* times) const {
   std::vector<std::string> losses;
   DetectorOptions options = FromProto(*request.options, policy_);
   options.grippers = grippers_.For(asker.robot, request.options->grasps(), options.grippers);
@@ -205,11 +205,19 @@ Detections FrameAnswerer::Compute(const FrameRequest& request, const Asker& aske
   if (lens) UndistortRegion(*lens, region);
   times->push_back({"decode", Milliseconds(Clock::now() - request.began)});
   // What the method throws from here on is no longer about the request, TooComplex apart.
-  Detections detections =
-      DetectInTime(frame, options, asker, WantsTrace(*request.options) ? trace : nullptr, times);
+  Detections detections;
+  {
+    std::optional<Helpers::Scope> helped;
+    if (asker.is_helped) helped.emplace(helpers_, max_threads_per_frame_);
+    detections =
+        detect_(frame, options, WantsTrace(*request.options) ? trace : nullptr, end.should_stop);
+  }
+  times->insert(times->end(), detections.stage_times.begin(), detections.stage_times.end());
+  times->push_back({kProcessorWait, Milliseconds(end.limit.WaitedForProcessor())});
   if (request.tracker != nullptr) {
     request.tracker->Add(*request.frame, request.options->tracking(), frame, detections, times);
   }
+  EnterStage("lens");
   if (lens) DistortAnswer(*lens, detections, *trace);
   std::vector<std::string>& messages = detections.diagnostics.messages;
   messages.insert(messages.begin(), losses.begin(), losses.end());

@@ -13,6 +13,7 @@
 #include "core/types/helpers.h"
 #include "fovea/v1/detection.pb.h"
 #include "fovea/v1/frame.pb.h"
+#include "server/compute_limit.h"
 #include "server/conversion/option_policy.h"
 #include "server/conversion/robot_grippers.h"
 #include "server/server_options.h"
@@ -67,8 +68,11 @@ class FrameAnswerer {
  private:
   void Record(const FrameRequest& request, const Caller& caller, const grpc::Status& status,
               const Detections& detections, cv::Size image) const noexcept;
-  Detections DetectInTime(const RgbdFrame& frame, const DetectorOptions& options,
-                          const Asker& asker, Trace* trace, std::vector<StageTime>* times) const;
+  // When a frame is given up.
+  struct End {
+    const ComputeLimit& limit;
+    std::function<bool()> should_stop;
+  };
   // Shows it to those who watch; `answer` is null where there is none.
   void Show(const FrameRequest& request, const Caller& caller, const grpc::Status& status,
             const Detections& detections, const RgbdFrame& decoded,
@@ -76,6 +80,8 @@ class FrameAnswerer {
   // `decoded` gets the frame once that is decoded, `times` those of the stages that it
   // came through, whether it throws or not.
   Detections Compute(const FrameRequest& request, const Asker& asker, Trace* trace,
+                     RgbdFrame* decoded, std::vector<StageTime>* times) const;
+  Detections Compute(const FrameRequest& request, const Asker& asker, const End& end, Trace* trace,
                      RgbdFrame* decoded, std::vector<StageTime>* times) const;
 
   // Its compute threads help each other while some have nothing to do.

@@ -1,10 +1,12 @@
 #include "client/cli/batch.h"
 
 #include <algorithm>
+#include <atomic>
 #include <deque>
 #include <filesystem>
 #include <future>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -78,22 +80,35 @@ struct Run {
   const FrameSettings settings;
   const std::chrono::milliseconds timeout;
   const std::function<std::string(const client::RpcError&)>& explain;
+  // Whether the server answered the last call that ended: then it is likely to come back.
+  mutable std::atomic<bool> is_there{false};
 };
 
-// A folder can wait: a server may take fewer frames of one caller than --jobs.
+// A folder can wait: a server may take fewer frames of one caller than --jobs, or start anew.
+std::optional<std::chrono::milliseconds> PauseAfter(const client::RpcError& error, const Run& run) {
+  constexpr std::chrono::milliseconds kBetween{500};
+  if (error.code() == grpc::StatusCode::RESOURCE_EXHAUSTED) return error.retry_after();
+  if (error.code() == grpc::StatusCode::UNAVAILABLE && run.is_there) return kBetween;
+  return std::nullopt;
+}
+
 v1::DetectResponse Ask(const Run& run, const v1::DetectRequest& request) {
   using std::chrono::steady_clock;
   const steady_clock::time_point end = steady_clock::now() + run.timeout;
   while (true) {
     try {
-      return run.client.Detect(request, std::chrono::duration_cast<std::chrono::milliseconds>(
-                                            end - steady_clock::now()));
+      const v1::DetectResponse response = run.client.Detect(
+          request,
+          std::chrono::duration_cast<std::chrono::milliseconds>(end - steady_clock::now()));
+      run.is_there = true;
+      return response;
     } catch (const client::RpcError& error) {
-      if (error.code() != grpc::StatusCode::RESOURCE_EXHAUSTED || !error.retry_after() ||
-          steady_clock::now() + *error.retry_after() >= end) {
+      const auto pause = PauseAfter(error, run);
+      if (!pause || steady_clock::now() + *pause >= end) {
+        if (error.code() == grpc::StatusCode::UNAVAILABLE) run.is_there = false;
         throw;
       }
-      std::this_thread::sleep_for(*error.retry_after());
+      std::this_thread::sleep_for(*pause);
     }
   }
 }
@@ -143,12 +158,24 @@ void SaveRequest(const Batch& batch, const FrameSettings& settings) {
   WriteFile(path, asked);
 }
 
+// Whether a frame's files are all there, and no older than what they were made from.
+bool IsDone(const FrameFiles& files, const Batch& batch) {
+  const Outputs outputs = OutputsOf(files.id, batch);
+  for (const std::string& path : {outputs.json, outputs.labels, outputs.overlay, outputs.cloud}) {
+    if (!path.empty() && !fs::exists(path)) return false;
+  }
+  const auto is_newer = [&](const std::string& path) {
+    return fs::exists(path) && fs::last_write_time(path) > fs::last_write_time(outputs.json);
+  };
+  const bool are_files = !files.read_color && !files.sent_before;
+  return are_files ? !is_newer(files.color_path) && !is_newer(files.depth_path)
+                   : !is_newer(batch.input);
+}
+
 // Takes what is done out of `frames`; returns how many those were.
 std::size_t LeaveOutDone(const Batch& batch, std::vector<FrameFiles>* frames) {
   if (!batch.resume || batch.output.empty()) return 0;
-  return std::erase_if(*frames, [&](const FrameFiles& files) {
-    return fs::exists(OutputsOf(files.id, batch).json);
-  });
+  return std::erase_if(*frames, [&](const FrameFiles& files) { return IsDone(files, batch); });
 }
 
 class Printer {
@@ -194,6 +221,10 @@ bool DetectFolder(const client::Client& client, const Batch& batch, FrameSetting
                   const std::function<std::string(const client::RpcError&)>& explain) {
   FrameList list = batch.list ? *batch.list : ListFrames(batch.input);
   for (const std::string& note : list.notes) std::cerr << "note: " << note << '\n';
+  if (const std::size_t renamed = NameApart(list.frames); renamed > 0) {
+    std::cerr << "note: frames with the name of another one: " << renamed
+              << "; they are called NAME_2, NAME_3, ...\n";
+  }
   settings.depth_unit_m = batch.depth_unit_m.value_or(list.depth_unit_m);
   const auto request_for = batch.sent_before ? RequestForPictures : RequestFor;
   request_for(OutputsOf("any", batch), &settings.options);
@@ -202,7 +233,7 @@ bool DetectFolder(const client::Client& client, const Batch& batch, FrameSetting
     SaveRequest(batch, settings);
   }
   const std::size_t num_before = LeaveOutDone(batch, &list.frames);
-  const Run run{client, batch, std::move(settings), timeout, explain};
+  const Run run{client, batch, std::move(settings), timeout, explain, false};
   Printer printer(list.frames.size(), batch.json_lines);
   std::deque<std::future<Outcome>> in_flight;
   std::size_t next = 0;

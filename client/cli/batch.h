@@ -23,7 +23,7 @@ struct Batch {
   bool json_lines = false;  // an answer a line to stdout; progress then goes to stderr
   bool json_masks = true;
   bool sent_before = false;            // the frames of `list` were
-  bool resume = false;                 // leave out frames whose NAME.json is there
+  bool resume = false;                 // leave out frames whose files are there and not older
   int jobs = 1;                        // frames in flight at once
   std::optional<double> depth_unit_m;  // none = as such folders have it
 };

@@ -16,13 +16,19 @@
 namespace fovea::cli {
 namespace {
 
+double NumberIn(const nlohmann::json& json, const char* name) {
+  if (!json.contains(name)) throw std::runtime_error(std::string("it has no ") + name);
+  if (!json[name].is_number()) throw std::runtime_error(std::string(name) + " must be a number");
+  return json[name];
+}
+
 Calibration ParseJson(const nlohmann::json& json) {
-  Calibration calibration{.fx = json.at("fx"),
-                          .fy = json.at("fy"),
-                          .cx = json.at("cx"),
-                          .cy = json.at("cy"),
-                          .width = json.at("width"),
-                          .height = json.at("height"),
+  Calibration calibration{.fx = NumberIn(json, "fx"),
+                          .fy = NumberIn(json, "fy"),
+                          .cx = NumberIn(json, "cx"),
+                          .cy = NumberIn(json, "cy"),
+                          .width = static_cast<int>(NumberIn(json, "width")),
+                          .height = static_cast<int>(NumberIn(json, "height")),
                           .distortion = {}};
   calibration.distortion = MakeDistortion(json.value("distortion_model", ""),
                                           json.value("distortion", std::vector<double>{}));
@@ -80,7 +86,7 @@ Calibration ParseRos(const std::string& text) {
 
 Calibration ParseLine(const std::string& text) {
   const std::string line = text.substr(0, text.find_last_not_of(" \t\r\n") + 1);
-  const auto k = ParseNumbers(line, 4, "it", "FX,FY,CX,CY");
+  const auto k = ParseNumbers(line, 4, "its text", "FX,FY,CX,CY");
   return CalibrationOf(client::MakeIntrinsics(k[0], k[1], k[2], k[3]), {});
 }
 

@@ -60,6 +60,14 @@ void AddConnectionFlags(CLI::App& command, ConnectionFlags& flags) {
 client::ClientOptions OptionsOf(const ConnectionFlags& flags, client::ClientOptions options) {
   options.token = FirstLine(ReadIfGiven(flags.token_file));
   options.robot = flags.robot;
+  if (!client::IsPrintableAscii(options.token)) {
+    throw std::invalid_argument("--token-file: the token in " + flags.token_file +
+                                " has characters that are not printable ASCII");
+  }
+  if (!client::IsPrintableAscii(options.robot)) {
+    throw std::invalid_argument("--robot: \"" + options.robot +
+                                "\" has characters that are not printable ASCII");
+  }
   if (!flags.tls_ca.empty()) {
     options.tls = client::TlsOptions{
         .root_certificates = ReadPem("--tls-ca", flags.tls_ca, "CERTIFICATE"),

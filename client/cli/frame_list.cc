@@ -128,6 +128,22 @@ FrameList ListFolders(const fs::path& color, const fs::path& depth) {
 
 }  // namespace
 
+std::size_t NameApart(std::vector<FrameFiles>& frames) {
+  std::set<std::string> given, taken;
+  for (const FrameFiles& frame : frames) given.insert(frame.id);
+  std::size_t num_renamed = 0;
+  for (FrameFiles& frame : frames) {
+    if (taken.insert(frame.id).second) continue;
+    int number = 2;
+    const auto name = [&] { return frame.id + "_" + std::to_string(number); };
+    while (given.contains(name()) || taken.contains(name())) ++number;
+    frame.id = name();
+    taken.insert(frame.id);
+    ++num_renamed;
+  }
+  return num_renamed;
+}
+
 FrameList ListFrames(const std::string& folder) {
   const fs::path input(folder);
   FrameList list = ListByName(input);

@@ -6,14 +6,22 @@
 
 namespace fovea::cli {
 
-std::string ToJson(const google::protobuf::Message& message, JsonLayout layout) {
-  google::protobuf::util::JsonPrintOptions options;
+namespace {
+
+std::string ToJson(const google::protobuf::Message& message, JsonLayout layout,
+                   google::protobuf::util::JsonPrintOptions options) {
   options.add_whitespace = layout == JsonLayout::kIndented;
   options.preserve_proto_field_names = true;
   std::string json;
   const auto status = google::protobuf::util::MessageToJsonString(message, &json, options);
   if (!status.ok()) throw std::runtime_error("the answer cannot be written as JSON");
   return json;
+}
+
+}  // namespace
+
+std::string ToJson(const google::protobuf::Message& message, JsonLayout layout) {
+  return ToJson(message, layout, {});
 }
 
 std::string ToJson(const v1::Detections& detections, const v1::Frame& frame, JsonLayout layout) {
@@ -24,8 +32,9 @@ std::string ToJson(const v1::Detections& detections, const v1::Frame& frame, Jso
   if (frame.has_depth_intrinsics()) *sent.mutable_depth_intrinsics() = frame.depth_intrinsics();
   if (frame.has_color_from_depth()) *sent.mutable_color_from_depth() = frame.color_from_depth();
   if (frame.depth().unit_m() != 0) sent.mutable_depth()->set_unit_m(frame.depth().unit_m());
-  const std::string answer =
-      ToJson(static_cast<const google::protobuf::Message&>(detections), layout);
+  google::protobuf::util::JsonPrintOptions options;
+  options.always_print_primitive_fields = true;  // "objects": [] and "y": 0 too
+  const std::string answer = ToJson(detections, layout, options);
   const std::string head = "{\"frame\":" + ToJson(sent, layout);
   // Both are objects; the answer's fields go on where the frame's ended.
   const std::size_t first = answer.find('"');

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <stdexcept>
 
 #include "flags/misspelling.h"
 
@@ -16,7 +17,9 @@ int RunProgram(CLI::App& app, int argc, char** argv, const std::function<int()>&
   gpr_set_log_function([](gpr_log_func_args*) {});
   try {
     app.parse(argc, argv);
-    return run();
+    const int code = run();
+    if (!std::cout.flush()) throw std::runtime_error("standard output cannot be written");
+    return code;
   } catch (const CLI::Success& wants_text) {  // --help, --version
     return app.exit(wants_text);
   } catch (const CLI::ParseError& error) {

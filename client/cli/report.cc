@@ -14,6 +14,7 @@ double Norm(const v1::Vector3& v) { return std::hypot(v.x(), v.y(), v.z()); }
 double ServerMs(const v1::Detections& detections) {
   double sum = 0;
   for (const v1::StageTime& stage : detections.stage_times()) {
+    if (stage.stage() == "processor_wait") continue;  // is part of the others
     sum += stage.duration().seconds() * 1e3 + stage.duration().nanos() * 1e-6;
   }
   return sum;
@@ -61,11 +62,21 @@ std::string PlaceLine(const v1::FreePlace& place) {
                       at.z(), place.clearance_m() * 100);
 }
 
+const char* WordOf(v1::GravitySource source) {
+  switch (source) {
+    case v1::GRAVITY_SOURCE_REQUEST:
+      return "as given";
+    case v1::GRAVITY_SOURCE_ASSUMED:
+      return "assumed: there is no depth to see it by";
+    default:
+      return "estimated from the scene";
+  }
+}
+
 std::string GravityLine(const v1::Gravity& gravity) {
   const auto& g = gravity.direction();
-  const char* source =
-      gravity.source() == v1::GRAVITY_SOURCE_REQUEST ? "as given" : "estimated from the scene";
-  return fmt::sprintf("gravity (%.3f, %.3f, %.3f), %s\n", g.x(), g.y(), g.z(), source);
+  return fmt::sprintf("gravity (%.3f, %.3f, %.3f), %s\n", g.x(), g.y(), g.z(),
+                      WordOf(gravity.source()));
 }
 
 std::string SupportLine(const v1::Detections& detections) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "client/bundle/readable_files.h"
@@ -28,6 +29,12 @@ double ParseHand(const std::string& text, const std::string& form, v1::Gripper* 
   const auto numbers = ParseNumbers(text, count, "--gripper", form);
   if (count == 2) gripper->set_min_probability(numbers.back());
   return numbers.front();
+}
+
+// What messages can hold of a file's name, which may be of any bytes.
+std::string Utf8(const std::string& name) {
+  using nlohmann::json;
+  return json::parse(json(name).dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
 }  // namespace
@@ -138,7 +145,7 @@ v1::DetectRequest MakeRequest(const FrameFiles& files, const FrameSettings& sett
   }
   v1::DetectRequest request = CommonRequest(settings);
   v1::Frame& frame = *request.mutable_frame();
-  frame.set_id(files.id);
+  frame.set_id(Utf8(files.id));
   if (files.captured_at) *frame.mutable_captured_at() = *files.captured_at;
   *frame.mutable_color() = FromFile(files.color_path, files.read_color, [](std::string bytes) {
     return client::MakeColorImage(std::move(bytes));

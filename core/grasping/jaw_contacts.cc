@@ -102,7 +102,7 @@ JawContact ContactOf(const Reaches& reaches, const TurnedGrid& turned, const Jaw
         turned.ToGrid(sign * reach.outwards_m, reach.across_m, reach.height_m));
   }
   contact.along_m = sign * farthest;
-  contact.share = std::clamp((across.high - across.low) / pad_width_m, 0.0F, 1.0F);
+  contact.share = std::clamp((across.high - across.low) / std::max(pad_width_m, 1e-4F), 0.0F, 1.0F);
   contact.across_m = across;
   contact.above_tip_m = above;
   if (near.size() > 2) {

@@ -24,12 +24,13 @@ struct PatchPoints {
 // more than some 15 across, several.
 PatchPoints PointsAround(const GraspScene& scene, int label, const cv::Point& pixel,
                          const Eigen::Vector3f& middle, float radius_m) {
+  const cv::Rect image({}, scene.labels.size());
   const float reach_px = radius_m * static_cast<float>(scene.intrinsics.fx_px) / middle.z();
-  const int reach = std::max(1, static_cast<int>(std::ceil(reach_px)));
+  const auto farthest_px = static_cast<float>(std::max(image.width, image.height));
+  const int reach = std::max(1, static_cast<int>(std::ceil(std::min(reach_px, farthest_px))));
   const int step = std::max(1, 2 * reach / kAcross);
   PatchPoints found{PatchArray(kMostPoints), PatchArray(kMostPoints), PatchArray(kMostPoints)};
   Eigen::Index count = 0;
-  const cv::Rect image({}, scene.labels.size());
   for (int row = pixel.y - reach; row <= pixel.y + reach; row += step) {
     if (row < 0 || row >= image.height) continue;
     const auto* labels = scene.labels.ptr<std::uint16_t>(row);

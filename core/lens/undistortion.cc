@@ -1,6 +1,7 @@
 #include "core/lens/undistortion.h"
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
@@ -18,6 +19,13 @@ cv::Mat DistortionMap(const Lens& lens) {
     for (int col = 0; col < map.cols; ++col) place[col] = lens.Distort(cv::Point2d(col, row));
   }
   return map;
+}
+
+// Whether the sent image shows what is at this pixel of the ideal one.
+bool IsSent(const Lens& lens, const cv::Point& pixel) {
+  if (!lens.IsShown(pixel)) return false;
+  const cv::Point sent = lens.Distort(pixel);  // rounds
+  return cv::Rect({0, 0}, lens.size()).contains(sent);
 }
 
 }  // namespace
@@ -42,6 +50,19 @@ cv::Mat UndistortDepth(const cv::Mat& depth_m, const Lens& lens) {
     }
   }
   return ideal;
+}
+
+// What is seen of a row lies in one piece: the search ends where it begins, from either end.
+cv::Mat UnseenBy(const Lens& lens) {
+  cv::Mat unseen = cv::Mat::zeros(lens.size(), CV_8UC1);
+  for (int row = 0; row < unseen.rows; ++row) {
+    InterruptionPoint();
+    auto* const is_unseen = unseen.ptr<std::uint8_t>(row);
+    int first = 0, end = unseen.cols;
+    while (first < end && !IsSent(lens, {first, row})) is_unseen[first++] = 255;
+    while (end > first && !IsSent(lens, {end - 1, row})) is_unseen[--end] = 255;
+  }
+  return unseen;
 }
 
 cv::Rect UndistortRect(const Lens& lens, const cv::Rect& sent) {

@@ -18,6 +18,10 @@ cv::Mat UndistortColor(const cv::Mat& color, const Lens& lens);
 // CV_32FC1 of the nearest pixel, never between two surfaces; NaN where the camera does not see.
 cv::Mat UndistortDepth(const cv::Mat& depth_m, const Lens& lens);
 
+// CV_8UC1: 255 where the ideal image shows what the camera does not see, else 0. Cost: that of the
+// pixels in such margins.
+cv::Mat UnseenBy(const Lens& lens);
+
 // The smallest rectangle of the ideal image that holds what is in this one of the sent image; also
 // in it.
 cv::Rect UndistortRect(const Lens& lens, const cv::Rect& sent);

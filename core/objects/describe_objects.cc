@@ -4,7 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "core/depth/measured_area.h"
+#include "core/depth/seen_area.h"
 #include "core/objects/color_names.h"
 #include "core/objects/selection.h"
 #include "core/shape/complete_objects.h"
@@ -113,7 +113,7 @@ void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points, const cv::Ma
                      const std::vector<float>& confidences, const std::vector<Support>& supports,
                      const ObjectOptions& options, Detections& detections) {
   const Selection selection = SelectObjects(detections.labels, confidences, saliency,
-                                            MeasuredArea(points), options.selection);
+                                            SeenArea(points, frame.unseen), options.selection);
   detections.diagnostics.segments_too_small = selection.num_too_small;
   detections.diagnostics.objects_less_salient = selection.num_less_salient;
   detections.labels = cv::Mat::zeros(frame.depth_m.size(), CV_16UC1);

@@ -23,6 +23,7 @@ struct LabelledScene {
   const std::vector<Support>& supports;
   const cv::Mat& standing;           // CV_8UC1, not 0 where a surface stands in for missing depth
   const std::vector<char>& on_wall;  // one entry a voxel, not 0 on walls of the room
+  const cv::Mat& unseen;             // as of RgbdFrame
 };
 
 }  // namespace fovea

@@ -6,7 +6,6 @@
 #include <tuple>
 #include <utility>
 
-#include "core/depth/measured_area.h"
 #include "core/types/interruption.h"
 #include "core/types/pixels.h"
 
@@ -58,7 +57,7 @@ std::size_t KeepMostSalient(int max_objects, std::vector<Candidate>& candidates)
 }  // namespace
 
 Selection SelectObjects(const cv::Mat& labels, const std::vector<float>& confidences,
-                        const cv::Mat& saliency, const cv::Rect& measured_area,
+                        const cv::Mat& saliency, const SeenArea& area,
                         const SelectionOptions& options) {
   PixelsOfLabel pixels_of_label = CollectPixels(labels);
   Selection selection;
@@ -70,7 +69,7 @@ Selection SelectObjects(const cv::Mat& labels, const std::vector<float>& confide
       ++selection.num_too_small;
       continue;
     }
-    const bool truncated = EndsWithArea(cv::boundingRect(pixels), measured_area, labels.size());
+    const bool truncated = area.CutsOff(pixels);
     const float confidence = confidences.at(static_cast<std::size_t>(label) - 1);
     const float mean_saliency = MeanOf(saliency, pixels);
     selection.candidates.push_back(

@@ -5,6 +5,8 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
+#include "core/depth/seen_area.h"
+
 namespace fovea {
 
 struct SelectionOptions {
@@ -30,9 +32,9 @@ struct Selection {
 };
 
 // `labels`: CV_16UC1, 0 = background; `confidences`: of label k at k − 1; `saliency`: CV_32FC1 in
-// [0, 1]; `measured_area`: of the image, see MeasuredArea. Cost: proportional to the image.
+// [0, 1]; `area`: what the camera sees of the image. Cost: proportional to the image.
 Selection SelectObjects(const cv::Mat& labels, const std::vector<float>& confidences,
-                        const cv::Mat& saliency, const cv::Rect& measured_area,
+                        const cv::Mat& saliency, const SeenArea& area,
                         const SelectionOptions& options = {});
 
 }  // namespace fovea

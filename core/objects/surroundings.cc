@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/depth/depth_gap.h"
-#include "core/depth/measured_area.h"
+#include "core/depth/seen_area.h"
 #include "core/scene/image_direction.h"
 #include "core/segmentation/labels.h"
 #include "core/types/interruption.h"
@@ -36,8 +36,8 @@ struct Found {
 
 class Search {
  public:
-  Search(const cv::Mat& labels, const cv::Mat& points, const cv::Mat& on_wall,
-         const Eigen::Vector3f& up)
+  Search(const cv::Mat& labels, const cv::Mat& points, const cv::Mat& unseen,
+         const cv::Mat& on_wall, const Eigen::Vector3f& up)
       : labels_(labels),
         points_(points),
         on_wall_(on_wall),
@@ -45,14 +45,14 @@ class Search {
         edge_px_(ScaledPx(kEdgePx, labels.cols, 1)),
         reach_px_(ScaledPx(kReachPx, labels.cols, 4)),
         image_({}, labels.size()),
-        measured_(MeasuredArea(points)) {}
+        seen_(points, unseen) {}
 
   // None where the pixel's own segment goes on.
   std::optional<Found> LookFrom(const cv::Point& pixel, const cv::Point& side) const {
     const std::uint16_t own = labels_.at<std::uint16_t>(pixel);
     const cv::Point next = pixel + side;
     if (image_.contains(next) && labels_.at<std::uint16_t>(next) == own) return std::nullopt;
-    if (!measured_.contains(pixel + edge_px_ * side)) return Found{Beyond::kEnd, 0, {}};
+    if (!seen_.Contains(pixel + edge_px_ * side)) return Found{Beyond::kEnd, 0, {}};
     for (int step = 1; step <= reach_px_; ++step) {
       const cv::Point beyond = pixel + step * side;
       if (!image_.contains(beyond)) break;
@@ -85,7 +85,7 @@ class Search {
   const int edge_px_;
   const int reach_px_;
   const cv::Rect image_;
-  const cv::Rect measured_;
+  const SeenArea seen_;
 };
 
 bool IsLevelBackground(Beyond beyond) {
@@ -151,7 +151,7 @@ double BorderCounts::Total() const {
 std::vector<Surroundings> FindSurroundings(const LabelledScene& scene, const cv::Mat& labels) {
   std::vector<Surroundings> surroundings(1);
   const cv::Mat on_wall = LabelImage(scene.grid, {scene.on_wall.begin(), scene.on_wall.end()});
-  const Search search(labels, scene.points, on_wall, scene.up);
+  const Search search(labels, scene.points, scene.unseen, on_wall, scene.up);
   const Contrast contrast(labels, scene.lab);
   for (int row = 0; row < labels.rows; ++row) {
     InterruptionPoint();

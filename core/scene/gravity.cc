@@ -143,7 +143,9 @@ Eigen::Vector3f EstimateGravity(const cv::Mat& normals, const GravityOptions& op
 Gravity FindGravity(const std::optional<Eigen::Vector3f>& given, const cv::Mat& normals,
                     const GravityOptions& options) {
   if (given) return {given->normalized(), Gravity::Source::kGiven};
-  return {EstimateGravity(normals, options), Gravity::Source::kEstimated};
+  const bool any = cv::countNonZero(normals.reshape(1) == normals.reshape(1)) > 0;  // but NaN
+  return {EstimateGravity(normals, options),
+          any ? Gravity::Source::kEstimated : Gravity::Source::kAssumed};
 }
 
 }  // namespace fovea

@@ -35,7 +35,7 @@ struct GravityOptions {
 // counts.
 Eigen::Vector3f EstimateGravity(const cv::Mat& normals, const GravityOptions& options = {});
 
-// `given` where the frame tells it, else the estimate from `normals`.
+// `given` where the frame tells it, else the estimate from `normals`; without any, it is assumed.
 Gravity FindGravity(const std::optional<Eigen::Vector3f>& given, const cv::Mat& normals,
                     const GravityOptions& options = {});
 

@@ -6,7 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
-#include "core/depth/measured_area.h"
+#include "core/depth/seen_area.h"
 #include "core/types/interruption.h"
 #include "core/types/pixels.h"
 
@@ -159,7 +159,7 @@ cv::Mat StandInForMissing(const cv::Mat& depth_m, const std::vector<Support>& su
   if (supports.empty()) return standing;
   const int step = normals.step_px;
   bool any = false;
-  for (const auto& hole : FindHoles(depth_m, intrinsics.fx_px, MeasuredArea(points))) {
+  for (const auto& hole : FindHoles(depth_m, intrinsics.fx_px, SeenArea(points, {}).bounds())) {
     InterruptionPoint();
     const std::optional<StandIn> stand_in = FindStandIn(hole, supports, intrinsics);
     if (!stand_in) continue;

@@ -134,12 +134,14 @@ void CompleteObjects(const RgbdFrame& frame, const cv::Mat& points,
     FittedShape best;
     LevelFrame best_frame;
     std::optional<int> carrier;
+    bool any = false;
     const auto consider = [&](float drop_m, std::optional<int> label, float extra_cost) {
       LevelFrame under = FrameUnder(object.visible_box);
       under.origin -= under.rotation.col(2) * drop_m;
       FittedShape shape = FitShape(object, outline, frame.intrinsics, under);
       shape.fit.cost += extra_cost;
-      if (best.fit.cost <= shape.fit.cost) return;
+      if (any && best.fit.cost <= shape.fit.cost) return;
+      any = true;
       best = std::move(shape);
       best_frame = under;
       carrier = label;

@@ -33,7 +33,7 @@ struct SupportSurface {
 };
 
 struct Gravity {
-  enum class Source { kEstimated, kGiven };
+  enum class Source { kEstimated, kGiven, kAssumed };    // the last: nothing level is seen
   Eigen::Vector3f direction = Eigen::Vector3f::UnitY();  // unit vector, points down
   Source source = Source::kEstimated;
 };

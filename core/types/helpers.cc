@@ -19,6 +19,21 @@ thread_local std::chrono::nanoseconds waited{0};
 // How often who waits for helpers looks whether to stop.
 constexpr std::chrono::milliseconds kPeriod{1};
 
+// What was stopped because something else was, or by a helper, knows no stage: others come first.
+void RethrowFirst(const std::vector<std::exception_ptr>& errors) {
+  std::exception_ptr nameless;
+  for (const std::exception_ptr& error : errors) {
+    if (!error) continue;
+    try {
+      std::rethrow_exception(error);
+    } catch (const Cancelled& cancelled) {
+      if (!cancelled.stage.empty()) throw;
+      nameless = error;
+    }
+  }
+  if (nameless) std::rethrow_exception(nameless);
+}
+
 }  // namespace
 
 // Tasks of one call of RunTogether(); all but the tasks themselves under the mutex.
@@ -77,9 +92,7 @@ void Helpers::Run(Scope& scope, const std::vector<Task>& tasks) {
   open_.erase(place);
   Await(batch, lock);
   lock.unlock();
-  for (const std::exception_ptr& error : batch.errors) {
-    if (error) std::rethrow_exception(error);
-  }
+  RethrowFirst(batch.errors);
 }
 
 // Runs the next task, without the lock. Whoever is stopped stops the others.

@@ -22,19 +22,22 @@ struct RgbdFrame {
   // 1 mm or farther than 10 km
   cv::Mat depth_m;
   CameraIntrinsics intrinsics;
+  // CV_8UC1, same size: not 0 where the camera does not look, such as beyond the border of an image
+  // that was undistorted. Empty: it sees all of the image.
+  cv::Mat unseen;
   // Unit vector in the camera frame that points down, where the robot knows it (IMU).
   std::optional<Eigen::Vector3f> gravity;
 };
 
 // Throws std::invalid_argument unless a camera can have these intrinsics with an image of this
-// size: focal lengths finite and positive, the principal point finite, and no pixel seen more than
-// 84° (a slope of 10) beside the optical axis, as it would be with normalised intrinsics or with
-// those of another image size.
+// size: focal lengths positive and not more than a hundred times the image, the principal point
+// finite, and no pixel seen more than 84° (a slope of 10) beside the optical axis, as it would be
+// with normalised intrinsics or with those of another image size.
 void RequirePlausible(const CameraIntrinsics& intrinsics, const cv::Size& size);
 
 // Throws std::invalid_argument, which names the member and what it must be, unless: the images
-// are non-empty, of the stated types and of one size; the intrinsics are plausible for it;
-// gravity, if given, is finite with a length within 10 % of one.
+// are non-empty (`unseen` may be), of the stated types and of one size; the intrinsics are
+// plausible for it; gravity, if given, is finite with a length within 10 % of one.
 void Validate(const RgbdFrame& frame);
 
 }  // namespace fovea

@@ -15,11 +15,22 @@
 namespace fovea::server {
 namespace {
 
+v1::GravitySource SourceToProto(Gravity::Source source) {
+  switch (source) {
+    case Gravity::Source::kGiven:
+      return v1::GRAVITY_SOURCE_REQUEST;
+    case Gravity::Source::kEstimated:
+      return v1::GRAVITY_SOURCE_ESTIMATED;
+    case Gravity::Source::kAssumed:
+      return v1::GRAVITY_SOURCE_ASSUMED;
+  }
+  return v1::GRAVITY_SOURCE_UNSPECIFIED;
+}
+
 v1::Gravity GravityToProto(const Gravity& gravity) {
   v1::Gravity proto;
   *proto.mutable_direction() = ToProto(gravity.direction);
-  proto.set_source(gravity.source == Gravity::Source::kGiven ? v1::GRAVITY_SOURCE_REQUEST
-                                                             : v1::GRAVITY_SOURCE_ESTIMATED);
+  proto.set_source(SourceToProto(gravity.source));
   return proto;
 }
 

@@ -60,6 +60,17 @@ void RequireSameSize(const cv::Mat& color, const cv::Mat& depth) {
                    "frame.depth_intrinsics and frame.color_from_depth are needed");
 }
 
+// Parts of a larger image may have theirs outside; who mixed up the order has it there as well.
+void NoteOddCenter(const CameraIntrinsics& k, const cv::Size& size,
+                   std::vector<std::string>* messages) {
+  const bool is_inside =
+      k.cx_px >= 0 && k.cy_px >= 0 && k.cx_px <= size.width && k.cy_px <= size.height;
+  if (is_inside) return;
+  messages->emplace_back(
+      "the optical axis (cx, cy of frame.intrinsics) meets the image outside of it: unless it is a "
+      "part of a larger one, check the order of fx, fy, cx, cy, and for which size they are");
+}
+
 }  // namespace
 
 RgbdFrame FromProto(const v1::Frame& frame, std::uint64_t max_pixels,
@@ -74,6 +85,7 @@ RgbdFrame FromProto(const v1::Frame& frame, std::uint64_t max_pixels,
 
   result.color_rgb = ColorFromProto(frame.color(), max_pixels);
   RequirePlausible(result.intrinsics, result.color_rgb.size(), "frame.intrinsics");
+  if (messages != nullptr) NoteOddCenter(result.intrinsics, result.color_rgb.size(), messages);
   const std::optional<Lens> of_color =
       LensFromProto(frame.intrinsics(), result.color_rgb.size(), "frame.intrinsics");
   result.depth_m = DepthFromProto(frame.depth(), max_pixels);
@@ -84,6 +96,7 @@ RgbdFrame FromProto(const v1::Frame& frame, std::uint64_t max_pixels,
   RequireSameSize(result.color_rgb, result.depth_m);
   if (of_color) {
     result.color_rgb = UndistortColor(result.color_rgb, *of_color);
+    result.unseen = UnseenBy(*of_color);
     if (!depth_camera) result.depth_m = UndistortDepth(result.depth_m, *of_color);
   }
   if (lens != nullptr) *lens = of_color;

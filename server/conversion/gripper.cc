@@ -14,8 +14,9 @@ constexpr float kSuctionTilt_rad = 0.8F;
 
 // What a length of 0 stands for is in `length` already.
 void SetLength(double given, double most, const std::string& path, float* length) {
-  RequireField(given >= 0 && given <= most, path,
-               "must be from 0 (as the contract says) to " + std::to_string(most) + " m");
+  constexpr double kLeast_m = 1e-4;
+  RequireField(given == 0 || (given >= kLeast_m && given <= most), path,
+               "must be 0 (as the contract says) or from 0.0001 to " + std::to_string(most) + " m");
   if (given > 0) *length = static_cast<float>(given);
 }
 

@@ -61,8 +61,8 @@ void SetParameter(DetectorOptions& options, const std::string& name, double valu
   const std::string path = "options.parameters[" + Shortened(name) + "]";
   RequireField(IsOption(name), path, "there is no such option; " + Suggestions(name));
   RequireField(policy.MaySet(name), path,
-               "the operator of this server lets no request set it (fovea options lists what may "
-               "be set)");
+               "the operator of this server lets no request set it (client-options, option in "
+               "the server's configuration)");
   RequireField(std::isfinite(value), path, "must be a finite number");
   try {
     SetOption(options, name, value);

@@ -46,7 +46,8 @@ std::optional<grpc::ByteBuffer> Mailbox::Take() {
   const auto letter = letters_.find(order_.front());
   const std::uint64_t sequence = letter->second.sequence;
   const auto [taken, is_first] = taken_.try_emplace(letter->first, sequence - 1);
-  const std::uint64_t dropped = sequence - taken->second - 1;
+  // One that was forgotten and is back begins anew.
+  const std::uint64_t dropped = sequence > taken->second ? sequence - taken->second - 1 : 0;
   taken->second = sequence;
   grpc::ByteBuffer bytes = WithDropped(letter->second.message, dropped);
   order_.pop_front();

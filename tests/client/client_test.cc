@@ -36,6 +36,16 @@ TEST(Client, SaysWhenNoServerIsThere) {
   EXPECT_THAT(wait.error_message(), StartsWith("the server is not ready"));
 }
 
+TEST(Client, RefusesWhatMetadataCannotHold) {
+  for (const char* text : {"k\u00fcche", "a\tb", "a\n"}) {
+    ClientOptions robot, token;
+    robot.robot = text;
+    token.token = text;
+    EXPECT_THROW(Client("localhost:1", robot), std::invalid_argument) << text;
+    EXPECT_THROW(Client("localhost:1", token), std::invalid_argument) << text;
+  }
+}
+
 TEST(Client, ThrowsWhatTheServerSays) {
   const Loopback loopback;
   try {

@@ -112,8 +112,8 @@ TEST(Noise, CanBeStoppedInEachStage) {
     labels = Expand(contraction, MinimizeByAlphaExpansion(contraction.energy, 1));
   });
   const cv::Mat standing = cv::Mat::zeros(depth.size(), CV_8UC1);
-  const LabelledScene scene{grid,  labels,   points,   lab,    colors, frame.intrinsics,
-                            -down, supports, standing, on_wall};
+  const LabelledScene scene{grid,  labels,   points,   lab,     colors,      frame.intrinsics,
+                            -down, supports, standing, on_wall, frame.unseen};
   ExpectToStop("refinement", 40 * kRows, [&] { Refine(scene, options); });
 }
 

@@ -155,6 +155,27 @@ TEST(Distortion, RegionsAreInThePixelsThatAreSent) {
   EXPECT_EQ(seen.height_px, kHeight);
 }
 
+// Of a pincushion the corners of the ideal image are not in the one that is sent.
+TEST(Distortion, WhatTheCameraDoesNotSeeIsMarked) {
+  std::mutex mutex;
+  cv::Mat unseen;
+  const auto record = [&](const RgbdFrame& frame, const DetectorOptions& options, Trace* trace,
+                          const std::function<bool()>& should_stop) {
+    const std::scoped_lock lock(mutex);
+    unseen = frame.unseen.clone();
+    return FindOne(frame, options, trace, should_stop);
+  };
+  v1::DetectRequest request = TestRequest();
+  *request.mutable_frame()->mutable_intrinsics() = client::MakeIntrinsics(20, 20, 15.5, 11.5);
+  *request.mutable_frame()->mutable_intrinsics()->mutable_distortion() =
+      client::MakeLensDistortion("plumb_bob", {0.3, 0, 0, 0});
+  Loopback(record).client.Detect(request);
+  const std::scoped_lock lock(mutex);
+  ASSERT_EQ(unseen.size(), cv::Size(kWidth, kHeight));
+  EXPECT_NE(unseen.at<std::uint8_t>(0, 0), 0);
+  EXPECT_EQ(unseen.at<std::uint8_t>(kHeight / 2, kWidth / 2), 0);
+}
+
 void ExpectRefused(const v1::DetectRequest& request, const std::string& error_start,
                    const std::string& error_part) {
   Loopback loopback(FindOne);

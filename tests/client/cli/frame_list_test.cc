@@ -39,6 +39,15 @@ TEST_F(FrameListTest, PairsByNameAndNamesDepthWithoutColour) {
   EXPECT_THAT(list.notes, ElementsAre(folder_.At("c_depth.png") + " has no c_color.png (or .jpg)"));
 }
 
+TEST(NameApart, GivesEachFrameANameOfItsOwn) {
+  std::vector<FrameFiles> frames;
+  for (const char* id : {"a", "a", "b", "a_2", "a"}) frames.push_back({.id = id});
+  EXPECT_EQ(NameApart(frames), 2U);
+  std::vector<std::string> ids;
+  for (const FrameFiles& frame : frames) ids.push_back(frame.id);
+  EXPECT_THAT(ids, ElementsAre("a", "a_3", "b", "a_2", "a_4"));
+}
+
 // As in the TUM RGB-D benchmark: the cameras run apart from each other.
 TEST_F(FrameListTest, ReadsTumFoldersByTime) {
   Write("rgb.txt",

@@ -23,7 +23,10 @@ TEST(Json, HoldsWhatWasSentBesideTheAnswer) {
     EXPECT_EQ(json["frame"].dump().find("data"), std::string::npos);
     EXPECT_EQ(json["frame_id"], "a");
     EXPECT_EQ(json["objects"][0]["num_pixels"], 7);
-    EXPECT_EQ(nlohmann::json::parse(ToJson({}, frame, layout)).size(), 1U) << "an empty answer";
+    EXPECT_EQ(json["objects"][0]["truncated"], false);
+    const auto empty = nlohmann::json::parse(ToJson({}, frame, layout));
+    EXPECT_EQ(empty["objects"], nlohmann::json::array());
+    EXPECT_EQ(empty["frame"]["intrinsics"]["fx"], 525);
   }
   EXPECT_EQ(ToJson(detections, frame, JsonLayout::kOneLine).find('\n'), std::string::npos);
 }

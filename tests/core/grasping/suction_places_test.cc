@@ -54,6 +54,21 @@ TEST(SuctionPlaces, TheMiddleOfTheTopOfABoxIsEvenAsFarAsItsEdge) {
   EXPECT_LE(offered.ReachOf(top), 1.6F);
 }
 
+// Pixels of a patch are no farther apart than the image is large, whatever the intrinsics say.
+TEST(SuctionPlaces, AnEndlessFocalLengthIsNoReasonToLookFarther) {
+  const Offered offered(Thing(ShapeKind::kBox, {0.12, 0.045, 0.08}, {0, 0}, 0, 0.4));
+  ASSERT_FALSE(offered.places.empty());
+  for (const double fx_px : {1e6, 5e10, 1.2e11, 1e300}) {
+    GraspScene scene = offered.Scene();
+    scene.intrinsics.fx_px = fx_px;
+    const SuctionPlace& top = offered.Top();
+    const auto patch = PatchAt(scene, offered.object.label, top.pixel, top.center, 0.03F);
+    if (patch) {
+      EXPECT_LE(patch->num_points, 29 * 29) << fx_px;
+    }
+  }
+}
+
 TEST(SuctionPlaces, ABoxNarrowerThanTheLipIsNotEvenEnough) {
   const Offered offered(Thing(ShapeKind::kBox, {0.12, 0.025, 0.08}, {0, 0}, 0, 0.4));
   ASSERT_FALSE(offered.places.empty());

@@ -56,6 +56,17 @@ TEST(Surroundings, TheEndOfTheImage) {
   EXPECT_EQ(counts.At(BorderSide::kBeside, Beyond::kEnd), 30);
 }
 
+TEST(Surroundings, WhereTheCameraDoesNotLook) {
+  TestScene scene(2);
+  scene.Put({30, 40, 20, 30}, 1, 1);
+  scene.unseen = cv::Mat::zeros(scene.labels.size(), CV_8UC1);
+  scene.unseen(cv::Rect(0, 0, 30, 120)).setTo(255);
+  const LabelledScene labelled = scene.Labelled();
+  const BorderCounts counts = FindSurroundings(labelled, scene.labels).at(1).counts;
+  EXPECT_EQ(counts.At(BorderSide::kBeside, Beyond::kEnd), 30);
+  EXPECT_EQ(counts.Of(Beyond::kEnd), 30);
+}
+
 TEST(Surroundings, OtherSegmentsAreCountedByLabel) {
   TestScene scene(2);
   scene.Put(kThing, 1, 1);

@@ -47,11 +47,11 @@ struct TestScene {
     }
     colors.assign(grid.voxels.size(), {});
     if (standing.empty()) standing = cv::Mat::zeros(labels.size(), CV_8UC1);
-    return {grid,     segments, points, lab, colors, intrinsics, {0.0F, -1.0F, 0.0F},
-            supports, standing, on_wall};
+    return {grid,     segments, points,  lab,   colors, intrinsics, {0.0F, -1.0F, 0.0F},
+            supports, standing, on_wall, unseen};
   }
 
-  cv::Mat points, lab, labels, standing;
+  cv::Mat points, lab, labels, standing, unseen;
   cv::Rect wall;
   CameraIntrinsics intrinsics{100, 100, 100, 60};
   VoxelGrid grid;

@@ -117,6 +117,25 @@ TEST(Helpers, AreStoppedWithWhomTheyHelp) {
   EXPECT_THROW(RunTogether({until_stopped, until_stopped}), Cancelled);
 }
 
+// A helper knows of no stage.
+TEST(Helpers, AreStoppedByWhoKnowsTheStage) {
+  Helpers helpers(2);
+  const Helpers::Scope scope(helpers, 2);
+  std::latch both_run(2);
+  const auto stopped_in = [&](const char* stage) {
+    return Task([&both_run, stage] {
+      both_run.arrive_and_wait();
+      throw Cancelled(stage);
+    });
+  };
+  try {
+    RunTogether({stopped_in(""), stopped_in("stage")});
+    FAIL() << "goes on";
+  } catch (const Cancelled& cancelled) {
+    EXPECT_EQ(cancelled.stage, "stage");
+  }
+}
+
 TEST(Helpers, AreStoppedWhileTheyAreWaitedFor) {
   Helpers helpers(2);
   const Helpers::Scope scope(helpers, 2);

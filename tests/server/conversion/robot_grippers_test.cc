@@ -58,6 +58,8 @@ TEST(Grippers, AWrongFieldIsNamed) {
   };
   EXPECT_THAT(error_of([](auto& g) { g.mutable_jaw()->set_max_opening_m(-1); }),
               StartsWith("options.grasps.grippers[0].jaw.max_opening_m: "));
+  EXPECT_THAT(error_of([](auto& g) { g.mutable_jaw()->set_finger_width_m(1e-300); }),
+              StartsWith("options.grasps.grippers[0].jaw.finger_width_m: "));
   EXPECT_THAT(error_of([](auto& g) { g.mutable_jaw()->set_friction(NAN); }),
               StartsWith("options.grasps.grippers[0].jaw.friction: "));
   EXPECT_THAT(error_of([](auto& g) { g.mutable_suction()->set_diameter_m(1); }),

@@ -1,7 +1,9 @@
-#include "core/depth/measured_area.h"
+#include "core/depth/seen_area.h"
 
+#include <algorithm>
 #include <cmath>
-#include <vector>
+#include <cstdint>
+#include <opencv2/imgproc.hpp>
 
 #include "core/types/interruption.h"
 #include "core/types/pixels.h"
@@ -21,9 +23,7 @@ int Margin(const std::vector<int>& measured, int across, bool from_end) {
   return 0;
 }
 
-}  // namespace
-
-cv::Rect MeasuredArea(const cv::Mat& points) {
+cv::Rect MeasuredBounds(const cv::Mat& points) {
   std::vector<int> in_row(points.rows, 0), in_col(points.cols, 0);
   for (int row = 0; row < points.rows; ++row) {
     InterruptionPoint();
@@ -42,15 +42,34 @@ cv::Rect MeasuredArea(const cv::Mat& points) {
   return {first, end};
 }
 
-bool EndsWithArea(const cv::Rect& mask_bounds, const cv::Rect& measured_area,
-                  const cv::Size& image) {
+bool EndsWith(const cv::Rect& mask, const cv::Rect& measured, const cv::Size& image) {
   const int uneven_px = ScaledPx(kUnevenPx, image.width, 1);
   // The nearest to the upper or left end that a mask may be, and still end there.
   const auto limit = [&](int margin) { return margin == 0 ? 0 : margin + uneven_px; };
-  const cv::Point end = cv::Point(image) - measured_area.br();
-  const cv::Point to_end = cv::Point(image) - mask_bounds.br();
-  return mask_bounds.x <= limit(measured_area.x) || mask_bounds.y <= limit(measured_area.y) ||
-         to_end.x <= limit(end.x) || to_end.y <= limit(end.y);
+  const cv::Point end = cv::Point(image) - measured.br();
+  const cv::Point to_end = cv::Point(image) - mask.br();
+  return mask.x <= limit(measured.x) || mask.y <= limit(measured.y) || to_end.x <= limit(end.x) ||
+         to_end.y <= limit(end.y);
+}
+
+}  // namespace
+
+SeenArea::SeenArea(const cv::Mat& points, const cv::Mat& unseen)
+    : image_(points.size()), bounds_(MeasuredBounds(points)), unseen_(unseen) {
+  if (unseen.empty()) return;
+  const int uneven_px = ScaledPx(kUnevenPx, image_.width, 1);
+  cv::dilate(unseen, beside_unseen_, cv::Mat::ones(2 * uneven_px + 1, 2 * uneven_px + 1, CV_8UC1));
+}
+
+bool SeenArea::Contains(const cv::Point& pixel) const {
+  return bounds_.contains(pixel) && (unseen_.empty() || unseen_.at<std::uint8_t>(pixel) == 0);
+}
+
+bool SeenArea::CutsOff(const std::vector<cv::Point>& mask) const {
+  if (EndsWith(cv::boundingRect(mask), bounds_, image_)) return true;
+  return !beside_unseen_.empty() && std::any_of(mask.begin(), mask.end(), [&](const auto& pixel) {
+    return beside_unseen_.at<std::uint8_t>(pixel) != 0;
+  });
 }
 
 }  // namespace fovea
