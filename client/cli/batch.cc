@@ -20,27 +20,12 @@
 #include "client/cli/outputs.h"
 #include "client/cli/progress.h"
 #include "client/cli/report.h"
+#include "client/cli/resume.h"
 
 namespace fovea::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-Outputs OutputsOf(const std::string& name, const Batch& batch) {
-  Outputs outputs;
-  outputs.extras = batch.extras;
-  outputs.json_masks = batch.json_masks;
-  if (batch.output.empty()) {
-    outputs.json = std::string(kStandardOutput);
-    return outputs;
-  }
-  const std::string prefix = (fs::path(batch.output) / name).string();
-  outputs.json = prefix + ".json";
-  if (batch.labels) outputs.labels = prefix + ".png";
-  if (batch.overlays) outputs.overlay = prefix + "_overlay.jpg";
-  if (!batch.clouds.empty()) outputs.cloud = prefix + "." + batch.clouds;
-  return outputs;
-}
 
 // What came of a frame.
 struct Outcome {
@@ -145,37 +130,6 @@ Outcome DetectFrame(const Run& run, const FrameFiles& files) {
   } catch (const std::exception& error) {
     return {error.what(), 0, {}, {}};
   }
-}
-
-// Of --resume, and for people who come back to the results.
-void SaveRequest(const Batch& batch, const FrameSettings& settings) {
-  const std::string path = (fs::path(batch.output) / "fovea_request.json").string();
-  const std::string asked = ToJson(CommonRequest(settings));
-  if (batch.resume && fs::exists(path) && ReadFile(path) != asked) {
-    throw std::invalid_argument("--resume: the results in " + batch.output +
-                                " are answers to another request, see " + path);
-  }
-  WriteFile(path, asked);
-}
-
-// Whether a frame's files are all there, and no older than what they were made from.
-bool IsDone(const FrameFiles& files, const Batch& batch) {
-  const Outputs outputs = OutputsOf(files.id, batch);
-  for (const std::string& path : {outputs.json, outputs.labels, outputs.overlay, outputs.cloud}) {
-    if (!path.empty() && !fs::exists(path)) return false;
-  }
-  const auto is_newer = [&](const std::string& path) {
-    return fs::exists(path) && fs::last_write_time(path) > fs::last_write_time(outputs.json);
-  };
-  const bool are_files = !files.read_color && !files.sent_before;
-  return are_files ? !is_newer(files.color_path) && !is_newer(files.depth_path)
-                   : !is_newer(batch.input);
-}
-
-// Takes what is done out of `frames`; returns how many those were.
-std::size_t LeaveOutDone(const Batch& batch, std::vector<FrameFiles>* frames) {
-  if (!batch.resume || batch.output.empty()) return 0;
-  return std::erase_if(*frames, [&](const FrameFiles& files) { return IsDone(files, batch); });
 }
 
 class Printer {

@@ -1,0 +1,77 @@
+#include "client/cli/resume.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+
+#include "tests/support/temporary_folder.h"
+
+namespace fovea::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ResumeTest : public ::testing::Test {
+ protected:
+  ResumeTest() {
+    batch_.input = batch_.output = folder_.At("");
+    batch_.resume = true;
+    for (const char* name : {"a_color.png", "a_depth.png"}) Write(name, -10);
+    for (const char* name : {"a.json", "a.png", "a_overlay.jpg"}) Write(name, -5);
+  }
+
+  // Written so many seconds from now.
+  void Write(const std::string& name, int seconds) {
+    folder_.Write(name, "x");
+    fs::last_write_time(folder_.At(name),
+                        fs::file_time_type::clock::now() + std::chrono::seconds(seconds));
+  }
+  std::size_t NumDone() const {
+    std::vector<FrameFiles> frames{{.id = "a",
+                                    .color_path = folder_.At("a_color.png"),
+                                    .depth_path = folder_.At("a_depth.png")}};
+    const std::size_t done = LeaveOutDone(batch_, &frames);
+    EXPECT_EQ(frames.size(), 1 - done);
+    return done;
+  }
+
+  testing::TemporaryFolder folder_;
+  Batch batch_;
+};
+
+TEST_F(ResumeTest, LeavesOutWhatIsDone) {
+  EXPECT_EQ(NumDone(), 1U);
+  batch_.resume = false;
+  EXPECT_EQ(NumDone(), 0U);
+}
+
+TEST_F(ResumeTest, DoesAgainWhatHasNewImages) {
+  Write("a_depth.png", -1);
+  EXPECT_EQ(NumDone(), 0U);
+}
+
+TEST_F(ResumeTest, DoesAgainWhatLacksAFile) {
+  batch_.clouds = "ply";
+  EXPECT_EQ(NumDone(), 0U);
+  Write("a.ply", -4);
+  EXPECT_EQ(NumDone(), 1U);
+  fs::remove(folder_.At("a.png"));
+  EXPECT_EQ(NumDone(), 0U);
+  batch_.labels = false;
+  EXPECT_EQ(NumDone(), 1U);
+}
+
+// What was read from a bag or a bundle is as old as that.
+TEST_F(ResumeTest, DoesAgainWhatComesFromANewerBag) {
+  Write("frames.mcap", -10);
+  batch_.input = folder_.At("frames.mcap");
+  std::vector<FrameFiles> frames{{.id = "a", .read_color = [] { return std::string(); }}};
+  EXPECT_EQ(LeaveOutDone(batch_, &frames), 1U);
+  Write("frames.mcap", -1);
+  frames = {{.id = "a", .read_color = [] { return std::string(); }}};
+  EXPECT_EQ(LeaveOutDone(batch_, &frames), 0U);
+}
+
+}  // namespace
+}  // namespace fovea::cli
