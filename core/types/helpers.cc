@@ -129,7 +129,7 @@ void Helpers::Await(Batch& batch, std::unique_lock<std::mutex>& lock) {
     lock.unlock();
     try {
       if (!stopped) InterruptionPoint();
-    } catch (const Cancelled&) {
+    } catch (...) {  // whatever it is, helpers still use the batch
       stopped = std::current_exception();
       batch.cancelled = true;
     }
