@@ -29,7 +29,7 @@ from fovea.v1 import detection_pb2, frame_pb2
 @dataclass(frozen=True, eq=False)
 class Gravity:
     direction: FloatArray  # unit vector that points down
-    source: str  # "estimated" or "request"
+    source: str  # "estimated", "request" or, where nothing was measured, "assumed"
 
 
 @dataclass(frozen=True, eq=False)
