@@ -36,6 +36,7 @@ from fovea.errors import (
 )
 from fovea.files import read_frame
 from fovea.frame import CameraIntrinsics, Frame, LensDistortion
+from fovea.grippers import Gripper
 from fovea.objects import (
     BoundingBox2D,
     BoxUncertainty,
@@ -47,7 +48,7 @@ from fovea.objects import (
     PointCloud,
     Shape,
 )
-from fovea.options import DetectOptions, Gripper, RetryOptions, TlsOptions
+from fovea.options import DetectOptions, RetryOptions, TlsOptions
 from fovea.picks import Pick
 from fovea.planning import CollisionPrimitive, HeightMap
 from fovea.server_info import Option, ServerInfo, StageStatistics, Statistics

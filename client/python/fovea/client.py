@@ -15,6 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from fovea.channel import make_metadata
+from fovea.checks import timeout_of_call, timeout_of_client
 from fovea.detections import Detections, detections_from_proto
 from fovea.errors import Cancelled, DeadlineExceeded, FoveaError, Unavailable, error_of_call
 from fovea.frame import CameraIntrinsics, Frame
@@ -43,7 +44,8 @@ class Client:
 
     Every call has a deadline and raises a FoveaError: DeadlineExceeded when that passes,
     Unavailable when the server is away and Overloaded when it has too much to do, each after the
-    attempts of `retry`; InvalidArgument, which names the field, at once.
+    attempts of `retry`, which go on for less than a second where a server is away; InvalidArgument,
+    which names the field, at once.
 
         with fovea.Client("127.0.0.1:50051") as client:
             found = client.detect(color, depth, intrinsics)
@@ -67,14 +69,14 @@ class Client:
             is looked up again when something fails. Of several servers the client stays with one,
             chosen by chance, asks the others as soon as that has no room or is away, and goes to
             another one where that takes its calls or promises to be free sooner.
-        timeout: of a call that is given none.
+        timeout: of a call that is given none; above 0, else InvalidArgument is raised.
         max_answer_mib: largest answer; the clouds of a 2048x1536 frame are 45 MiB.
         tls: encrypts where it is given.
         token: without TLS anybody on the way can read it. robot: the robot's name; empty = the
             server goes by the token, the certificate or the host.
         """
         self._address = address
-        self._timeout = timeout
+        self._timeout = timeout_of_client(timeout)
         self._retry = retry
         self._metadata = make_metadata(token, robot)
         self._closed = threading.Event()
@@ -295,4 +297,4 @@ class Client:
             raise Cancelled("CANCELLED", "the client is closed") from None
 
     def _timeout_of(self, timeout: float | None) -> float:
-        return self._timeout if timeout is None else timeout
+        return self._timeout if timeout is None else timeout_of_call(timeout)

@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from fovea.enums import name_of
 from fovea.geometry import FloatArray, vector_from_proto
+from fovea.grippers import Gripper, gripper_from_proto
 from fovea.objects import Object, OrientedBox, box_from_proto, object_from_proto
 from fovea.planning import (
     CollisionPrimitive,
@@ -28,7 +29,7 @@ from fovea.v1 import detection_pb2, frame_pb2
 @dataclass(frozen=True, eq=False)
 class Gravity:
     direction: FloatArray  # unit vector that points down
-    source: str  # "estimated" or "request"
+    source: str  # "estimated", "request" or, where nothing was measured, "assumed"
 
 
 @dataclass(frozen=True, eq=False)
@@ -151,6 +152,9 @@ class Detections:
     # With DetectOptions.collision_primitives: a box below each surface that things stand on.
     support_collisions: list[CollisionPrimitive] = field(default_factory=list)
     height_map: HeightMap | None = None  # with DetectOptions.height_map_cell_m
+    # That grasps were planned for, with every length: Grasp.gripper_index counts them. Empty where
+    # none were to be planned, and of servers that do not say.
+    grippers: list[Gripper] = field(default_factory=list)
 
     def label_image(self) -> npt.NDArray[np.uint16]:
         """HxW: 0 = background, k = the object with label k. Needs masks."""
@@ -204,6 +208,7 @@ def detections_from_proto(proto: detection_pb2.Detections) -> Detections:
         grippers_source=name_of(detection_pb2.GripperSource, proto.grippers_source)
         if proto.grippers_source
         else None,
+        grippers=[gripper_from_proto(each) for each in proto.grippers],
         support_collisions=[primitive_from_proto(each) for each in proto.support_collisions],
         height_map=height_map_from_proto(proto.height_map)
         if proto.HasField("height_map")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 from typing import Any
 
@@ -9,6 +10,14 @@ import numpy as np
 import numpy.typing as npt
 
 from fovea.errors import InvalidArgument, MissingPackage
+
+
+class BrokenImage(InvalidArgument, OSError):
+    """The file is cut off, or no image. An OSError, too, as for files that cannot be opened."""
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """For pickle: of two kinds of exceptions, __new__ is not the first one's."""
+        return BrokenImage, (self.field, self.message.removeprefix(f"{self.field}: "))
 
 
 def read_frame(
@@ -20,13 +29,13 @@ def read_frame(
 
         color, depth = fovea.read_frame("a_color.png", "a_depth.png")
 
-    Raises OSError where a file cannot be read, InvalidArgument where depth has not 16 bits, and
-    MissingPackage without Pillow.
+    Raises OSError where a file cannot be opened; InvalidArgument where depth has not 16 bits or
+    a file is broken, then an OSError as well; MissingPackage without Pillow.
     """
-    image = _open(color)
+    image = _read(color, "frame.color")
     if image.mode.startswith(("I", "F")):
         raise InvalidArgument("frame.color", f"{os.fspath(color)} is not an image of 8 bits")
-    return np.array(image.convert("RGB")), _depth_of(_open(depth), os.fspath(depth))
+    return np.array(image.convert("RGB")), _depth_of(_read(depth, "frame.depth"), os.fspath(depth))
 
 
 def _depth_of(image: Any, path: str) -> npt.NDArray[np.uint16]:
@@ -36,9 +45,20 @@ def _depth_of(image: Any, path: str) -> npt.NDArray[np.uint16]:
     return np.array(image).astype(np.uint16)
 
 
-def _open(path: str | os.PathLike[str]) -> Any:
+def _read(path: str | os.PathLike[str], field: str) -> Any:
     try:
-        from PIL import Image
+        from PIL import Image, UnidentifiedImageError
     except ImportError:
         raise MissingPackage("png", "python3-pil") from None
-    return Image.open(os.fspath(path))
+    with open(os.fspath(path), "rb") as opened:
+        file = io.BytesIO(opened.read())
+    try:
+        image = Image.open(file)
+        image.load()  # else the pixels are read later, where nothing knows the file
+    except MemoryError:
+        raise
+    except UnidentifiedImageError:
+        raise BrokenImage(field, f"{os.fspath(path)} is not an image") from None
+    except Exception as error:  # Pillow raises many kinds for what is broken
+        raise BrokenImage(field, f"{os.fspath(path)} cannot be read: {error}") from error
+    return image

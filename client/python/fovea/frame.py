@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 from google.protobuf.timestamp_pb2 import Timestamp
 
+from fovea.checks import real
 from fovea.errors import InvalidArgument
 from fovea.geometry import numbers, pose_to_proto, vector_to_proto
 from fovea.images import make_color_image, make_depth_image
@@ -73,9 +73,7 @@ class CameraIntrinsics:
 
     def to_proto(self, field: str = _INTRINSICS) -> frame_pb2.CameraIntrinsics:
         for name in ("fx", "fy", "cx", "cy"):
-            value = getattr(self, name)
-            if not (isinstance(value, (int, float, np.number)) and math.isfinite(value)):
-                raise InvalidArgument(f"{field}.{name}", f"{value!r} is not a finite number")
+            real(getattr(self, name), f"{field}.{name}")
         proto = frame_pb2.CameraIntrinsics(fx=self.fx, fy=self.fy, cx=self.cx, cy=self.cy)
         if self.distortion is not None:
             proto.distortion.CopyFrom(self.distortion.to_proto(field))
@@ -92,6 +90,8 @@ class Frame:
     depth: HxW uint16 in units of depth_unit_m, 0 = not measured, or other integers that fit into
         it; or HxW float32 in metres, NaN or <= 0 = not measured; or the bytes of a 16-bit PNG file.
         Along the optical axis.
+    depth_unit_m: metres, of integers and PNG files; None: 0.001. Float depth is in metres and goes
+        without it.
     intrinsics: of the colour camera; CameraIntrinsics or a 3x3 matrix.
     id: comes back with the answer, and stands in the ids of objects.
     captured_at_ns: when the camera took it, in nanoseconds since 1970 UTC as time.time_ns() says.
@@ -112,7 +112,7 @@ class Frame:
     captured_at_ns: int | None = None
     gravity: npt.ArrayLike | None = None
     camera_pose: npt.ArrayLike | None = None
-    depth_unit_m: float = 0.001
+    depth_unit_m: float | None = None
     color_encoding: str = "rgb8"
     depth_encoding: str = "raw"
     depth_intrinsics: CameraIntrinsics | npt.ArrayLike | None = None

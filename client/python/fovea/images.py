@@ -7,11 +7,12 @@ from typing import Any
 
 import numpy as np
 
+from fovea.checks import positive
 from fovea.errors import InvalidArgument, MissingPackage
 from fovea.v1 import frame_pb2
 
 JPEG_QUALITY = 90
-_COLOR, _DEPTH = "frame.color", "frame.depth"
+_COLOR, _DEPTH, _UNIT = "frame.color", "frame.depth", "frame.depth.unit_m"
 
 
 def make_color_image(color: Any, encoding: str = "rgb8") -> frame_pb2.ColorImage:
@@ -36,11 +37,12 @@ def make_color_image(color: Any, encoding: str = "rgb8") -> frame_pb2.ColorImage
 
 
 def make_depth_image(
-    depth: Any, encoding: str = "raw", unit_m: float = 0.001
+    depth: Any, encoding: str = "raw", unit_m: float | None = None
 ) -> frame_pb2.DepthImage:
-    """HxW uint16 in units of `unit_m` metres with 0 = not measured, or any integers that fit into
-    it (Pillow 9 reads 16-bit PNG files as int32); or HxW float32 in metres, where NaN or <= 0 = not
-    measured; or the bytes of a 16-bit PNG file, which are sent as they are.
+    """HxW uint16 in units of `unit_m` metres (None: 0.001) with 0 = not measured, or any integers
+    that fit into it (Pillow 9 reads 16-bit PNG files as int32); or HxW float32 in metres, where NaN
+    or <= 0 = not measured, without `unit_m`; or the bytes of a 16-bit PNG file, which are sent as
+    they are.
 
     encoding: "raw", "zstd" or "png" (uint16 only). All are lossless.
     """
@@ -52,6 +54,10 @@ def make_depth_image(
     if depth.ndim != 2:
         raise InvalidArgument(_DEPTH, f"has the shape {depth.shape}, not HxW")
     kind = "16UC1" if depth.dtype.name == "uint16" else "32FC1"
+    if kind == "32FC1" and unit_m is not None:
+        raise InvalidArgument(
+            _UNIT, "float depth is in metres; depth_unit_m is for depth in integers, leave it out"
+        )
     if encoding == "png":
         if kind != "16UC1":
             raise InvalidArgument(f"{_DEPTH}.encoding", '"png" holds uint16 only, not float32')
@@ -62,7 +68,8 @@ def make_depth_image(
     if encoding == "zstd":
         data, kind = _zstd_of(data), kind + "_ZSTD"
     number = getattr(frame_pb2, f"DEPTH_ENCODING_{kind}")
-    return frame_pb2.DepthImage(encoding=number, data=data, unit_m=unit_m, **_size_of(depth))
+    size = _size_of(depth)
+    return frame_pb2.DepthImage(encoding=number, data=data, unit_m=_unit_of(unit_m), **size)
 
 
 def _require_array(image: Any, field: str, dtypes: tuple[str, ...], expected: str) -> None:
@@ -103,11 +110,15 @@ def _color_file(file: bytes) -> frame_pb2.ColorImage:
     raise InvalidArgument(f"{_COLOR}.data", "is neither a PNG nor a JPEG file")
 
 
-def _depth_file(file: bytes, unit_m: float) -> frame_pb2.DepthImage:
+def _unit_of(unit_m: float | None) -> float:
+    return 0.001 if unit_m is None else positive(unit_m, _UNIT, "depth_unit_m")
+
+
+def _depth_file(file: bytes, unit_m: float | None) -> frame_pb2.DepthImage:
     if not _is_png(file):
         raise InvalidArgument(f"{_DEPTH}.data", "is not a PNG file")
     encoding = frame_pb2.DEPTH_ENCODING_16UC1_PNG
-    return frame_pb2.DepthImage(encoding=encoding, data=file, unit_m=unit_m)
+    return frame_pb2.DepthImage(encoding=encoding, data=file, unit_m=_unit_of(unit_m))
 
 
 def _file_of(image: Any, kind: str, **settings: Any) -> bytes:

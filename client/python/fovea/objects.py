@@ -79,7 +79,7 @@ class Grasp:
     opening_m: float
     kind: str = "across"  # "across", "rim", "handle", "side" or "suction"
     gripper: str = ""  # its name
-    gripper_index: int = 0  # in the grippers that were asked for
+    gripper_index: int = 0  # in Detections.grippers
     probability: float = 0.0  # of success, 0 … 1, calibrated
     # Where the tool centre point is before the hand moves in, clear of everything.
     pre_grasp_position: FloatArray | None = None

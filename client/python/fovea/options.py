@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
+from fovea.checks import positive, real
 from fovea.errors import InvalidArgument
-from fovea.v1 import detection_pb2
+from fovea.geometry import numbers
+from fovea.grippers import Gripper, grippers_to_proto
+from fovea.v1 import detection_pb2, geometry_pb2
 
 
 @dataclass(frozen=True)
@@ -24,43 +28,13 @@ class TlsOptions:
 class RetryOptions:
     """When a call is made again because its server was away, stopping or had too much to do."""
 
-    max_attempts: int = 5  # 1 = never again
+    # 1 = never again. With these waits five pass within 0.4 to 0.8 s where connections are refused;
+    # a call that is to outlast a restart needs more of them, and a timeout as long.
+    max_attempts: int = 5
     # Seconds before the second attempt; doubles with each, up to the maximum. The real wait is
     # random between half of it and all of it, so that robots do not come back all at once.
     backoff: float = 0.05
     max_backoff: float = 2.0
-
-
-@dataclass(frozen=True)
-class Gripper:
-    """A gripper that grasps are planned for: two fingers, or a suction cup if it has a diameter."""
-
-    name: str = ""  # comes back with its grasps
-    max_opening_m: float = 0.085
-    finger_length_m: float = 0.04
-    finger_width_m: float = 0.02
-    finger_thickness_m: float = 0.01
-    suction_diameter_m: float = 0  # 0: fingers
-    # How far the approach may be from straight down, radians; None: 0.35, with suction 0.8.
-    max_tilt_rad: float | None = None
-    max_grasps: int = 5  # for each object
-    # What is less likely to succeed is not returned; None: 0.5. Less, if failing costs little.
-    min_probability: float | None = None
-
-    def to_proto(self) -> detection_pb2.Gripper:
-        proto = detection_pb2.Gripper(name=self.name, max_grasps=self.max_grasps)
-        if self.suction_diameter_m:
-            proto.suction.diameter_m = self.suction_diameter_m
-        else:
-            proto.jaw.max_opening_m = self.max_opening_m
-            proto.jaw.finger_length_m = self.finger_length_m
-            proto.jaw.finger_width_m = self.finger_width_m
-            proto.jaw.finger_thickness_m = self.finger_thickness_m
-        if self.max_tilt_rad is not None:
-            proto.max_tilt_rad = self.max_tilt_rad
-        if self.min_probability is not None:
-            proto.min_probability = self.min_probability
-        return proto
 
 
 @dataclass(frozen=True)
@@ -86,9 +60,9 @@ class DetectOptions:
     time_budget: float = 0
     # Only in streams: objects keep a track_id from frame to frame.
     tracking: bool = False
-    # The robot's grippers; None: those that the server's operator has set for this robot, else one
-    # with two fingers that opens 0.085 m; (): no grasps, sooner.
-    grippers: Sequence[Gripper] | None = None
+    # The robot's grippers, one or several; None: those that the server's operator has set for this
+    # robot, else one with two fingers that opens 0.085 m; (): no grasps, sooner.
+    grippers: Sequence[Gripper] | Gripper | None = None
     # Length, width and height in metres of what free places are looked for; None: none are.
     place_size: tuple[float, float, float] | None = None
     # Object.collision and Detections.support_collisions.
@@ -97,7 +71,7 @@ class DetectOptions:
     height_map_cell_m: float | None = None
 
     def to_proto(self) -> detection_pb2.DetectOptions:
-        """Raises InvalidArgument for a parameter that is no number, or a budget out of range."""
+        """Raises InvalidArgument that names the field."""
         proto = detection_pb2.DetectOptions(
             profile=self.profile,
             return_masks=self.return_masks,
@@ -108,18 +82,19 @@ class DetectOptions:
             return_rejected=self.return_rejected,
         )
         if self.grippers is not None:
-            proto.grasps.none = not self.grippers
-            proto.grasps.grippers.extend(each.to_proto() for each in self.grippers)
+            proto.grasps.grippers.extend(grippers_to_proto(self.grippers))
+            proto.grasps.none = not proto.grasps.grippers
         if self.place_size is not None:
-            size = proto.places.size
-            size.x, size.y, size.z = self.place_size
+            proto.places.size.CopyFrom(_place_size_to_proto(self.place_size))
         proto.planning.collision_primitives = self.collision_primitives
         if self.height_map_cell_m is not None:
-            proto.planning.height_map.cell_m = self.height_map_cell_m
+            proto.planning.height_map.cell_m = positive(
+                self.height_map_cell_m, "options.planning.height_map.cell_m", "height_map_cell_m"
+            )
         if self.tracking:
             proto.tracking.enabled = True
         if self.time_budget:
-            if not 0 < self.time_budget < 3600:
+            if not 0 < real(self.time_budget, "options.time_budget") < 3600:
                 raise InvalidArgument(
                     "options.time_budget",
                     f"{self.time_budget!r} s is not from 0 (none) to less than an hour",
@@ -133,3 +108,13 @@ class DetectOptions:
                     f"options.parameters[{name}]", f"{value!r} is not a number"
                 ) from None
         return proto
+
+
+def _place_size_to_proto(place_size: Any) -> geometry_pb2.Vector3:
+    field = "options.places.size"
+    try:
+        size = numbers(place_size, (3,), field)
+    except InvalidArgument as error:
+        problem = error.message.removeprefix(f"{field}: ")
+        raise InvalidArgument(field, f"place_size {problem}: length, width and height") from None
+    return geometry_pb2.Vector3(x=size[0], y=size[1], z=size[2])

@@ -99,6 +99,29 @@ def test_every_call_has_a_deadline(scene: Scene) -> None:
         client.detect_frame(scene.frame(), timeout=PATIENCE)
 
 
+@pytest.mark.parametrize("timeout", [None, 0, -1, float("nan"), float("inf"), "5"])
+def test_names_a_timeout_that_is_none(timeout: Any) -> None:
+    with pytest.raises(
+        fovea.InvalidArgument, match="^INVALID_ARGUMENT: timeout: .* is not a number"
+    ):
+        fovea.Client("127.0.0.1:1", timeout=timeout)
+
+
+def test_names_the_timeout_of_a_call(client: fovea.Client, scene: Scene) -> None:
+    for timeout in (float("nan"), float("inf"), "5"):
+        with pytest.raises(fovea.InvalidArgument, match="^INVALID_ARGUMENT: timeout: "):
+            client.detect_frame(scene.frame(), timeout=timeout)
+    # As of a budget that others have used up.
+    for call in (
+        lambda: client.detect_frame(scene.frame(), timeout=0),
+        lambda: client.check(timeout=-0.5),
+        lambda: client.stream([scene.frame()], timeout=0),
+    ):
+        with pytest.raises(fovea.DeadlineExceeded, match="timeout=.*: no time is left"):
+            call()
+    assert client.detect_frame(scene.frame(), timeout=1e15).objects  # longer than gRPC has numbers
+
+
 def test_calls_are_made_again_until_the_server_is_back(
     scene: Scene, monkeypatch: pytest.MonkeyPatch
 ) -> None:

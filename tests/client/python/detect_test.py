@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import pickle
 import subprocess
 from dataclasses import replace
 from pathlib import Path
@@ -33,6 +34,22 @@ def test_takes_frames_from_files(client: fovea.Client, scene: Scene, tmp_path: P
         fovea.read_frame(scene.depth_file, scene.depth_file)
     with pytest.raises(FileNotFoundError):
         fovea.read_frame(tmp_path / "none.png", scene.depth_file)
+
+
+@pytest.mark.parametrize("which", ["color", "depth"])
+def test_names_a_file_that_is_broken(scene: Scene, tmp_path: Path, which: str) -> None:
+    broken = tmp_path / "broken.png"
+    files = {"color": scene.color_file, "depth": scene.depth_file}
+    whole = files[which].read_bytes()
+    files[which] = broken
+    for content in (whole[: len(whole) // 2], whole[:20], b"", b"no image"):
+        broken.write_bytes(content)
+        with pytest.raises(fovea.InvalidArgument) as caught:
+            fovea.read_frame(files["color"], files["depth"])
+        assert caught.value.field == f"frame.{which}"
+        assert str(broken) in caught.value.message
+        assert isinstance(caught.value, OSError)  # as of files that cannot be opened
+        assert str(pickle.loads(pickle.dumps(caught.value))) == str(caught.value)
 
 
 def test_takes_depth_of_other_integers(client: fovea.Client, scene: Scene) -> None:

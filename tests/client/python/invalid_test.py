@@ -38,6 +38,13 @@ LOCAL: list[tuple[dict[str, Any], str, str]] = [
         "frame.depth.encoding",
         "uint16 only",
     ),
+    (
+        {"depth": np.ones((240, 320), np.float32), "depth_unit_m": 0.001},
+        "frame.depth.unit_m",
+        "float depth is in metres; depth_unit_m is for depth in integers",
+    ),
+    ({"depth_unit_m": 0}, "frame.depth.unit_m", "depth_unit_m=0 is not a finite number above 0"),
+    ({"depth_unit_m": "mm"}, "frame.depth.unit_m", "depth_unit_m='mm' is not a finite number"),
     ({"intrinsics": np.eye(4)}, "frame.intrinsics", "shape (4, 4), not (3, 3)"),
     ({"intrinsics": "wide"}, "frame.intrinsics", "not made of numbers"),
     ({"intrinsics": [[5, 1, 3], [0, 5, 3], [0, 0, 1]]}, "frame.intrinsics", "is not [[fx, 0"),
@@ -101,6 +108,58 @@ def test_finds_mistakes_before_sending(
     assert problem in caught.value.message
     assert str(caught.value).startswith(f"INVALID_ARGUMENT: {field}: ")
     assert isinstance(caught.value, ValueError)
+
+
+GRIPPER = "options.grasps.grippers[0]"
+TWO_KINDS = "has max_opening_m of two fingers and suction_diameter_m of a suction cup"
+
+# Options that are caught here.
+LOCAL_OPTIONS: list[tuple[dict[str, Any], str, str]] = [
+    (
+        {"place_size": (0.05, 0.05)},
+        "options.places.size",
+        "place_size has the shape (2,), not (3,)",
+    ),
+    ({"place_size": 0.05}, "options.places.size", "place_size has the shape ()"),
+    ({"place_size": "big"}, "options.places.size", "place_size is not made of numbers"),
+    ({"height_map_cell_m": 0}, "options.planning.height_map.cell_m", "height_map_cell_m=0 is"),
+    ({"time_budget": "1"}, "options.time_budget", "'1' is not a finite number"),
+    ({"grippers": 0.085}, "options.grasps.grippers", "is float, not a fovea.Gripper or several"),
+    ({"grippers": "jaw"}, "options.grasps.grippers", "is str, not a fovea.Gripper or several"),
+    ({"grippers": [fovea.Gripper(), 1]}, "options.grasps.grippers[1]", "is int, not a"),
+]
+
+
+def _of_gripper(field: str, problem: str, **gripper: Any) -> tuple[dict[str, Any], str, str]:
+    return {"grippers": fovea.Gripper("x", **gripper)}, GRIPPER + field, problem
+
+
+LOCAL_OPTIONS += [
+    _of_gripper("", TWO_KINDS, max_opening_m=0.1, suction_diameter_m=0.03),
+    _of_gripper("", TWO_KINDS, max_opening_m=0.085, suction_diameter_m=0.03),
+    _of_gripper(".jaw.max_opening_m", "max_opening_m=0 is not", max_opening_m=0),
+    _of_gripper(".jaw.max_opening_m", "max_opening_m=inf is not", max_opening_m=np.inf),
+    _of_gripper(".jaw.finger_length_m", "finger_length_m=-0.1 is", finger_length_m=-0.1),
+    _of_gripper(".jaw.finger_width_m", "finger_width_m=nan is", finger_width_m=np.nan),
+    _of_gripper(".jaw.finger_thickness_m", "finger_thickness_m='1'", finger_thickness_m="1"),
+    _of_gripper(".jaw.friction", "friction=0 is not", friction=0),
+    _of_gripper(".jaw.palm_size", "shape (2,), not (3,)", palm_size_m=(0.1, 0.1)),
+    _of_gripper(".suction.diameter_m", "suction_diameter_m=0 is", suction_diameter_m=0),
+    _of_gripper(".suction.diameter_m", "suction_diameter_m is missing", max_curvature_per_m=9),
+    _of_gripper(".approach", "shape (1,), not (3,)", approach=(1,)),
+    _of_gripper(".max_grasps", "0 is not a whole number from 1", max_grasps=0),
+    _of_gripper(".max_tilt_rad", "nan is not a finite number", max_tilt_rad=np.nan),
+]
+
+
+@pytest.mark.parametrize(("options", "field", "problem"), LOCAL_OPTIONS)
+def test_finds_mistakes_of_options_before_sending(
+    scene: Scene, options: dict[str, Any], field: str, problem: str
+) -> None:
+    with pytest.raises(fovea.InvalidArgument) as caught:
+        fovea.Client("127.0.0.1:1").detect_frame(scene.frame(), fovea.DetectOptions(**options))
+    assert caught.value.field == field
+    assert problem in caught.value.message
 
 
 @pytest.mark.parametrize(("changes", "field"), REMOTE)

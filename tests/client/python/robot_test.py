@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from comparison import assert_same
 from conftest import Scene
 from server_process import PATIENCE, ServerProcess
 
@@ -69,7 +70,48 @@ def test_the_operator_knows_the_robots_grippers(scene: Scene) -> None:
             assert found.grippers_source == "server"
             grasps = [grasp for each in found.objects for grasp in each.grasps]
             assert all(grasp.gripper == "cup" for grasp in grasps)
+            (gripper,) = found.grippers
+            assert gripper.name == "cup" and gripper.max_opening_m is None
+            assert gripper.suction_diameter_m == pytest.approx(0.02)
+            assert gripper.max_curvature_per_m and gripper.max_tilt_rad == pytest.approx(0.8)
             own = detect(client, scene, grippers=[fovea.Gripper(name="own")])
             assert own.grippers_source == "request"
         with fovea.Client(server.address, robot="cart", timeout=PATIENCE) as client:
             assert detect(client, scene).grippers_source == "default"
+
+
+def test_answers_have_the_grippers_with_every_length(client: fovea.Client, scene: Scene) -> None:
+    jaw = fovea.Gripper("jaw", max_opening_m=0.14, approach=(0, 0, 1), palm_size_m=(0.1, 0, 0.05))
+    cup = fovea.Gripper("cup", suction_diameter_m=0.03, max_grasps=7, min_probability=0.25)
+    found = detect(client, scene, grippers=[jaw, cup])
+    one, other = found.grippers
+    lengths = one.max_opening_m, one.finger_length_m, one.finger_width_m, one.finger_thickness_m
+    assert lengths == pytest.approx((0.14, 0.04, 0.02, 0.01))
+    assert (one.friction, one.max_tilt_rad, one.min_probability) == pytest.approx((0.5, 0.35, 0.5))
+    assert one.palm_size_m == pytest.approx((0.1, 0, 0.05))
+    assert one.approach == pytest.approx((0, 0, 1))
+    assert (one.suction_diameter_m, one.max_curvature_per_m) == (None, None)
+    assert (other.suction_diameter_m, other.max_curvature_per_m) == pytest.approx((0.03, 12))
+    assert (other.max_grasps, other.min_probability, other.approach) == (7, 0.25, None)
+    assert (other.max_opening_m, other.palm_size_m, other.friction) == (None, None, None)
+    assert detect(client, scene, grippers=()).grippers == []
+
+
+def test_grippers_of_an_answer_can_be_sent_as_they_came(client: fovea.Client, scene: Scene) -> None:
+    widest = fovea.Gripper(
+        "widest", max_opening_m=1, finger_thickness_m=0.2, max_tilt_rad=np.pi / 2
+    )
+    largest = fovea.Gripper("largest", suction_diameter_m=0.3, approach=(0, 0.6, 0.8))
+    found = detect(client, scene, grippers=[widest, largest, fovea.Gripper(max_opening_m=0.14)])
+    assert found.grippers[2].max_opening_m == 0.14  # not what 32 bits make of it
+    assert_same(detect(client, scene, grippers=found.grippers), found)
+    assert detect(client, scene, grippers=()).grippers == []
+
+
+def test_a_gripper_alone_is_a_list_of_one(client: fovea.Client, scene: Scene) -> None:
+    one = fovea.Gripper("one", max_opening_m=0.14)
+    assert_same(detect(client, scene, grippers=one), detect(client, scene, grippers=[one]))
+    # What is not given has the values that the contract says.
+    assert_same(
+        detect(client, scene, grippers=fovea.Gripper()).objects, detect(client, scene).objects
+    )

@@ -1,0 +1,48 @@
+"""Numbers that callers give, checked before anything is sent. Errors name the field."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from fovea.errors import DeadlineExceeded, InvalidArgument
+
+_LONGEST = 1e9  # seconds; gRPC takes times far beyond for such as have passed
+
+
+def real(value: Any, field: str) -> float:
+    if not (isinstance(value, (int, float, np.number)) and math.isfinite(value)):
+        raise InvalidArgument(field, f"{value!r} is not a finite number")
+    return float(value)
+
+
+def positive(value: Any, field: str, name: str) -> float:
+    """Above 0, which on the wire stands for what was not given. name: of the argument, which the
+    contract may call otherwise."""
+    if not (isinstance(value, (int, float, np.number)) and 0 < value < math.inf):
+        raise InvalidArgument(field, f"{name}={value!r} is not a finite number above 0")
+    return float(value)
+
+
+def whole(value: Any, field: str) -> int:
+    """From 1 to what 32 bits hold."""
+    if not (isinstance(value, (int, np.integer)) and 0 < value < 2**32):
+        raise InvalidArgument(field, f"{value!r} is not a whole number from 1")
+    return int(value)
+
+
+def timeout_of_client(timeout: Any) -> float:
+    if not (isinstance(timeout, (int, float, np.number)) and 0 < timeout < math.inf):
+        raise InvalidArgument("timeout", f"{timeout!r} is not a number of seconds above 0")
+    return min(float(timeout), _LONGEST)
+
+
+def timeout_of_call(timeout: Any) -> float:
+    """What is left of somebody's time may well be nothing, which is no mistake of the caller's:
+    DeadlineExceeded."""
+    if isinstance(timeout, (int, float, np.number)) and timeout <= 0:
+        problem = f"timeout={timeout!r}: no time is left for the call"
+        raise DeadlineExceeded("DEADLINE_EXCEEDED", problem)
+    return timeout_of_client(timeout)
