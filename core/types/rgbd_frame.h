@@ -22,11 +22,11 @@ struct RgbdFrame {
   // 1 mm or farther than 10 km
   cv::Mat depth_m;
   CameraIntrinsics intrinsics;
-  // CV_8UC1, same size: not 0 where the camera does not look, such as beyond the border of an image
-  // that was undistorted. Empty: it sees all of the image.
-  cv::Mat unseen;
   // Unit vector in the camera frame that points down, where the robot knows it (IMU).
   std::optional<Eigen::Vector3f> gravity;
+  // CV_8UC1, same size: not 0 where the camera does not look, such as beyond the border of an image
+  // that was undistorted. Empty: it sees all of the image.
+  cv::Mat unseen = {};
 };
 
 // Throws std::invalid_argument unless a camera can have these intrinsics with an image of this
