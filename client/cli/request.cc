@@ -28,6 +28,9 @@ double ParseHand(const std::string& text, const std::string& form, v1::Gripper* 
   const std::size_t count = text.find(',') == std::string::npos ? 1 : 2;
   const auto numbers = ParseNumbers(text, count, "--gripper", form);
   if (count == 2) gripper->set_min_probability(numbers.back());
+  if (!(numbers.front() > 0)) {  // in the contract 0 stands for the usual length
+    throw std::invalid_argument("--gripper: \"" + text + "\" is not a length above 0 metres");
+  }
   return numbers.front();
 }
 

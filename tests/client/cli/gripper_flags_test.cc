@@ -24,7 +24,8 @@ TEST(GripperFlags, HaveALengthAndPerhapsALeastProbability) {
 }
 
 TEST(GripperFlags, AreNamedWhereTheyAreWrong) {
-  for (const char* text : {"jaw=", "jaw=0.1,", "jaw=0.1,0.2,0.3", "hook=0.1", "0.1"}) {
+  for (const char* text :
+       {"jaw=", "jaw=0.1,", "jaw=0.1,0.2,0.3", "jaw=0", "suction=-1", "hook=0.1", "0.1"}) {
     v1::DetectOptions options;
     try {
       ParseGrippers({text}, &options);
