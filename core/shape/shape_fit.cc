@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 #include "core/shape/uncertainty.h"
@@ -22,8 +21,6 @@ constexpr float kOutlineNoise_px = 1.25F, kOutlineNoise_m = 0.001F;
 // Added to the cost of a solid: of two that explain as much, the one that could explain less.
 constexpr float kCostOfLying = 0, kCostOfFrustum = 0.05F, kCostOfFullFrustum = 0.12F,
                 kCostOfBox = 0.02F;
-// After the wide steps, more than the least: narrow ones make up for no more.
-constexpr float kHopeless = 0.15F;
 constexpr float kMostCost = 0.38F;  // of what is anything but "other"
 
 void SetPoint(LevelPoints& points, Eigen::Index i, const Eigen::Vector3f& p) {
@@ -154,15 +151,8 @@ std::vector<FittedSolid> FitSolids(const SeenObject& seen, const OrientedBox& st
         Solid::Kind::kSphere, Solid::Kind::kFrustum}) {
     if (MayBe(kind, start.size_m)) starts.push_back(StartOf(kind, start));
   }
-  std::vector<std::optional<SolidFitting>> fittings(starts.size());
-  ForEachTogether(starts.size(), [&](std::size_t i) { fittings[i].emplace(seen, starts[i]); });
-  float least = 1;
-  for (const auto& fitting : fittings) least = std::min(least, fitting->Cost());
   std::vector<FittedSolid> fits(starts.size());
-  ForEachTogether(starts.size(), [&](std::size_t i) {
-    if (fittings[i]->Cost() < least + kHopeless) fittings[i]->Finish();
-    fits[i] = fittings[i]->Result();
-  });
+  ForEachTogether(starts.size(), [&](std::size_t i) { fits[i] = FitSolid(seen, starts[i]); });
   return fits;
 }
 

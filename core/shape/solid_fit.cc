@@ -5,13 +5,14 @@
 #include <array>
 #include <cmath>
 
+#include "core/shape/solid_residuals.h"
+
 namespace fovea {
 namespace {
 
 // From wide to narrow: points that are far off pull at first.
-constexpr std::array<float, 2> kWideScales = {4, 2};
-constexpr float kNarrowScale = 1;
-constexpr int kWideSteps = 3, kNarrowSteps = 6;
+constexpr std::array<float, 3> kScales = {4, 2, 1};
+constexpr int kStepsPerScale = 3;
 // Of twelve parts of its rim, as many must be seen.
 constexpr int kMinRimParts = 4;
 constexpr float kRimHeight_m = 0.01F, kInnerShare = 0.9F;
@@ -71,40 +72,41 @@ float ResidualOf(const SeenObject& seen, const Solid& solid, const SeenArray& re
 
 }  // namespace
 
-SolidFitting::SolidFitting(const SeenObject& seen, const Solid& start)
-    : seen_(seen), start_(start), solid_(start), residuals_(seen), at_(residuals_.Of(start)) {
-  for (const float scale : kWideScales) Descend(scale, kWideSteps);
-}
-
-float SolidFitting::Cost() const { return MeanCost(at_, kNarrowScale); }
-
-void SolidFitting::Finish() { Descend(kNarrowScale, kNarrowSteps); }
-
-void SolidFitting::Descend(float scale, int num_steps) {
-  for (int step = 0; step < num_steps; ++step) {
-    const ParameterVector change = Step(residuals_, solid_, at_, scale, damping_);
-    const Solid moved = change.allFinite() ? Moved(solid_, change) : solid_;
-    // With the places along the rays as they are: where the solid touches them changes little.
-    const float cost = CostOf(residuals_.AtNearest(moved), moved, scale);
-    const bool is_better = cost < CostOf(at_, solid_, scale) && IsNear(moved, start_);
-    damping_ *= is_better ? 0.25F : 8;
-    if (!is_better) continue;
-    solid_ = moved;
-    at_ = residuals_.Of(solid_);
+FittedSolid FitSolid(const SeenObject& seen, const Solid& start) {
+  SolidResiduals residuals(seen);
+  FittedSolid fitted{start};
+  float damping = 1e-2F;
+  for (const float scale : kScales) {
+    SeenArray at = residuals.Of(fitted.solid);
+    float cost = CostOf(at, fitted.solid, scale);
+    for (int step = 0; step < kStepsPerScale; ++step) {
+      const ParameterVector change = Step(residuals, fitted.solid, at, scale, damping);
+      const Solid moved = change.allFinite() ? Moved(fitted.solid, change) : fitted.solid;
+      const SeenArray after = residuals.Of(moved);
+      const float new_cost = CostOf(after, moved, scale);
+      if (new_cost < cost && IsNear(moved, start)) {
+        fitted.solid = moved;
+        at = after;
+        cost = new_cost;
+        damping /= 4;
+      } else {
+        damping *= 8;
+        if (step + 1 < kStepsPerScale) residuals.Of(fitted.solid);
+      }
+    }
   }
-}
-
-FittedSolid SolidFitting::Result() {
-  FittedSolid fitted{solid_, Cost()};
-  if (solid_.kind == Solid::Kind::kFrustum || solid_.kind == Solid::Kind::kUprightCylinder) {
-    const SeenArray is_below = IsBelowRim(seen_, solid_);
-    const bool has_rim = SeenRimParts(seen_.points, solid_) >= kMinRimParts;
+  const SeenArray at = residuals.Of(fitted.solid);
+  fitted.cost = MeanCost(at, 1);
+  const Solid::Kind kind = fitted.solid.kind;
+  if (kind == Solid::Kind::kFrustum || kind == Solid::Kind::kUprightCylinder) {
+    const SeenArray is_below = IsBelowRim(seen, fitted.solid);
+    const bool has_rim = SeenRimParts(seen.points, fitted.solid) >= kMinRimParts;
     if (is_below.size() > 0 && has_rim) fitted.hollow_share = is_below.mean();
-    if (is_below.size() > 0 && !has_rim && solid_.kind == Solid::Kind::kFrustum) {
+    if (is_below.size() > 0 && !has_rim && kind == Solid::Kind::kFrustum) {
       fitted.cost += is_below.mean();
     }
   }
-  fitted.residual_m = ResidualOf(seen_, solid_, at_);
+  fitted.residual_m = ResidualOf(seen, fitted.solid, at);
   return fitted;
 }
 

@@ -4,9 +4,18 @@
 #include <Eigen/Core>
 
 #include "core/shape/solid.h"
-#include "core/shape/solid_residuals.h"
 
 namespace fovea {
+
+// What was seen of an object, in the level frame that its solid is in.
+struct SeenObject {
+  LevelPoints points;  // on its surface
+  SeenArray noise_m;   // standard deviation of each, along its normal
+  Eigen::Vector3f camera = Eigen::Vector3f::Zero();
+  LevelPoints directions;  // from the camera: rays through its outline, of any length
+  SeenArray outline_noise_m;
+  SeenArray is_own_end;  // 1 where the object ends there; 0 where it may go on behind
+};
 
 struct FittedSolid {
   Solid solid;
@@ -19,25 +28,7 @@ struct FittedSolid {
 // Starts from a solid that is roughly right. Minimises the mean of the robust costs (Geman and
 // McClure 1985) of distances between points and surface, and between surface and the rays that
 // touch it, from wide to narrow, by Levenberg-Marquardt. Takes some 0.1 ms for 160 points and 80
-// rays, half of it the narrow steps; the cost before them says already whether they are worth it.
-class SolidFitting {
- public:
-  // Takes the wide steps. Refers to `seen`, which must outlive it. Throws std::length_error for
-  // more than kMaxSeen points and rays.
-  SolidFitting(const SeenObject& seen, const Solid& start);
-
-  float Cost() const;  // as FittedSolid::cost is without what hollows add to it
-  void Finish();       // takes the narrow ones
-  FittedSolid Result();
-
- private:
-  void Descend(float scale, int num_steps);
-
-  const SeenObject& seen_;
-  Solid start_, solid_;
-  SolidResiduals residuals_;
-  SeenArray at_;  // the residuals of the solid
-  float damping_ = 1e-2F;
-};
+// rays.
+FittedSolid FitSolid(const SeenObject& seen, const Solid& start);
 
 }  // namespace fovea

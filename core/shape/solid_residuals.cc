@@ -70,15 +70,20 @@ void SolidResiduals::PutOnRays(const SeenArray& places) {
 // The distance from a convex solid along a ray has one minimum; golden sections find it, after
 // the first time from where it was.
 void SolidResiduals::FindNearest(const Solid& solid) {
-  const bool is_first = places_.size() == 0;
-  const int num_sections = is_first ? 9 : 6;
   const Eigen::Vector3f size = solid.Size();
   const Eigen::Vector3f middle(solid.center.x(), solid.center.y(), size.z() / 2);
   const Eigen::Vector3f to = middle - seen_.camera;
-  const LevelPoints& d = seen_.directions;
-  const SeenArray squared = d.x.square() + d.y.square() + d.h.square();
-  if (is_first) places_ = (d.x * to.x() + d.y * to.y() + d.h * to.z()) / squared;
-  const SeenArray reach = (is_first ? 1 : 0.1F) * size.norm() / squared.sqrt();
+  const SeenArray squared =
+      seen_.directions.x.square() + seen_.directions.y.square() + seen_.directions.h.square();
+  SeenArray reach = size.norm() / squared.sqrt();
+  if (places_.size() == 0) {
+    places_ =
+        (seen_.directions.x * to.x() + seen_.directions.y * to.y() + seen_.directions.h * to.z()) /
+        squared;
+  } else {
+    reach *= 0.25F;
+  }
+  constexpr int kSections = 9;
   constexpr float kGolden = 0.381966F;
   SeenArray low = places_ - reach, high = places_ + reach;
   SeenArray a = low + kGolden * (high - low), b = high - kGolden * (high - low), at_a, at_b, at_new;
@@ -86,7 +91,7 @@ void SolidResiduals::FindNearest(const Solid& solid) {
   SignedDistances(solid, on_rays_, at_a);
   PutOnRays(b);
   SignedDistances(solid, on_rays_, at_b);
-  for (int section = 0; section < num_sections; ++section) {
+  for (int section = 0; section < kSections; ++section) {
     for (Eigen::Index i = 0; i < places_.size(); ++i) {  // what compilers make vectors of
       const bool is_before = at_a[i] < at_b[i];
       high[i] = is_before ? b[i] : high[i];

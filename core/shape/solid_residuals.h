@@ -4,18 +4,9 @@
 #include <Eigen/Core>
 
 #include "core/shape/solid.h"
+#include "core/shape/solid_fit.h"
 
 namespace fovea {
-
-// What was seen of an object, in the level frame that its solid is in.
-struct SeenObject {
-  LevelPoints points;  // on its surface
-  SeenArray noise_m;   // standard deviation of each, along its normal
-  Eigen::Vector3f camera = Eigen::Vector3f::Zero();
-  LevelPoints directions;  // from the camera: rays through its outline, of any length
-  SeenArray outline_noise_m;
-  SeenArray is_own_end;  // 1 where the object ends there; 0 where it may go on behind
-};
 
 // What is not seen of a box is likely not much thinner than what is: 0 unless it is. Moves sides by
 // tenths of a millimetre where they are seen, and decides where nothing else does.
