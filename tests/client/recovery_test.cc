@@ -20,7 +20,7 @@ using testing::FindOne;
 using testing::kPatience;
 using testing::LoopbackOptions;
 
-ClientOptions Persistent() {
+ClientOptions RetryingLong() {
   ClientOptions options{.timeout = kPatience};
   options.retry = {.max_attempts = 1000,
                    .backoff = std::chrono::milliseconds(1),
@@ -50,7 +50,8 @@ TEST(Retry, ComesBackWhenABusyServerSaysWhen) {
   std::jthread first([&] { loopback.client.Detect(testing::TestRequest()); });
   gate.WaitUntilBegun();
   std::jthread second([&] {
-    EXPECT_NO_THROW(Client(loopback.server.Address(), Persistent()).Detect(testing::TestRequest()));
+    EXPECT_NO_THROW(
+        Client(loopback.server.Address(), RetryingLong()).Detect(testing::TestRequest()));
   });
   while (loopback.client.GetStatistics().frames_answered().count("RESOURCE_EXHAUSTED") == 0) {
   }
@@ -60,7 +61,7 @@ TEST(Retry, ComesBackWhenABusyServerSaysWhen) {
 TEST(Retry, FindsAServerThatIsBack) {
   std::optional<server::Server> server(std::in_place, LoopbackOptions(), FindOne);
   const std::string address = server->Address();
-  const Client client(address, Persistent());
+  const Client client(address, RetryingLong());
   EXPECT_NO_THROW(client.Detect(testing::TestRequest()));
   server.reset();
   std::jthread late([&] { server.emplace(At(address), FindOne); });
@@ -69,7 +70,7 @@ TEST(Retry, FindsAServerThatIsBack) {
 
 TEST(Retry, DoesNotRepeatWhatIsWrong) {
   const testing::Loopback loopback(FindOne);
-  const Client client(loopback.server.Address(), Persistent());
+  const Client client(loopback.server.Address(), RetryingLong());
   EXPECT_THROW(client.Detect({}), RpcError);
   EXPECT_EQ(testing::MetricValue(*loopback.server.metrics(), "fovea_frames_received_total"), 1);
 }
@@ -77,7 +78,7 @@ TEST(Retry, DoesNotRepeatWhatIsWrong) {
 TEST(ResumingStream, OutlivesItsServerAndCountsWhatWasLost) {
   std::optional<server::Server> server(std::in_place, LoopbackOptions(), FindOne);
   const std::string address = server->Address();
-  const Client client(address, Persistent());
+  const Client client(address, RetryingLong());
   const auto stream = client.OpenResumingStream(kPatience);
   v1::DetectStreamRequest first = StreamFrame("0");
   first.mutable_options()->set_return_masks(true);
@@ -119,7 +120,7 @@ TEST(ResumingStream, GivesUpInTheEnd) {
     const testing::Loopback gone(FindOne);
     address = gone.server.Address();
   }
-  ClientOptions options = Persistent();
+  ClientOptions options = RetryingLong();
   options.timeout = std::chrono::milliseconds(200);
   const auto stream = Client(address, options).OpenResumingStream(kPatience);
   EXPECT_EQ(testing::StatusOf([&] { stream->Receive(); }).error_code(),
@@ -142,7 +143,7 @@ TEST(ResumingStream, IsCancelledWhileItCannotSend) {
   builder.AddListeningPort("127.0.0.1:0", grpc::InsecureServerCredentials(), &port);
   builder.RegisterService(&deaf);
   const auto server = builder.BuildAndStart();
-  const Client client("127.0.0.1:" + std::to_string(port), Persistent());
+  const Client client("127.0.0.1:" + std::to_string(port), RetryingLong());
   const auto stream = client.OpenResumingStream(kPatience);
   std::atomic<bool> sending = false;
   std::jthread sender([&] {

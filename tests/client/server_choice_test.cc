@@ -16,9 +16,9 @@ const ServerChoice::Clock::time_point kNow =
 // The one of "a" and "b" that is not `name`.
 std::string Other(const std::string& name) { return name == "a" ? "b" : "a"; }
 
-class TwoServers : public ::testing::Test {
+class ChoiceOfTwo : public ::testing::Test {
  protected:
-  TwoServers() { choice_.SetServers({"a", "b"}); }
+  ChoiceOfTwo() { choice_.SetServers({"a", "b"}); }
 
   ServerRound Round(bool asks_others = true) { return {choice_, asks_others}; }
   std::string Home() { return choice_.Home(kNow); }
@@ -26,7 +26,7 @@ class TwoServers : public ::testing::Test {
   ServerChoice choice_{1};
 };
 
-TEST_F(TwoServers, AClientStaysWithItsServer) {
+TEST_F(ChoiceOfTwo, AClientStaysWithItsServer) {
   const std::string home = Home();
   for (int call = 0; call < 10; ++call) {
     ServerRound round = Round();
@@ -35,7 +35,7 @@ TEST_F(TwoServers, AClientStaysWithItsServer) {
   }
 }
 
-TEST_F(TwoServers, ClientsAreSpread) {
+TEST_F(ChoiceOfTwo, ClientsAreSpread) {
   std::set<std::string> homes;
   for (unsigned seed = 0; seed < 20; ++seed) {
     ServerChoice choice(seed);
@@ -45,7 +45,7 @@ TEST_F(TwoServers, ClientsAreSpread) {
   EXPECT_EQ(homes.size(), 2U);
 }
 
-TEST_F(TwoServers, AllAreAskedForRoomBeforeOneKeepsAPlace) {
+TEST_F(ChoiceOfTwo, AllAreAskedForRoomBeforeOneKeepsAPlace) {
   const std::string home = Home();
   ServerRound round = Round();
   const auto first = round.Next(kNow);
@@ -66,14 +66,14 @@ TEST_F(TwoServers, AllAreAskedForRoomBeforeOneKeepsAPlace) {
   EXPECT_EQ(Home(), home);
 }
 
-TEST_F(TwoServers, WhoWaitsInLineAsksOnlyThere) {
+TEST_F(ChoiceOfTwo, WhoWaitsInLineAsksOnlyThere) {
   ServerRound round = Round(/*asks_others=*/false);
   EXPECT_FALSE(round.Next(kNow)->only_if_room);
   round.OnRefused(milliseconds(100));
   EXPECT_FALSE(round.Next(kNow));
 }
 
-TEST_F(TwoServers, EverySecondCallThatGetsAPlaceAsksAll) {
+TEST_F(ChoiceOfTwo, EverySecondCallThatGetsAPlaceAsksAll) {
   for (const bool asks_all : {true, false, true, false}) {
     ServerRound round = Round();
     EXPECT_EQ(round.Next(kNow)->only_if_room, asks_all);
@@ -86,7 +86,7 @@ TEST_F(TwoServers, EverySecondCallThatGetsAPlaceAsksAll) {
   }
 }
 
-TEST_F(TwoServers, MovesToWhereItIsSooner) {
+TEST_F(ChoiceOfTwo, MovesToWhereItIsSooner) {
   const std::string home = Home();
   ServerRound round = Round();
   round.Next(kNow);
@@ -102,7 +102,7 @@ TEST_F(TwoServers, MovesToWhereItIsSooner) {
   EXPECT_EQ(Home(), Other(home));
 }
 
-TEST_F(TwoServers, MovesToWhoeverAnswersTwiceInARow) {
+TEST_F(ChoiceOfTwo, MovesToWhoeverAnswersTwiceInARow) {
   const std::string home = Home();
   for (int call = 0; call < 2; ++call) {
     EXPECT_EQ(Home(), home);
@@ -115,7 +115,7 @@ TEST_F(TwoServers, MovesToWhoeverAnswersTwiceInARow) {
   EXPECT_EQ(Home(), Other(home));
 }
 
-TEST_F(TwoServers, LeavesWhoIsAwayAndReturnsForAReasonOnly) {
+TEST_F(ChoiceOfTwo, LeavesWhoIsAwayAndReturnsForAReasonOnly) {
   const std::string home = Home();
   ServerRound round = Round();
   round.Next(kNow);
@@ -127,7 +127,7 @@ TEST_F(TwoServers, LeavesWhoIsAwayAndReturnsForAReasonOnly) {
   EXPECT_EQ(choice_.Home(kNow + std::chrono::hours(1)), Other(home));
 }
 
-TEST_F(TwoServers, AsksEachOnceWhereAllAreAway) {
+TEST_F(ChoiceOfTwo, AsksEachOnceWhereAllAreAway) {
   ServerRound round = Round();
   for (int ask = 0; ask < 2; ++ask) {
     EXPECT_TRUE(round.Next(kNow));
@@ -141,7 +141,7 @@ TEST_F(TwoServers, AsksEachOnceWhereAllAreAway) {
   EXPECT_TRUE(again.Next(kNow));
 }
 
-TEST_F(TwoServers, AsksNobodyAsideWhoIsAway) {
+TEST_F(ChoiceOfTwo, AsksNobodyAsideWhoIsAway) {
   choice_.OnAway(Other(Home()), kNow);
   ServerRound round = Round();
   EXPECT_FALSE(round.Next(kNow)->only_if_room);
@@ -149,7 +149,7 @@ TEST_F(TwoServers, AsksNobodyAsideWhoIsAway) {
   EXPECT_FALSE(round.Next(kNow));
 }
 
-TEST_F(TwoServers, AreAwayForTwiceAsLongEachTime) {
+TEST_F(ChoiceOfTwo, AreAwayForTwiceAsLongEachTime) {
   for (const int ms : {100, 200, 400, 800, 1600, 3200, 5000, 5000}) {
     choice_.OnAway("a", kNow);
     EXPECT_TRUE(choice_.IsAway("a", kNow + milliseconds(ms - 1)));
@@ -159,7 +159,7 @@ TEST_F(TwoServers, AreAwayForTwiceAsLongEachTime) {
   EXPECT_FALSE(choice_.IsAway("a", kNow));
 }
 
-TEST_F(TwoServers, ChoosesAnewWhereTheConnectionEndsOrServersChange) {
+TEST_F(ChoiceOfTwo, ChoosesAnewWhereTheConnectionEndsOrServersChange) {
   std::set<std::string> homes;
   for (int times = 0; times < 20; ++times) {
     homes.insert(Home());
