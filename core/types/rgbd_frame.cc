@@ -18,12 +18,11 @@ void Require(bool holds, const std::string& message) {
 // Along one axis of the image; `names` are those of the focal length and the principal point.
 void RequirePlausible(double focal_px, double principal_px, int size_px,
                       const std::array<std::string, 2>& names) {
-  constexpr double kMaxSlope = 10, kMaxFocal = 100;  // of the image
+  constexpr double kMaxSlope = 10, kMaxFocal_px = 1e6;
   Require(std::isfinite(focal_px) && focal_px > 0,
           fmt::format("{}: {:g} is not a positive number", names[0], focal_px));
-  Require(focal_px <= kMaxFocal * size_px,
-          fmt::format("{}: {:g} px is more than a hundred times the image's {} px", names[0],
-                      focal_px, size_px));
+  Require(focal_px <= kMaxFocal_px,
+          fmt::format("{}: {:g} is more than {:g} px", names[0], focal_px, kMaxFocal_px));
   Require(std::isfinite(principal_px), names[1] + ": is not a finite number");
   const double farthest_px = std::max(std::abs(principal_px), std::abs(size_px - 1 - principal_px));
   Require(farthest_px <= kMaxSlope * focal_px,

@@ -30,9 +30,9 @@ struct RgbdFrame {
 };
 
 // Throws std::invalid_argument unless a camera can have these intrinsics with an image of this
-// size: focal lengths positive and not more than a hundred times the image, the principal point
-// finite, and no pixel seen more than 84° (a slope of 10) beside the optical axis, as it would be
-// with normalised intrinsics or with those of another image size.
+// size: focal lengths positive and at most a million pixels, the principal point finite, and no
+// pixel seen more than 84° (a slope of 10) beside the optical axis, as it would be with normalised
+// intrinsics or with those of another image size.
 void RequirePlausible(const CameraIntrinsics& intrinsics, const cv::Size& size);
 
 // Throws std::invalid_argument, which names the member and what it must be, unless: the images

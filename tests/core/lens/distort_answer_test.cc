@@ -138,7 +138,7 @@ TEST(UnseenBy, IsWhereUndistortedDepthHasNone) {
   for (const double k1 : {0.3, 0.05, -0.2}) {
     const Lens lens({130, 130, 79.5, 59.5}, {LensDistortion::Model::kBrownConrady, {k1}}, kSize);
     const cv::Mat ideal = UndistortDepth(cv::Mat::ones(kSize, CV_32FC1), lens);
-    EXPECT_EQ(cv::countNonZero(UnseenBy(lens) != (ideal != ideal)), 0) << k1;
+    EXPECT_EQ(cv::countNonZero(UnseenBy(lens) == (ideal == ideal)), 0) << k1;
   }
 }
 
