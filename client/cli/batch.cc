@@ -82,7 +82,7 @@ v1::DetectResponse Ask(const Run& run, const v1::DetectRequest& request) {
   const steady_clock::time_point end = steady_clock::now() + run.timeout;
   while (true) {
     try {
-      const v1::DetectResponse response = run.client.Detect(
+      v1::DetectResponse response = run.client.Detect(
           request,
           std::chrono::duration_cast<std::chrono::milliseconds>(end - steady_clock::now()));
       run.is_there = true;

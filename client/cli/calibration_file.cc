@@ -108,7 +108,7 @@ Calibration Parse(const std::string& text) {
   const auto json = first == '{' ? nlohmann::json::parse(text) : nlohmann::json();
   const bool is_ours = json.is_object() && !json.contains("k") && !json.contains("K");
   // JSON is YAML, too.
-  const Calibration calibration = is_ours ? ParseJson(json) : ParseRos(text);
+  Calibration calibration = is_ours ? ParseJson(json) : ParseRos(text);
   CheckSize(calibration);
   return calibration;
 }
@@ -136,7 +136,7 @@ Calibration CalibrationOf(const v1::CameraIntrinsics& k, const cv::Size& size) {
 Calibration ReadCalibration(const std::string& path) {
   const std::string text = ReadFile(path);
   try {
-    const Calibration calibration = Parse(text);
+    Calibration calibration = Parse(text);
     Check(calibration);
     return calibration;
   } catch (const std::exception& error) {

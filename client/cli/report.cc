@@ -37,8 +37,7 @@ std::string Remarks(const v1::Object& object) {
 std::string GraspText(const v1::Object& object) {
   if (!object.grasps().empty()) {
     const v1::Grasp& grasp = object.grasps(0);
-    std::string text =
-        fmt::sprintf("%.0f%% %s", grasp.probability() * 100, WordOf(grasp.kind()));
+    std::string text = fmt::sprintf("%.0f%% %s", grasp.probability() * 100, WordOf(grasp.kind()));
     if (grasp.kind() == v1::GRASP_KIND_SUCTION) return text;
     return text + fmt::sprintf(", %.1f cm", grasp.opening_m() * 100);
   }
