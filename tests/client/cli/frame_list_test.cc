@@ -40,11 +40,12 @@ TEST_F(FrameListTest, PairsByNameAndNamesDepthWithoutColour) {
 }
 
 TEST(NameApart, GivesEachFrameANameOfItsOwn) {
-  std::vector<FrameFiles> frames;
-  for (const char* id : {"a", "a", "b", "a_2", "a"}) frames.push_back({.id = id});
+  const std::vector<std::string> given{"a", "a", "b", "a_2", "a"};
+  std::vector<FrameFiles> frames(given.size());
+  for (std::size_t i = 0; i < given.size(); ++i) frames[i].id = given[i];
   EXPECT_EQ(NameApart(frames), 2U);
-  std::vector<std::string> ids;
-  for (const FrameFiles& frame : frames) ids.push_back(frame.id);
+  std::vector<std::string> ids(frames.size());
+  for (std::size_t i = 0; i < frames.size(); ++i) ids[i] = frames[i].id;
   EXPECT_THAT(ids, ElementsAre("a", "a_3", "b", "a_2", "a_4"));
 }
 
