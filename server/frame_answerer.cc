@@ -215,6 +215,7 @@ Detections FrameAnswerer::Compute(const FrameRequest& request, const Asker& aske
   times->insert(times->end(), detections.stage_times.begin(), detections.stage_times.end());
   times->push_back({kProcessorWait, Milliseconds(end.limit.WaitedForProcessor())});
   if (request.tracker != nullptr) {
+    const InterruptionScope whole({});  // no half of a frame for the next ones' tracks
     request.tracker->Add(*request.frame, request.options->tracking(), frame, detections, times);
   }
   EnterStage("lens");

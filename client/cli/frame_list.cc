@@ -129,16 +129,18 @@ FrameList ListFolders(const fs::path& color, const fs::path& depth) {
 }  // namespace
 
 std::size_t NameApart(std::vector<FrameFiles>& frames) {
-  std::set<std::string> given, taken;
-  for (const FrameFiles& frame : frames) given.insert(frame.id);
+  std::set<std::string> names;
+  for (const FrameFiles& frame : frames) names.insert(frame.id);
+  std::map<std::string, int> number_of;  // the last that a name was given
   std::size_t num_renamed = 0;
   for (FrameFiles& frame : frames) {
-    if (taken.insert(frame.id).second) continue;
-    int number = 2;
-    const auto name = [&] { return frame.id + "_" + std::to_string(number); };
-    while (given.contains(name()) || taken.contains(name())) ++number;
-    frame.id = name();
-    taken.insert(frame.id);
+    const auto [number, is_first] = number_of.try_emplace(frame.id, 1);
+    if (is_first) continue;
+    std::string name;
+    do {
+      name = frame.id + "_" + std::to_string(++number->second);
+    } while (!names.insert(name).second);
+    frame.id = name;
     ++num_renamed;
   }
   return num_renamed;
