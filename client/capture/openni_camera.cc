@@ -29,13 +29,20 @@ std::optional<Picture> OpenNiCamera::Next(std::chrono::milliseconds patience) {
   if (watch_.Unplugged()) throw CameraLost("the camera " + uri_ + " was unplugged");
   if (!read_ && device_.isFile()) SetSpeed(options_.speed);
   read_ = true;
+  if (const auto ready = Await(patience)) return Read(*ready);
+  CheckSilence();
+  return std::nullopt;
+}
+
+bool OpenNiCamera::ImageWaits() const { return Await(std::chrono::milliseconds(0)).has_value(); }
+
+std::optional<std::size_t> OpenNiCamera::Await(std::chrono::milliseconds patience) const {
   int ready = 0;
   const openni::Status status = openni::OpenNI::waitForAnyStream(
       const_cast<openni::VideoStream**>(both_.data()), static_cast<int>(both_.size()), &ready,
       static_cast<int>(patience.count()));
-  if (status == openni::STATUS_OK) return Read(static_cast<std::size_t>(ready));
-  CheckSilence();
-  return std::nullopt;
+  if (status != openni::STATUS_OK) return std::nullopt;
+  return static_cast<std::size_t>(ready);
 }
 
 std::optional<Picture> OpenNiCamera::Read(std::size_t index) {

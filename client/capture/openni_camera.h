@@ -29,6 +29,10 @@ class OpenNiCamera : public Camera {
   // No more frames come.
   void Stop();
   Streams& BothStreams() { return streams_; }
+  // Whether an image of one of them has come that Next() has not looked at.
+  bool ImageWaits() const;
+  // Between two images of a stream, as the camera says.
+  std::uint64_t PeriodUs() const { return period_us_; }
 
  private:
   void StartRecording(std::ostream& notes);
@@ -37,6 +41,8 @@ class OpenNiCamera : public Camera {
   void Start();
   std::optional<Picture> Read(std::size_t index);
   void CheckSilence() const;
+  // The stream that has an image.
+  std::optional<std::size_t> Await(std::chrono::milliseconds patience) const;
 
   CameraOptions options_;
   const std::string uri_;
@@ -48,6 +54,7 @@ class OpenNiCamera : public Camera {
   std::optional<Pairing<cv::Mat>> pairing_;
   CameraLosses losses_;
   double depth_unit_m_ = 0.001;
+  std::uint64_t period_us_ = 0;
   bool read_ = false, delivered_ = false;
   std::chrono::steady_clock::time_point last_arrival_;
 };

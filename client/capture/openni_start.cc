@@ -25,8 +25,8 @@ OpenNiCamera::OpenNiCamera(const CameraOptions& options, std::ostream& notes)
   device_.isFile() ? StartRecording(notes) : StartCamera(notes);
   const openni::VideoMode mode = streams_.depth.getVideoMode();
   depth_unit_m_ = mode.getPixelFormat() == openni::PIXEL_FORMAT_DEPTH_100_UM ? 1e-4 : 1e-3;
-  const int fps = std::max(mode.getFps(), 1);
-  pairing_.emplace(static_cast<std::uint64_t>(500'000 / fps));  // half the time between frames
+  period_us_ = static_cast<std::uint64_t>(1'000'000 / std::max(mode.getFps(), 1));
+  pairing_.emplace(period_us_ / 2);
   last_arrival_ = steady_clock::now();
 }
 

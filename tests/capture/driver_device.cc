@@ -170,6 +170,10 @@ void DriverDevice::ServeFrame(int index) {
     cv::resize(depth, depth, {}, 0.5, 0.5, cv::INTER_NEAREST);
   }
   depth_->Deliver(depth, index, TimeOf(index));
+  if (options_.Has("color-waits")) {
+    owed_color_ = index;
+    return;
+  }
   const bool fourth = index % 4 == 0;
   if (fourth && options_.Has("drop-color")) return;
   if (options_.Has("late-color")) {

@@ -17,6 +17,7 @@ namespace fovea::testing {
 //   silent              no frame ever arrives
 //   wrong-size          images are half as wide and high as set
 //   drop-color          each fourth colour image is missing
+//   color-waits         each colour image comes with the next look at the camera only
 //   late-color          each fourth colour image arrives after the next depth image
 // FOVEA_CAMERA_CONTROL  a file: while it exists, the camera is unplugged
 struct DriverOptions {

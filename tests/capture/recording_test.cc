@@ -31,8 +31,8 @@ bool Holds(const std::string& path, std::uintmax_t num_bytes) {
 class RecordingTest : public CaptureTest {
  protected:
   // A recording of at least seven frames.
-  std::string Recorded() const {
-    const Finished finished = Capture(Record(At("a.oni"), {"--frames", "7"}));
+  std::string Recorded(const Environment& environment = {}) const {
+    const Finished finished = Capture(Record(At("a.oni"), {"--frames", "7"}), environment);
     EXPECT_EQ(finished.exit_code, 0) << finished.err;
     EXPECT_GE(CountOf(finished.out, "frames in"), 7) << finished.out;
     return At("a.oni");
@@ -46,7 +46,12 @@ class RecordingTest : public CaptureTest {
     EXPECT_THAT(finished.out, HasSubstr("end of the recording\n"));
     EXPECT_EQ(CountOf(finished.out, "frames captured"), CountOf(finished.out, "answered"));
     EXPECT_EQ(CountOf(finished.out, "by the camera"), 0) << finished.out;
-    return Saved(folder);
+    std::vector<SavedFrame> saved = Saved(folder);
+    for (const SavedFrame& frame : saved) {
+      EXPECT_EQ(cv::norm(frame.color, frames_[frame.generated].frame.color_rgb, cv::NORM_INF), 0)
+          << "colour and depth of " << frame.name << " are of two moments";
+    }
+    return saved;
   }
 };
 
@@ -81,6 +86,12 @@ TEST_F(RecordingTest, ReplaysAllFramesInOrderEachTime) {
     EXPECT_EQ(first[i].label_file, second[i].label_file);
     EXPECT_EQ(first[i].json, second[i].json);
   }
+}
+
+TEST_F(RecordingTest, StartsWithColorAndDepthOfOneMoment) {
+  // Always between two images of one moment, unless it is awaited that both have come.
+  const std::string recording = Recorded({{"FOVEA_CAMERA_FAULTS", "color-waits"}});
+  EXPECT_GE(SavedByReplay(recording, At("out")).size(), 7U);
 }
 
 TEST_F(RecordingTest, PlaysAtASpeedLikeACamera) {

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import atexit
+import weakref
+
 import grpc
 
 from fovea.addresses import Target
 from fovea.errors import InvalidArgument
 from fovea.options import TlsOptions
+
+_open: weakref.WeakSet[grpc.Channel] = weakref.WeakSet()
 
 
 def make_channel(
@@ -28,12 +33,27 @@ def make_channel(
     ]
     if target.authority:
         options.append(("grpc.default_authority", target.authority))
+    channel = _connect(target.target, tls, options)
+    _open.add(channel)
+    return channel
+
+
+@atexit.register
+def _close_all() -> None:
+    """While threads still run: what ends a channel later waits for its threads for ever."""
+    for channel in list(_open):
+        channel.close()
+
+
+def _connect(
+    target: str, tls: TlsOptions | None, options: list[tuple[str, int | str]]
+) -> grpc.Channel:
     if tls is None:
-        return grpc.insecure_channel(target.target, options)
+        return grpc.insecure_channel(target, options)
     credentials = grpc.ssl_channel_credentials(
         tls.root_certificates or None, tls.private_key or None, tls.certificate_chain or None
     )
-    return grpc.secure_channel(target.target, credentials, options)
+    return grpc.secure_channel(target, credentials, options)
 
 
 def make_metadata(token: str, robot: str) -> list[tuple[str, str]]:

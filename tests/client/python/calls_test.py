@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from concurrent.futures import ThreadPoolExecutor
 from threading import Event
 from typing import Any
@@ -257,3 +259,17 @@ def test_closing_ends_calls_of_other_threads(scene: Scene) -> None:
         client.close()
         with pytest.raises(fovea.Cancelled):
             call.result()
+
+
+def test_a_program_that_closes_no_client_ends() -> None:
+    program = """
+import fovea
+client = fovea.Client("127.0.0.1:1")
+try:
+    client.get_server_info()
+except fovea.Unavailable:
+    print("nobody there")
+"""
+    command = [sys.executable, "-c", program]
+    ended = subprocess.run(command, check=True, capture_output=True, text=True, timeout=PATIENCE)
+    assert ended.stdout == "nobody there\n"

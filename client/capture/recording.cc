@@ -1,0 +1,91 @@
+#include "client/capture/recording.h"
+
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <fstream>
+#include <ostream>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+
+#include "client/capture/camera_error.h"
+
+namespace fovea::capture {
+namespace {
+
+constexpr std::size_t kNumStreams = 2;
+constexpr int kMaxAttempts = 10;
+
+// OpenNI2 itself crashes where it cannot make the file.
+void CheckWritable(const std::string& path) {
+  errno = 0;
+  if (std::ofstream(path, std::ios::binary)) return;
+  throw std::runtime_error("cannot record to " + path + ": " + std::strerror(errno));
+}
+
+}  // namespace
+
+void Recording::Closing::operator()(openni::Recorder* recorder) const {
+  recorder->stop();
+  recorder->destroy();
+  delete recorder;
+}
+
+Recording::Recording(std::string path, OpenNiCamera& camera, const std::function<bool()>& goes_on,
+                     std::ostream& notes)
+    : path_(std::move(path)), camera_(camera) {
+  CheckWritable(path_);
+  for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
+    Create();
+    if (StartsTogether(goes_on)) return;
+  }
+  notes << "note: this machine is too busy to start colour and depth at one moment; they may be a "
+           "frame apart in "
+        << path_ << '\n';
+}
+
+void Recording::Create() {
+  recorder_.reset();
+  recorder_.reset(new openni::Recorder);
+  file_.emplace(path_);
+  Check(recorder_->create(path_.c_str()));
+  Check(recorder_->attach(camera_.BothStreams().depth, /*allowLossyCompression=*/false));
+  Check(recorder_->attach(camera_.BothStreams().color, /*allowLossyCompression=*/false));
+}
+
+// True as well where it shall not go on.
+bool Recording::StartsTogether(const std::function<bool()>& goes_on) {
+  const auto before = TimeOfNext(goes_on);
+  Check(recorder_->start());
+  if (camera_.ImageWaits()) return false;  // it may have come before the start
+  const auto first = TimeOfNext(goes_on);
+  return !before || !first || *first - *before < camera_.PeriodUs() * 3 / 2;
+}
+
+std::optional<std::uint64_t> Recording::TimeOfNext(const std::function<bool()>& goes_on) {
+  constexpr std::chrono::milliseconds kMoment{100};
+  while (goes_on()) {
+    if (const auto picture = camera_.Next(kMoment)) return picture->device_time_us;
+  }
+  return std::nullopt;
+}
+
+std::uint64_t Recording::NumWritten() { return file_->CountFrames(kNumStreams); }
+
+void Recording::AwaitWritten() {
+  constexpr std::chrono::milliseconds kQuiet{300};
+  std::uint64_t before = NumWritten();
+  while (true) {
+    std::this_thread::sleep_for(kQuiet);
+    const std::uint64_t now = NumWritten();
+    if (now == std::exchange(before, now)) return;
+  }
+}
+
+void Recording::Check(openni::Status status) const {
+  if (status == openni::STATUS_OK) return;
+  throw std::runtime_error("cannot record to " + path_ + ": " + OpenNiReason());
+}
+
+}  // namespace fovea::capture
