@@ -214,8 +214,19 @@ void StreamCall::TakeTurn() {
   const auto self = shared_from_this();
   ticket_ = environment_.scheduler.SubmitTurn(
       caller_.id(), {.compute = [self] { self->ComputeOrSayWhyNot(); },
-                     .deliver = [self] { self->caller_.Guard([&] { self->Deliver(); }); },
+                     .deliver = [self] { self->caller_.Guard([&] { self->DeliverOrEnd(); }); },
                      .displaced = {}});
+}
+
+// An answer for which there was no memory leaves nothing behind that waits for its end.
+void StreamCall::DeliverOrEnd() {
+  try {
+    Deliver();
+  } catch (...) {
+    transfer_.End();
+    OnWritten(false);
+    throw;
+  }
 }
 
 void StreamCall::Deliver() {

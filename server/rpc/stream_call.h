@@ -48,6 +48,7 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   void Check();        // whether the caller may still call
   void CheckAccess();  // mutex_ is held
   void LimitAge();
+  void DeliverOrEnd();
   void Deliver();
   void ComputeOrSayWhyNot();
   void Compute();   // the newest frame into response_
