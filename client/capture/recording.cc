@@ -58,9 +58,19 @@ void Recording::Create() {
 bool Recording::StartsTogether(const std::function<bool()>& goes_on) {
   const auto before = TimeOfNext(goes_on);
   Check(recorder_->start());
-  if (camera_.ImageWaits()) return false;  // it may have come before the start
+  AwaitBegin();
+  if (camera_.ImageWaits()) return false;  // it may have come before
   const auto first = TimeOfNext(goes_on);
   return !before || !first || *first - *before < camera_.PeriodUs() * 3 / 2;
+}
+
+// OpenNI2 keeps no image until the thread that writes has begun.
+void Recording::AwaitBegin() {
+  constexpr std::chrono::milliseconds kMoment{1};
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+  while (file_->CountStreams() < kNumStreams && std::chrono::steady_clock::now() < deadline) {
+    std::this_thread::sleep_for(kMoment);
+  }
 }
 
 std::optional<std::uint64_t> Recording::TimeOfNext(const std::function<bool()>& goes_on) {

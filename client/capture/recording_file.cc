@@ -15,7 +15,8 @@ using std::string_view_literals::operator""sv;
 constexpr std::string_view kFileMagic = "NI10";
 constexpr std::string_view kRecordMagic = "NIR\0"sv;
 constexpr std::uint64_t kFirstRecord = 24;
-constexpr std::uint32_t kImage = 10;  // the kind of record that holds one
+// Kinds of records: from here on there are images of a stream; one of them.
+constexpr std::uint32_t kStreamBegins = 8, kImage = 10;
 
 // How each record starts; little-endian, like all machines that this is built for.
 struct RecordHeader {
@@ -36,7 +37,7 @@ bool HasText(const std::string& path, std::uint64_t position, std::string_view t
 
 RecordingFile::RecordingFile(std::string path) : path_(std::move(path)), position_(kFirstRecord) {}
 
-std::uint64_t RecordingFile::CountFrames(std::size_t num_streams) {
+void RecordingFile::ReadOn() {
   std::ifstream file(path_, std::ios::binary | std::ios::ate);
   const auto size = static_cast<std::uint64_t>(std::max<std::streamoff>(file.tellg(), 0));
   RecordHeader header{};
@@ -46,9 +47,19 @@ std::uint64_t RecordingFile::CountFrames(std::size_t num_streams) {
     if (!file || std::string_view(header.magic.data(), header.magic.size()) != kRecordMagic) break;
     const std::uint64_t end = position_ + header.header_bytes + header.payload_bytes;
     if (end <= position_ || end > size) break;  // not written to its end yet
+    if (header.kind == kStreamBegins) ++num_streams_;
     if (header.kind == kImage) ++num_images_[header.stream];
     position_ = end;
   }
+}
+
+std::size_t RecordingFile::CountStreams() {
+  ReadOn();
+  return num_streams_;
+}
+
+std::uint64_t RecordingFile::CountFrames(std::size_t num_streams) {
+  ReadOn();
   if (num_images_.size() < num_streams) return 0;
   return std::min_element(num_images_.begin(), num_images_.end(),
                           [](const auto& a, const auto& b) { return a.second < b.second; })
