@@ -11,7 +11,8 @@
 namespace fovea::server {
 namespace {
 
-constexpr char kIntrinsics[] = "frame.depth_intrinsics", kPose[] = "frame.color_from_depth";
+constexpr char kIntrinsics[] = "frame.depth_intrinsics", kPose[] = "frame.color_from_depth",
+               kPosition[] = "frame.color_from_depth.position";
 // Cameras of one sensor or robot; millimetres for metres go beyond.
 constexpr double kFarthest_m = 10;
 
@@ -29,7 +30,7 @@ std::optional<DepthCamera> DepthCameraFromProto(const v1::Frame& frame) {
   const DepthCamera camera = {FromProto(frame.depth_intrinsics(), kIntrinsics),
                               frame.depth_intrinsics(), FromProto(frame.color_from_depth(), kPose)};
   const double distance_m = camera.color_from_depth.translation().norm();
-  RequireField(distance_m <= kFarthest_m, std::string(kPose) + ".position",
+  RequireField(distance_m <= kFarthest_m, kPosition,
                "is " + std::to_string(distance_m) + " m away, at most 10 m are allowed");
   return camera;
 }
