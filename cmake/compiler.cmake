@@ -17,8 +17,9 @@ if(FOVEA_SANITIZE)
   if(FOVEA_SANITIZE MATCHES thread)
     add_compile_options(-Wno-tsan) # fences in Boost.Asio, beside locks that it does see
   endif()
-  # GCC 12 warns falsely about std::regex when it is instrumented (GCC bug 105562).
-  add_compile_options(-Wno-maybe-uninitialized)
+  # GCC 12 warns falsely about std::regex (GCC bug 105562) and sums of strings when they are
+  # instrumented.
+  add_compile_options(-Wno-maybe-uninitialized -Wno-array-bounds)
 endif()
 
 # Called once per target of ours; generated and third-party code stays without it.
