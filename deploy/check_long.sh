@@ -27,17 +27,18 @@ PYTHON
 }
 
 sanitize() { # PRESET TARGET...
-  local preset=$1 names variables
+  local preset=$1 variables
   shift
   variables=$(environment "$preset")
   while read -r line; do export "${line?}"; done <<<"$variables"
   cmake --preset "$preset" >/dev/null
   nice cmake --build --preset "$preset" --target "$@" -j "$jobs"
-  # By program: those that were not built have a test named NAME_NOT_BUILT.
+  # By folder: programs that were not built have a test named NAME_NOT_BUILT.
   for name in "$@"; do
-    names=$(find "build/$preset/tests" -type f -name "$name" -perm -u+x)
-    echo "$preset: $name"
-    nice ctest --test-dir "$(dirname "$names")" --output-on-failure -j "$jobs" -E _NOT_BUILT
+    find "build/$preset/tests" -type f -name "$name" -perm -u+x -printf '%h\n'
+  done | sort -u | while read -r folder; do
+    echo "$preset: $folder"
+    nice ctest --test-dir "$folder" --output-on-failure -j "$jobs" -E _NOT_BUILT </dev/null || exit
   done
 }
 
