@@ -40,9 +40,10 @@ Recording::Recording(std::string path, OpenNiCamera& camera, const std::function
     Create();
     if (StartsTogether(goes_on)) return;
   }
-  notes << "note: this machine is too busy to start colour and depth at one moment; they may be a "
-           "frame apart in "
-        << path_ << '\n';
+  notes
+      << "note: colour and depth of " << path_
+      << " may be a frame apart: images are missing, or this machine is too busy to start both at "
+         "one moment\n";
 }
 
 void Recording::Create() {
