@@ -136,8 +136,7 @@ Stream CoveredByAPanel(const Scene& scene, Random& random) {
     Scene frame = SeenFromAround(scene, (6.0 * i / kFrames - 3) * std::numbers::pi / 180);
     const Isometry3d& camera = frame.camera.world_from_camera;
     const Vector3d target = camera.inverse() * body.world_from_body.translation();
-    Body panel =
-        PartOfArm("panel", Vector3d::Zero(), {wide_m, wide_m, 0.02}, scenes::ShapeKind::kBox);
+    Body panel = PartOfArm("panel", {}, {wide_m, wide_m, 0.02}, scenes::ShapeKind::kBox);
     const Vector3d beside(side * (1 - InTheWay(i)) * 1.2 * target.z() * kShare, 0, 0);
     panel.world_from_body = camera * Eigen::Translation3d(kShare * target + beside);
     if (InTheWay(i) > 0) frame.bodies.push_back(panel);
