@@ -10,10 +10,8 @@
 namespace fovea::capture {
 namespace {
 
-using std::string_view_literals::operator""sv;
-
 constexpr std::string_view kFileMagic = "NI10";
-constexpr std::string_view kRecordMagic = "NIR\0"sv;
+constexpr std::string_view kRecordMagic("NIR\0", 4);
 constexpr std::uint64_t kFirstRecord = 24;
 // Kinds of records: from here on there are images of a stream; one of them.
 constexpr std::uint32_t kStreamBegins = 8, kImage = 10;
