@@ -89,7 +89,7 @@ TEST_F(RecordingTest, ReplaysAllFramesInOrderEachTime) {
 }
 
 TEST_F(RecordingTest, StartsWithColorAndDepthOfOneMoment) {
-  // Always between two images of one moment, unless it is awaited that both have come.
+  // So there is time between the two images of a moment, in which a recording must not begin.
   const std::string recording = Recorded({{"FOVEA_CAMERA_FAULTS", "color-waits"}});
   EXPECT_GE(SavedByReplay(recording, At("out")).size(), 7U);
 }
