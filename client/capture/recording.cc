@@ -59,19 +59,20 @@ void Recording::Create() {
 bool Recording::StartsTogether(const std::function<bool()>& goes_on) {
   const auto before = TimeOfNext(goes_on);
   Check(recorder_->start());
-  AwaitBegin();
-  if (camera_.ImageWaits()) return false;  // it may have come before
+  if (!Begins() || camera_.ImageWaits()) return false;  // an image may have come before
   const auto first = TimeOfNext(goes_on);
   return !before || !first || *first - *before < camera_.PeriodUs() * 3 / 2;
 }
 
-// OpenNI2 keeps no image until the thread that writes has begun.
-void Recording::AwaitBegin() {
+// OpenNI2 keeps no image until the thread that writes has begun, and only the file tells when.
+bool Recording::Begins() {
   constexpr std::chrono::milliseconds kMoment{1};
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(1);
-  while (file_->CountStreams() < kNumStreams && std::chrono::steady_clock::now() < deadline) {
+  while (file_->CountStreams() < kNumStreams) {
+    if (std::chrono::steady_clock::now() > deadline) return false;
     std::this_thread::sleep_for(kMoment);
   }
+  return true;
 }
 
 std::optional<std::uint64_t> Recording::TimeOfNext(const std::function<bool()>& goes_on) {

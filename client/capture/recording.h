@@ -34,7 +34,7 @@ class Recording {
 
   void Create();
   bool StartsTogether(const std::function<bool()>& goes_on);
-  void AwaitBegin();
+  bool Begins();
   std::optional<std::uint64_t> TimeOfNext(const std::function<bool()>& goes_on);
   void Check(openni::Status status) const;
 
