@@ -2,16 +2,29 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <vector>
 
 #include "core/grasping/grasp_terms.h"
-#include "core/types/term_function.h"
 
 namespace fovea {
 
-// The logarithm of the odds: a sum of functions of one term each.
+// A decision tree that asks the same of every branch of a level, so that it is a table.
+struct GraspTree {
+  static constexpr std::size_t kDepth = 5;
+  std::array<std::uint8_t, kDepth> terms{};
+  std::array<float, kDepth> thresholds{};
+  // By which terms are above their thresholds, the first is the lowest bit; thousandths of
+  // log-odds.
+  std::array<std::int16_t, 1U << kDepth> values{};
+
+  int Of(const GraspTerms& of_grasp) const;
+};
+
+// The logarithm of the odds: a sum of trees. Whole numbers, so the same on every machine.
 struct GraspFunction {
-  double bias = 0;
-  std::array<TermFunction, kNumGraspTerms> functions;
+  int bias = 0;  // thousandths
+  std::vector<GraspTree> trees;
 
   double LogOdds(const GraspTerms& terms) const;
 };

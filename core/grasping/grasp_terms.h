@@ -4,14 +4,16 @@
 #include <array>
 #include <string_view>
 
+#include "core/grasping/grasp_scene.h"
+#include "core/types/detections.h"
 #include "core/types/grasp.h"
 
 namespace fovea {
 
-inline constexpr std::size_t kNumGraspTerms = 25;
+inline constexpr std::size_t kNumGraspTerms = 28;
 using GraspTerms = std::array<float, kNumGraspTerms>;
 
-// Lengths in centimetres, slopes as tangents, shares 0 … 1. The first twelve are of the object.
+// Lengths in centimetres, slopes as tangents, shares 0 … 1. The first fifteen are of the object.
 enum ObjectGraspTerm : std::size_t {
   kTermDistance,      // from the camera, metres
   kTermConfidence,    // that it is an object
@@ -25,6 +27,9 @@ enum ObjectGraspTerm : std::size_t {
   kTermDepthMissing,  //
   kTermSlender,       // its height by its mean width, up to 3
   kTermHiddenBorder,  // share of its outline
+  kTermHollow,        //
+  kTermSeenThrough,   // share of the outline of its solid
+  kTermBesideSolid,   // share of its pixels
   kNumTermsOfObject,
 };
 
@@ -58,7 +63,7 @@ enum SuctionTerm : std::size_t {
   kTermInside,                          // on the bottom of what is hollow
 };
 
-// What a grasp is judged as: one function each.
+// What a grasp is judged as: a model each.
 enum class GraspFamily { kAcross, kRim, kHandle, kSuction };
 inline constexpr std::size_t kNumGraspFamilies = 4;
 
@@ -67,5 +72,8 @@ struct ScoredGrasp {
   GraspFamily family = GraspFamily::kAcross;
   GraspTerms terms{};
 };
+
+// What speaks for all grasps of an object; the other terms are 0.
+GraspTerms TermsOfObject(const GraspScene& scene, const DetectedObject& object);
 
 }  // namespace fovea

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/grasping/hidden_border.h"
 #include "core/grasping/jaw_contacts.h"
 #include "core/grasping/jaw_places.h"
 #include "core/grasping/sight.h"
@@ -172,31 +171,9 @@ void AddGrasp(const Turn& turn, const JawPlace& place, const GraspTerms& of_obje
 
 }  // namespace
 
-GraspTerms TermsOfObject(const GraspScene& scene, const DetectedObject& object) {
-  using Kind = Shape::Kind;
-  const Kind kind = object.shape.kind;
-  GraspTerms terms{};
-  terms[kTermDistance] = object.box.center.norm();
-  terms[kTermConfidence] = object.confidence;
-  terms[kTermUnseen] = object.unseen_share;
-  terms[kTermTruncated] = object.truncated ? 1 : 0;
-  terms[kTermShapeSure] = kind == Kind::kOther ? 0 : object.shape.confidence;
-  terms[kTermRound] =
-      kind == Kind::kSphere || kind == Kind::kCylinder || kind == Kind::kRevolution ? 1 : 0;
-  terms[kTermResidual] = std::min(2.0F, kCentimetres * object.shape.residual_m);
-  terms[kTermFlat] = kind == Kind::kFlat ? 1 : 0;
-  terms[kTermHeight] = std::min(15.0F, kCentimetres * object.box.size_m.z());
-  terms[kTermDepthMissing] = object.depth_missing ? 1 : 0;
-  const Eigen::Vector3f& size = object.box.size_m;
-  terms[kTermSlender] = std::min(3.0F, 2 * size.z() / std::max(0.001F, size.x() + size.y()));
-  terms[kTermHiddenBorder] = HiddenShareOfBorder(scene, object);
-  return terms;
-}
-
-void FindJawGrasps(const GraspScene& scene, const DetectedObject& object, const HandGrid& grid,
-                   std::vector<JawHand>& hands) {
+void FindJawGrasps(const GraspScene& scene, const DetectedObject& object,
+                   const GraspTerms& of_object, const HandGrid& grid, std::vector<JawHand>& hands) {
   const CompletedSolid solid(object, grid.frame);
-  const GraspTerms of_object = TermsOfObject(scene, object);
   const float half_across = solid.HalfExtents().head<2>().norm() + 0.025F;
   std::vector<JawPlace> places;
   // Far apart turns first: the cap on places leaves none of them out.

@@ -18,12 +18,9 @@ struct JawHand {
   std::vector<ScoredGrasp> grasps;
 };
 
-// What speaks for all grasps of an object.
-GraspTerms TermsOfObject(const GraspScene& scene, const DetectedObject& object);
-
 // Fills `failures` and `grasps` of each hand: twelve turns of it, from that of the object's box
 // on, at most 400 places each. `grid`: along the way in, wide enough for the widest hand.
-void FindJawGrasps(const GraspScene& scene, const DetectedObject& object, const HandGrid& grid,
-                   std::vector<JawHand>& hands);
+void FindJawGrasps(const GraspScene& scene, const DetectedObject& object,
+                   const GraspTerms& of_object, const HandGrid& grid, std::vector<JawHand>& hands);
 
 }  // namespace fovea

@@ -53,11 +53,12 @@ class Planner {
 
   std::vector<Found> PlanFor(std::size_t target) const {
     std::vector<Found> found(grippers_.size());
+    const Target at = {target, TermsOfObject(scene_, objects_[target])};
     for (const auto& [approach, grippers] : GrippersByApproach(objects_[target])) {
       InterruptionPoint();
       const HandGrid grid = BuildHandGrid(scene_, objects_, target, approach, reach_m_);
-      FindWithJaws(target, grippers, grid, found);
-      FindWithCups(target, grippers, grid, found);
+      FindWithJaws(at, grippers, grid, found);
+      FindWithCups(at, grippers, grid, found);
     }
     const GraspModel& model = FittedGraspModel();
     for (Found& own : found) {
@@ -67,6 +68,11 @@ class Planner {
   }
 
  private:
+  struct Target {
+    std::size_t index;
+    GraspTerms terms;
+  };
+
   // Those that move in the same way share a grid.
   std::vector<std::pair<Eigen::Vector3f, std::vector<std::size_t>>> GrippersByApproach(
       const DetectedObject& object) const {
@@ -82,7 +88,7 @@ class Planner {
     return groups;
   }
 
-  void FindWithJaws(std::size_t target, const std::vector<std::size_t>& grippers,
+  void FindWithJaws(const Target& target, const std::vector<std::size_t>& grippers,
                     const HandGrid& grid, std::vector<Found>& found) const {
     std::vector<JawHand> hands;
     for (const std::size_t g : grippers) {
@@ -91,7 +97,7 @@ class Planner {
       }
     }
     if (hands.empty()) return;
-    FindJawGrasps(scene_, objects_[target], grid, hands);
+    FindJawGrasps(scene_, objects_[target.index], target.terms, grid, hands);
     for (JawHand& hand : hands) {
       Found& own = found[hand.gripper];
       std::move(hand.grasps.begin(), hand.grasps.end(), std::back_inserter(own.grasps));
@@ -99,13 +105,13 @@ class Planner {
     }
   }
 
-  void FindWithCups(std::size_t target, const std::vector<std::size_t>& grippers,
+  void FindWithCups(const Target& target, const std::vector<std::size_t>& grippers,
                     const HandGrid& grid, std::vector<Found>& found) const {
     for (const std::size_t g : grippers) {
       if (!std::holds_alternative<SuctionGripper>(grippers_[g].hand)) continue;
       Found& own = found[g];
-      std::vector<ScoredGrasp> grasps =
-          FindSuctionGrasps(scene_, objects_[target], grid, grippers_[g], g, own.failures);
+      std::vector<ScoredGrasp> grasps = FindSuctionGrasps(
+          scene_, objects_[target.index], target.terms, grid, grippers_[g], g, own.failures);
       std::move(grasps.begin(), grasps.end(), std::back_inserter(own.grasps));
     }
   }

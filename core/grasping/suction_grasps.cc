@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "core/grasping/jaw_grasps.h"
 #include "core/grasping/suction_patch.h"
 #include "core/grasping/suction_places.h"
 #include "core/types/interruption.h"
@@ -78,13 +77,13 @@ std::optional<NoGrasp::Reason> WhyNot(const SuctionPlace& place, const Gripper& 
 }  // namespace
 
 std::vector<ScoredGrasp> FindSuctionGrasps(const GraspScene& scene, const DetectedObject& object,
-                                           const HandGrid& grid, const Gripper& gripper,
-                                           std::size_t index, Failures& failures) {
+                                           const GraspTerms& of_object, const HandGrid& grid,
+                                           const Gripper& gripper, std::size_t index,
+                                           Failures& failures) {
   constexpr float kNoise_m = 0.001F, kNoisePerM = 0.002F;  // of depth, per square metre
   const auto& cup = std::get<SuctionGripper>(gripper.hand);
   const Eigen::Vector3f approach = -grid.frame.rotation.col(2);
   const CompletedSolid solid(object, grid.frame);
-  const GraspTerms of_object = TermsOfObject(scene, object);
   int num_missed = 0;
   std::vector<SuctionPlace> places = SeenPlaces(scene, object, cup.diameter_m, num_missed);
   for (int i = 0; i < num_missed; ++i) failures.Add(NoGrasp::Reason::kTooLittleSeen);

@@ -13,7 +13,8 @@ namespace fovea {
 // Of at most 64 patches that are spread over the mask, those that the cup may seal on and reach
 // without touching anything else. `grid`: around the object, against the gripper's approach.
 std::vector<ScoredGrasp> FindSuctionGrasps(const GraspScene& scene, const DetectedObject& object,
-                                           const HandGrid& grid, const Gripper& gripper,
-                                           std::size_t index, Failures& failures);
+                                           const GraspTerms& of_object, const HandGrid& grid,
+                                           const Gripper& gripper, std::size_t index,
+                                           Failures& failures);
 
 }  // namespace fovea

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 #include <vector>
 
 #include "core/types/interruption.h"
@@ -96,6 +97,13 @@ CollisionPrimitive BoxGrownTo(const std::vector<ColoredPoint>& cloud, const Orie
   return BoxPrimitive(grown);
 }
 
+// Leaves the corners of the convex hull.
+void KeepHull(std::vector<cv::Point2f>& points) {
+  std::vector<cv::Point2f> hull;
+  cv::convexHull(points, hull);
+  points = std::move(hull);
+}
+
 }  // namespace
 
 CollisionPrimitive PrimitiveOf(const DetectedObject& object) {
@@ -106,9 +114,11 @@ CollisionPrimitive PrimitiveOf(const DetectedObject& object) {
 
 CollisionPrimitive PrimitiveOf(const Support& support, const cv::Mat& points, float tolerance_m) {
   constexpr float kThickness_m = 0.02F;
+  constexpr std::size_t kMorePoints = 10'000;  // at once: bounds the time between interruptions
   const SupportSurface& surface = support.surface;
   const LevelAxes axes = LevelAxesAlongView(surface.normal);
   std::vector<cv::Point2f> on;
+  std::size_t most = kMorePoints;
   for (int row = 0; row < points.rows; ++row) {
     InterruptionPoint();
     for (int column = 0; column < points.cols; ++column) {
@@ -119,6 +129,9 @@ CollisionPrimitive PrimitiveOf(const Support& support, const cv::Mat& points, fl
       const Eigen::Vector2f place = axes * point;
       on.emplace_back(place.x(), place.y());
     }
+    if (on.size() < most) continue;
+    KeepHull(on);
+    most = 2 * on.size() + kMorePoints;
   }
   CollisionPrimitive primitive;
   if (on.empty()) return primitive;

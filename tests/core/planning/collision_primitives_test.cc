@@ -50,15 +50,16 @@ TEST(CollisionPrimitives, HoldAHandleBesideTheCylinder) {
 }
 
 TEST(CollisionPrimitives, OfASupportLieBelowItsSurface) {
-  // A table top 0.5 m below the camera, from 0.6 to 1 m away, and a thing on it.
-  cv::Mat points(41, 61, CV_32FC3);
+  // A table top 0.5 m below the camera, from 0.6 to 1 m away, and a thing on it; more points than
+  // are kept at once.
+  cv::Mat points(161, 241, CV_32FC3);
   for (int row = 0; row < points.rows; ++row) {
     for (int column = 0; column < points.cols; ++column) {
-      points.at<cv::Vec3f>(row, column) = {0.01F * static_cast<float>(column - 30), 0.5F,
-                                           0.6F + 0.01F * static_cast<float>(row)};
+      points.at<cv::Vec3f>(row, column) = {0.0025F * static_cast<float>(column - 120), 0.5F,
+                                           0.6F + 0.0025F * static_cast<float>(row)};
     }
   }
-  points.at<cv::Vec3f>(20, 30)[1] = 0.3F;
+  points.at<cv::Vec3f>(80, 120)[1] = 0.3F;
   points.at<cv::Vec3f>(0, 0) = cv::Vec3f::all(std::numeric_limits<float>::quiet_NaN());
   Support support;
   support.surface.normal = -Vector3f::UnitY();

@@ -1,6 +1,7 @@
 #include "tests/evaluation/grasp_fit/grasp_trials.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -10,13 +11,13 @@
 #include "tests/evaluation/grasp_check/check_grasp.h"
 #include "tests/evaluation/grasp_check/physical_scene.h"
 #include "tests/evaluation/grasp_figures/grasp_run.h"
-#include "tests/evaluation/logistic_regression.h"
-#include "tests/evaluation/term_columns.h"
 
 namespace fovea::evaluation {
 namespace {
 
-constexpr std::size_t kSpread = 10, kLikeliest = 10;
+constexpr std::array<const char*, kNumGraspFamilies> kFamilies = {"across", "rim", "handle",
+                                                                  "suction"};
+constexpr std::size_t kSpread = 20, kLikeliest = 20;
 
 // Of the candidates of one gripper.
 std::vector<const ScoredGrasp*> Chosen(const std::vector<ScoredGrasp>& candidates,
@@ -54,43 +55,6 @@ void TryIn(const GeneratedScene& scene, const std::vector<Gripper>& grippers,
   }
 }
 
-// With knots where the term's values are, and what the slopes are multiplied by in each trial.
-GraspFunction FitFamily(const std::vector<GraspTrial>& trials, std::size_t family) {
-  // Of cups there are fewer trials: chosen where the figures of other seeds are best.
-  const bool is_suction = family == static_cast<std::size_t>(GraspFamily::kSuction);
-  const double penalty = is_suction ? 1e-2 : 1e-3;
-  const auto count = static_cast<Eigen::Index>(trials.size());
-  GraspFunction function;
-  for (std::size_t t = 0; t < kNumGraspTerms; ++t) {
-    std::vector<double> values;
-    for (const GraspTrial& trial : trials) values.push_back(static_cast<double>(trial.terms[t]));
-    function.functions[t] = WithKnotsAt(std::move(values));
-  }
-  Eigen::MatrixXd rows(count, static_cast<Eigen::Index>(kNumGraspTerms) * kColumnsOfTerm);
-  Eigen::VectorXd succeeds(count), weights(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const GraspTrial& trial = trials[static_cast<std::size_t>(i)];
-    for (std::size_t t = 0; t < kNumGraspTerms; ++t) {
-      rows.block<1, kColumnsOfTerm>(i, static_cast<Eigen::Index>(t) * kColumnsOfTerm) =
-          ColumnsOf(function.functions[t], static_cast<double>(trial.terms[t]));
-    }
-    succeeds[i] = trial.succeeds ? 1 : 0;
-    weights[i] = trial.weight;
-  }
-  const LogisticModel fitted = FitLogistic(rows, succeeds, weights, penalty);
-  fmt::print("family {}: {} trials, {:.1f} % succeed, log loss {:.3f}\n", family, count,
-             100 * succeeds.dot(weights) / weights.sum(),
-             LogLoss(fitted.LogOdds(rows), succeeds, weights));
-  function.bias = fitted.bias;
-  for (std::size_t t = 0; t < kNumGraspTerms; ++t) {
-    for (std::size_t k = 0; k < TermFunction::kNumKnots + 1; ++k) {
-      function.functions[t].slopes[k] =
-          fitted.weights[static_cast<Eigen::Index>(t * kColumnsOfTerm + k)];
-    }
-  }
-  return function;
-}
-
 }  // namespace
 
 GraspTrials TryGrasps(const GeneratedFlags& flags, const GraspModel& model) {
@@ -112,29 +76,29 @@ GraspTrials TryGrasps(const GeneratedFlags& flags, const GraspModel& model) {
 GraspModel FitGraspModel(const GraspTrials& trials) {
   GraspModel model;
   for (std::size_t f = 0; f < kNumGraspFamilies; ++f) {
-    if (!trials[f].empty()) model.families[f] = FitFamily(trials[f], f);
+    model.families[f] = Boost(trials[f]);
+    fmt::print("{}: {} trials, log loss {:.3f}\n", kFamilies[f], trials[f].size(),
+               LogLoss(model.families[f], trials[f]));
   }
   return model;
 }
 
 std::string ToSource(const GraspModel& model) {
-  constexpr std::array<const char*, kNumGraspFamilies> kNames = {"across", "rim", "handle",
-                                                                 "suction"};
   std::string text =
       "// Made by `fovea-eval grasp-model`; see docs/quality.md.\n"
       "#include \"core/grasping/grasp_model.h\"\n\nnamespace fovea {\n\n"
       "const GraspModel& FittedGraspModel() {\n"
-      "  constexpr double kNone = TermFunction::kNoKnot;\n"
-      "  // A line a term, in the order of grasp_terms.h.\n"
+      "  // A line a tree: which terms it asks, in the order of grasp_terms.h, and for what.\n"
       "  // clang-format off\n"
       "  static const GraspModel model = {{{\n";
   for (std::size_t f = 0; f < kNumGraspFamilies; ++f) {
-    const GraspFunction& function = model.families[f];
-    text += fmt::format("      {{{:.5g}, {{{{  // {}\n", function.bias, kNames[f]);
-    for (const TermFunction& of_term : function.functions) {
-      text += fmt::format("          {},\n", SourceOf(of_term));
+    text += fmt::format("      {{{}, {{  // {}\n", model.families[f].bias, kFamilies[f]);
+    for (const GraspTree& tree : model.families[f].trees) {
+      text +=
+          fmt::format("          {{{{{}}}, {{{:.9g}}}, {{{}}}}},\n", fmt::join(tree.terms, ", "),
+                      fmt::join(tree.thresholds, ", "), fmt::join(tree.values, ", "));
     }
-    text += "      }}},\n";
+    text += "      }},\n";
   }
   return text + "  }}};\n  // clang-format on\n  return model;\n}\n\n}  // namespace fovea\n";
 }

@@ -6,22 +6,17 @@
 
 #include "core/grasping/grasp_model.h"
 #include "tests/evaluation/generated/generated_flags.h"
+#include "tests/evaluation/grasp_fit/boosting.h"
 
 namespace fovea::evaluation {
 
-struct GraspTrial {
-  GraspTerms terms;
-  double weight = 1;  // all candidates of one object and gripper together count 1
-  bool succeeds = false;
-};
-
 using GraspTrials = std::array<std::vector<GraspTrial>, kNumGraspFamilies>;
 
-// At most 20 candidates of each matched object and gripper: evenly spread over all that were
-// judged, and the ten that `model` takes for the likeliest, which are what is offered.
+// At most 40 candidates of each matched object and gripper: evenly spread over all that were
+// judged, and the twenty that `model` takes for the likeliest, which are what is offered.
 GraspTrials TryGrasps(const GeneratedFlags& flags, const GraspModel& model);
 
-// The functions under which the trials are likeliest; prints what they are worth.
+// The functions fitted to the trials; prints what they are worth.
 GraspModel FitGraspModel(const GraspTrials& trials);
 
 // The source text of core/grasping/fitted_grasp_model.cc.

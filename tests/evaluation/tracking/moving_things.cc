@@ -97,17 +97,17 @@ Scene SeenFromAround(const Scene& scene, double angle_rad) {
   return turned;
 }
 
-Stream MovedByAHand(const Scene& scene, Random& random) {
+SceneStream MovedByAHand(const Scene& scene, Random& random) {
   constexpr int kFrames = 40, kBefore = 8;
-  constexpr double kSpeed_m_s = 0.3;
+  constexpr double kMetresPerSecond = 0.3;
   const Chosen chosen = MostVisible(scene);
   const Body& body = scene.bodies[chosen.body];
   const Vector3d along = PlaceToGo(scene, body, random);
   const double top_m = scenes::VerticalExtent(body).second - body.world_from_body.translation().z();
   const double whole_m = along.norm() + 0.24;
-  Stream stream;
+  SceneStream stream;
   for (int i = 0; i < kFrames; ++i) {
-    const double way_m = std::clamp((i - kBefore) * kFrames_s * kSpeed_m_s, 0.0, whole_m);
+    const double way_m = std::clamp((i - kBefore) * kFrames_s * kMetresPerSecond, 0.0, whole_m);
     Scene frame = scene;
     frame.bodies[chosen.body].world_from_body.pretranslate(OnTheWay(way_m, along));
     if (way_m > 0 && way_m < whole_m) {
@@ -122,7 +122,7 @@ Stream MovedByAHand(const Scene& scene, Random& random) {
   return stream;
 }
 
-Stream CoveredByAPanel(const Scene& scene, Random& random) {
+SceneStream CoveredByAPanel(const Scene& scene, Random& random) {
   constexpr int kFrames = 40;
   const Chosen chosen = MostVisible(scene);
   const Body& body = scene.bodies[chosen.body];
@@ -130,13 +130,14 @@ Stream CoveredByAPanel(const Scene& scene, Random& random) {
   // From 0.55 of the way to the thing, with room for the edges.
   constexpr double kShare = 0.55;
   const double wide_m = kShare * (body.shape.size_m.norm() + 0.06);
-  Stream stream;
+  SceneStream stream;
   stream.covered = chosen.label;
   for (int i = 0; i < kFrames; ++i) {
     Scene frame = SeenFromAround(scene, (6.0 * i / kFrames - 3) * std::numbers::pi / 180);
     const Isometry3d& camera = frame.camera.world_from_camera;
     const Vector3d target = camera.inverse() * body.world_from_body.translation();
-    Body panel = PartOfArm("panel", {}, {wide_m, wide_m, 0.02}, scenes::ShapeKind::kBox);
+    Body panel =
+        PartOfArm("panel", Vector3d::Zero(), {wide_m, wide_m, 0.02}, scenes::ShapeKind::kBox);
     const Vector3d beside(side * (1 - InTheWay(i)) * 1.2 * target.z() * kShare, 0, 0);
     panel.world_from_body = camera * Eigen::Translation3d(kShare * target + beside);
     if (InTheWay(i) > 0) frame.bodies.push_back(panel);

@@ -11,7 +11,7 @@ namespace fovea::evaluation {
 scenes::Scene SeenFromAround(const scenes::Scene& scene, double angle_rad);
 
 // "moved" and "covered" of streams.h.
-Stream MovedByAHand(const scenes::Scene& scene, scenes::Random& random);
-Stream CoveredByAPanel(const scenes::Scene& scene, scenes::Random& random);
+SceneStream MovedByAHand(const scenes::Scene& scene, scenes::Random& random);
+SceneStream CoveredByAPanel(const scenes::Scene& scene, scenes::Random& random);
 
 }  // namespace fovea::evaluation

@@ -60,7 +60,7 @@ void JudgeCovered(int thing, TrackedStream& stream) {
 
 std::array<TrackedStream, 2> TrackStream(const StreamSpec& spec, const DetectorOptions& options,
                                          Masks masks) {
-  const Stream stream = RandomStream(spec.motion, spec.kind, spec.seed);
+  const SceneStream stream = RandomStream(spec.motion, spec.kind, spec.seed);
   scenes::Random random(spec.seed);
   std::array<Tracker, 2> trackers = {Tracker(1), Tracker(1)};
   std::array<TrackedStream, 2> results;

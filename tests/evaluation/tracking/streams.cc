@@ -19,24 +19,26 @@ using scenes::Scene;
 
 double Radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
-Stream Still(const Scene& scene, Random& /*random*/) { return {std::vector<Scene>(20, scene)}; }
+SceneStream Still(const Scene& scene, Random& /*random*/) {
+  return {std::vector<Scene>(20, scene)};
+}
 
-Stream Circle(const Scene& scene, Random& /*random*/) {
+SceneStream Circle(const Scene& scene, Random& /*random*/) {
   constexpr int kFrames = 60;
-  Stream stream;
+  SceneStream stream;
   for (int i = 0; i < kFrames; ++i) {
     stream.frames.push_back(SeenFromAround(scene, Radians(90.0 * i / (kFrames - 1) - 45)));
   }
   return stream;
 }
 
-Stream Shake(const Scene& scene, Random& random) {
+SceneStream Shake(const Scene& scene, Random& random) {
   constexpr int kFrames = 40;
   Eigen::Matrix<double, 6, 1> rate_hz, phase;
   for (double& rate : rate_hz) rate = random.Uniform(0.7, 1.9);
   for (double& value : phase) value = random.Uniform(0, 6.28);
   const Vector3d drift(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1));
-  Stream stream;
+  SceneStream stream;
   for (int i = 0; i < kFrames; ++i) {
     const double t = kFrames_s * i;
     Eigen::Matrix<double, 6, 1> wave;
@@ -61,7 +63,7 @@ const std::vector<std::string>& StreamMotions() {
   return motions;
 }
 
-Stream RandomStream(const std::string& motion, const std::string& kind, std::uint64_t seed) {
+SceneStream RandomStream(const std::string& motion, const std::string& kind, std::uint64_t seed) {
   const Scene scene = scenes::RandomScene(kind, seed);
   Random random(seed * 8 + 5);
   if (motion == "still") return Still(scene, random);

@@ -11,7 +11,7 @@ namespace fovea::evaluation {
 
 constexpr double kFrames_s = 0.1;  // from one to the next
 
-struct Stream {
+struct SceneStream {
   std::vector<scenes::Scene> frames;
   // The thing that is covered for a while, by its label in MakeFrame; 0: none.
   int covered = 0;
@@ -26,6 +26,6 @@ const std::vector<std::string>& StreamMotions();
 
 // A scene of that kind (random_scene.h) in motion; the same seed gives the same stream. Throws
 // std::invalid_argument for unknown names.
-Stream RandomStream(const std::string& motion, const std::string& kind, std::uint64_t seed);
+SceneStream RandomStream(const std::string& motion, const std::string& kind, std::uint64_t seed);
 
 }  // namespace fovea::evaluation

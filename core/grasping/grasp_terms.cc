@@ -1,0 +1,36 @@
+#include "core/grasping/grasp_terms.h"
+
+#include <algorithm>
+
+#include "core/grasping/hidden_border.h"
+#include "core/grasping/silhouette.h"
+
+namespace fovea {
+
+GraspTerms TermsOfObject(const GraspScene& scene, const DetectedObject& object) {
+  constexpr float kCentimetres = 100;
+  using Kind = Shape::Kind;
+  const Kind kind = object.shape.kind;
+  GraspTerms terms{};
+  terms[kTermDistance] = object.box.center.norm();
+  terms[kTermConfidence] = object.confidence;
+  terms[kTermUnseen] = object.unseen_share;
+  terms[kTermTruncated] = object.truncated ? 1 : 0;
+  terms[kTermShapeSure] = kind == Kind::kOther ? 0 : object.shape.confidence;
+  terms[kTermRound] =
+      kind == Kind::kSphere || kind == Kind::kCylinder || kind == Kind::kRevolution ? 1 : 0;
+  terms[kTermResidual] = std::min(2.0F, kCentimetres * object.shape.residual_m);
+  terms[kTermFlat] = kind == Kind::kFlat ? 1 : 0;
+  terms[kTermHeight] = std::min(15.0F, kCentimetres * object.box.size_m.z());
+  terms[kTermDepthMissing] = object.depth_missing ? 1 : 0;
+  const Eigen::Vector3f& size = object.box.size_m;
+  terms[kTermSlender] = std::min(3.0F, 2 * size.z() / std::max(0.001F, size.x() + size.y()));
+  terms[kTermHiddenBorder] = HiddenShareOfBorder(scene, object);
+  terms[kTermHollow] = object.shape.hollow ? 1 : 0;
+  const Silhouette silhouette = SilhouetteOf(scene, object);
+  terms[kTermSeenThrough] = silhouette.seen_through;
+  terms[kTermBesideSolid] = silhouette.beside;
+  return terms;
+}
+
+}  // namespace fovea
