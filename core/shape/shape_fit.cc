@@ -159,7 +159,7 @@ std::vector<FittedSolid> FitSolids(const SeenObject& seen, const OrientedBox& st
 }  // namespace
 
 bool IsHollow(const FittedSolid& fit) {
-  constexpr float kMinShare = 0.06F;
+  constexpr float kMinShare = 0.2F;
   return fit.hollow_share >= kMinShare;
 }
 

@@ -21,8 +21,8 @@ struct FittedSolid {
   Solid solid;
   float cost = 1;  // 0 … 1: mean over points and rays of r² / (1 + r²), r in standard deviations
   float residual_m = 0;    // root mean square distance of the points that it explains
-  float hollow_share = 0;  // of the points: below the rim, of which enough is seen, of a frustum or
-                           // an upright cylinder
+  float hollow_share = 0;  // of the points that are seen through the top of a frustum or an upright
+                           // cylinder: below its rim; 0 where too little is seen of that
 };
 
 // Starts from a solid that is roughly right. Minimises the mean of the robust costs (Geman and

@@ -23,8 +23,7 @@ float Thinness(const Solid& solid) {
   return width < likely ? kWeight * (likely - width) / likely : 0;
 }
 
-SeenArray IsBelowRim(const SeenObject& seen, const Solid& solid) {
-  constexpr float kSurely = 2.5F;  // standard deviations
+SeenArray IsThroughTop(const SeenObject& seen, const Solid& solid) {
   const LevelPoints& p = seen.points;
   const float inner_m = kInnerShare * solid.radius_m;
   const Eigen::Vector3f& camera = seen.camera;
@@ -33,8 +32,13 @@ SeenArray IsBelowRim(const SeenObject& seen, const Solid& solid) {
   const SeenArray share = (camera.z() - solid.height_m) / (camera.z() - p.h).max(kRim_m);
   const SeenArray x = camera.x() + share * (p.x - camera.x()) - solid.center.x();
   const SeenArray y = camera.y() + share * (p.y - camera.y()) - solid.center.y();
-  const SeenArray below = solid.height_m - p.h - (kSurely * seen.noise_m).max(kRim_m);
-  return (x.square() + y.square() < inner_m * inner_m && below > 0).cast<float>();
+  return (x.square() + y.square() < inner_m * inner_m).cast<float>();
+}
+
+SeenArray IsBelowRim(const SeenObject& seen, const Solid& solid) {
+  constexpr float kSurely = 2.5F;  // standard deviations
+  const SeenArray below = solid.height_m - seen.points.h - (kSurely * seen.noise_m).max(kRim_m);
+  return IsThroughTop(seen, solid) * (below > 0).cast<float>();
 }
 
 SolidResiduals::SolidResiduals(const SeenObject& seen)
@@ -115,7 +119,7 @@ void SolidResiduals::FindNearest(const Solid& solid) {
 }
 
 void SolidResiduals::MarkHollow(const Solid& solid) {
-  if (solid.kind == Solid::Kind::kFrustum) {
+  if (solid.kind == Solid::Kind::kFrustum || solid.kind == Solid::Kind::kUprightCylinder) {
     is_hollow_ = IsBelowRim(seen_, solid);
   } else {
     is_hollow_.setZero();

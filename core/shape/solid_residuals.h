@@ -12,7 +12,11 @@ namespace fovea {
 // tenths of a millimetre where they are seen, and decides where nothing else does.
 float Thinness(const Solid& solid);
 
-// 1 for the points of a hollow: seen through the top of an upright round solid, and below it.
+// 1 for the points whose lines of sight pass the top of an upright round solid, well inside of its
+// rim. None where the camera is not above it.
+SeenArray IsThroughTop(const SeenObject& seen, const Solid& solid);
+
+// 1 for those of them that are below the top: of a hollow.
 SeenArray IsBelowRim(const SeenObject& seen, const Solid& solid);
 
 // Distances, in standard deviations, of the points and of the rays, and where each ray is nearest.

@@ -56,6 +56,22 @@ TEST(CompleteObjects, OfRoundThingsTheBack) {
   }
 }
 
+TEST(CompleteObjects, ACupIsHollowAndACanIsNotHoweverSteep) {
+  for (const double pitch_deg : {20.0, 35.0, 60.0}) {
+    SCOPED_TRACE(pitch_deg);
+    const Detections found =
+        CompleteThings({Thing(ShapeKind::kCup, {0.08, 0.08, 0.09}, {-0.1, 0}, 0, 0, 0.004),
+                        Thing(ShapeKind::kCylinder, {0.08, 0.08, 0.09}, {0.1, 0}, 0)},
+                       pitch_deg)
+            .detections;
+    EXPECT_EQ(found.objects[0].shape.kind, Shape::Kind::kRevolution);
+    EXPECT_TRUE(found.objects[0].shape.hollow);
+    EXPECT_EQ(found.objects[1].shape.kind, Shape::Kind::kCylinder);
+    EXPECT_FALSE(found.objects[1].shape.hollow);
+    for (const DetectedObject& object : found.objects) ExpectSize(object, {0.08F, 0.08F, 0.09F});
+  }
+}
+
 TEST(CompleteObjects, SeenFromAboveAThingReachesDownToTheFloor) {
   const Detections found =
       CompleteThings({Thing(ShapeKind::kBox, {0.1, 0.08, 0.2}, {0, 0}, 0)}, 89).detections;
