@@ -421,4 +421,3 @@ const GraspModel& FittedGraspModel() {
 }
 
 }  // namespace fovea
-

@@ -100,7 +100,7 @@ std::string ToSource(const GraspModel& model) {
     }
     text += "      }},\n";
   }
-  return text + "  }}};\n  // clang-format on\n  return model;\n}\n\n}  // namespace fovea\n";
+  return text + "  }}};\n  // clang-format on\n  return model;\n}\n\n}  // namespace fovea";
 }
 
 }  // namespace fovea::evaluation
