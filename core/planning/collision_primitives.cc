@@ -107,7 +107,7 @@ void KeepHull(std::vector<cv::Point2f>& points) {
 }  // namespace
 
 CollisionPrimitive PrimitiveOf(const DetectedObject& object) {
-  const CollisionPrimitive primitive = OfShape(object);
+  CollisionPrimitive primitive = OfShape(object);
   if (object.cloud.empty() || HoldsItsPoints(primitive, object.cloud)) return primitive;
   return BoxGrownTo(object.cloud, object.box);
 }
