@@ -128,6 +128,7 @@ void History::Add(const HistoryRecord& record, std::chrono::system_clock::time_p
   const auto at = std::chrono::floor<std::chrono::microseconds>(now).time_since_epoch().count();
   auto id = static_cast<std::uint64_t>(std::max<std::int64_t>(at, 1));
   if (found != robots_.end()) id = std::max(id, found->second.frames.back().id + 1);
+  MakeRoom(robot, HistoryFileSize(record));
   MakeFolder(FolderOf(robot));
   const std::uint64_t bytes = WriteHistoryFile(PathOf(robot, id), record);
   Keep(robot, {.id = id,
@@ -159,6 +160,21 @@ void History::DropOldest(Robots::iterator robot) {
   robots_.erase(robot);
 }
 
+// Before a frame of this size is written, so that what is on disk never takes more than it may.
+void History::MakeRoom(const std::string& name, std::uint64_t bytes) {
+  for (auto robot = robots_.find(name);
+       robot != robots_.end() && robot->second.bytes + bytes > limits_.max_bytes / 2;
+       robot = robots_.find(name)) {
+    DropOldest(robot);
+  }
+  while (num_frames_ > 0 && bytes_ + bytes > limits_.max_bytes) DropOldest(Oldest());
+}
+
+History::Robots::iterator History::Oldest() {
+  return std::ranges::min_element(robots_, {},
+                                  [](const auto& each) { return each.second.frames.front().id; });
+}
+
 // Of the robot that got a frame first, then of all.
 void History::Bound(const std::string& name) {
   const auto robot = robots_.find(name);
@@ -174,8 +190,7 @@ void History::Bound(const std::string& name) {
     for (std::size_t left = quietest->second.frames.size(); left > 0; --left) DropOldest(quietest);
   }
   while (num_frames_ > limits_.max_frames || bytes_ > limits_.max_bytes) {
-    DropOldest(std::ranges::min_element(
-        robots_, {}, [](const auto& each) { return each.second.frames.front().id; }));
+    DropOldest(Oldest());
   }
 }
 

@@ -80,6 +80,8 @@ class History {
   std::uint32_t NumberOf(const std::string& server);
   void Keep(const std::string& robot, const Kept& frame);
   void DropOldest(Robots::iterator robot);
+  Robots::iterator Oldest();  // the robot that has the oldest frame; there must be one
+  void MakeRoom(const std::string& robot, std::uint64_t bytes);
   void Bound(const std::string& robot);
 
   const std::filesystem::path folder_;

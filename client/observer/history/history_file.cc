@@ -96,6 +96,10 @@ std::optional<std::string> Read(std::ifstream& file, std::uint64_t count) {
 
 }  // namespace
 
+std::uint64_t HistoryFileSize(const HistoryRecord& record) {
+  return sizeof(Start) + TextOf(record.header).size() + record.frame.ByteSizeLong();
+}
+
 std::uint64_t WriteHistoryFile(const fs::path& path, const HistoryRecord& record) {
   const std::string header = TextOf(record.header);
   const std::string body = record.frame.SerializeAsString();

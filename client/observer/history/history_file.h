@@ -24,6 +24,9 @@ struct HistoryRecord {
   v1::WatchedFrame frame = {};
 };
 
+// Of the file that would be written, in bytes.
+std::uint64_t HistoryFileSize(const HistoryRecord& record);
+
 // Writes a file that is there as a whole or not at all, whatever ends this program. `path` must not
 // exist. Returns its size; throws std::runtime_error that names it.
 std::uint64_t WriteHistoryFile(const std::filesystem::path& path, const HistoryRecord& record);
