@@ -1,9 +1,9 @@
 #include "core/grasping/silhouette.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/grasping/solid_line.h"
+#include "core/types/projection.h"
 
 namespace fovea {
 namespace {
@@ -11,12 +11,6 @@ namespace {
 constexpr int kRaysAcross = 32;      // the longer side of the object's bounds
 constexpr int kAroundOneIn = 8;      // of its bounds, to each side: a solid may be wider
 constexpr float kFarther_m = 0.01F;  // than the solid: more than depth is wrong by
-
-Eigen::Vector3f RayThrough(int row, int column, const CameraIntrinsics& intrinsics) {
-  const Eigen::Vector3d ray((column - intrinsics.cx_px) / intrinsics.fx_px,
-                            (row - intrinsics.cy_px) / intrinsics.fy_px, 1);
-  return ray.cast<float>();
-}
 
 cv::Rect Around(const cv::Rect& bounds) {
   const int x = bounds.width / kAroundOneIn, y = bounds.height / kAroundOneIn;
@@ -39,7 +33,7 @@ Silhouette SilhouetteOf(const GraspScene& scene, const DetectedObject& object) {
     const auto* labels = scene.labels.ptr<std::uint16_t>(row);
     const auto* points = scene.points.ptr<Eigen::Vector3f>(row);
     for (int column = looked_at.x; column < looked_at.br().x; column += step) {
-      const Eigen::Vector3f ray = RayThrough(row, column, scene.intrinsics);
+      const Eigen::Vector3f ray = RayOf({column, row}, scene.intrinsics);
       const float length = ray.norm();
       const auto span = solid.Along(Eigen::Vector3f::Zero(), ray / length);
       if (labels[column] == object.label) {

@@ -9,6 +9,7 @@
 #include "core/depth/seen_area.h"
 #include "core/types/interruption.h"
 #include "core/types/pixels.h"
+#include "core/types/projection.h"
 
 namespace fovea {
 namespace {
@@ -43,11 +44,6 @@ cv::Mat UnexplainedHoles(const cv::Mat& depth_m, double fx_px, const cv::Rect& a
     }
   }
   return holes;
-}
-
-Eigen::Vector3f RayOf(const cv::Point& pixel, const CameraIntrinsics& k) {
-  return Eigen::Vector3d((pixel.x - k.cx_px) / k.fx_px, (pixel.y - k.cy_px) / k.fy_px, 1)
-      .cast<float>();
 }
 
 // Where a line of sight meets a support from above.

@@ -1,4 +1,4 @@
-// Where a point is seen.
+// Where a point is seen, and what a pixel sees.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,6 +12,13 @@ namespace fovea {
 inline cv::Point2d Project(const Eigen::Vector3f& point, const CameraIntrinsics& intrinsics) {
   return {intrinsics.fx_px * point.x() / point.z() + intrinsics.cx_px,
           intrinsics.fy_px * point.y() / point.z() + intrinsics.cy_px};
+}
+
+// The point at depth 1 that the camera sees at a pixel.
+inline Eigen::Vector3f RayOf(const cv::Point& pixel, const CameraIntrinsics& intrinsics) {
+  return Eigen::Vector3d((pixel.x - intrinsics.cx_px) / intrinsics.fx_px,
+                         (pixel.y - intrinsics.cy_px) / intrinsics.fy_px, 1)
+      .cast<float>();
 }
 
 }  // namespace fovea

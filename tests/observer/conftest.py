@@ -94,17 +94,18 @@ class Recorded:
     def record(self, robot: str, *frames: fovea.Frame, **options: Any) -> list[int]:
         """Sends them, and waits until they are in the history; their numbers there."""
         visitor = self.visitor("ann")
+        newest: list[int] = []
         for frame in frames:
-            count = len(visitor.history(robot)) + 1
+            last = max(visitor.history(robot), default=0)
             self.robots.detect(robot, frame, **options)
             try:
-                ids = visitor.history(robot, count, PATIENCE / 4)
+                newest.append(visitor.newer(robot, last, PATIENCE / 4))
             except AssertionError:
                 # On a busy machine pings may come late, and what is answered until the observer is
                 # connected again is not recorded.
                 self.robots.detect(robot, frame, **options)
-                ids = visitor.history(robot, count)
-        return ids[-len(frames) :]
+                newest.append(visitor.newer(robot, last))
+        return newest
 
 
 @pytest.fixture(scope="module")

@@ -9,7 +9,6 @@ import os
 import re
 import signal
 import subprocess
-import time
 import zipfile
 from pathlib import Path
 from typing import Any
@@ -43,21 +42,6 @@ def bundle(robot: str, at: int, before: int = 0, after: int = 0) -> str:
 
 def folder_size(folder: Path) -> int:
     return sum(path.stat().st_size for path in folder.rglob("*.frame"))
-
-
-def record(visitor: Visitor, robots: Robots, robot: str, frame: fovea.Frame) -> int:
-    """Sends it and waits until it is the newest in the history, whose number it returns; sends it
-    again where the observer was away, as it may be on a busy machine."""
-    before = visitor.history(robot)[-1:]
-    for _ in range(4):
-        robots.detect(robot, frame)
-        end = time.monotonic() + PATIENCE / 4
-        while time.monotonic() < end:
-            newest = visitor.history(robot)[-1:]
-            if newest != before:
-                return newest[0]
-            time.sleep(0.02)
-    raise AssertionError(f"what {robot} sent is not recorded")
 
 
 def test_what_was_seen_can_be_seen_again(recorded: Recorded, scene: Scene) -> None:
@@ -275,14 +259,14 @@ def test_stays_within_its_size(scene: Scene, tmp_path: Path) -> None:
         ServerProcess(observers) as server,
         ObserverProcess(server.address, "127.0.0.1:0", *flags) as observer,
     ):
-        robots, visitor = Robots(server.address), Visitor(observer.address)
-        visitor.log_in(OBSERVERS["ann"][0])
-        recorder_is_ready(visitor, robots)
+        recorded = Recorded(observer, Robots(server.address))
+        visitor = recorded.visitor("ann")
+        recorder_is_ready(visitor, recorded.robots)
         first: list[int] = []
         for robot in ("attic", "hall", "yard"):
             for _ in range(8):
-                newest = record(visitor, robots, robot, scene.frame())
-                first = first or [newest]
+                newest = recorded.record(robot, scene.frame())
+                first = first or newest
                 assert folder_size(tmp_path / "history") <= most
                 assert folder_size(tmp_path / "history" / robot) <= most / 2
         assert first[0] not in visitor.history("attic"), "the oldest goes first"

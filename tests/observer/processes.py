@@ -127,6 +127,16 @@ class Visitor:
             time.sleep(0.02)
         raise AssertionError(f"{robot} has no {count} frames in the history")
 
+    def newer(self, robot: str, than: int, patience: float = PATIENCE) -> int:
+        """The newest frame; waits for one after that, while old ones may go."""
+        end = time.monotonic() + patience
+        while time.monotonic() < end:
+            newest = max(self.history(robot), default=0)
+            if newest > than:
+                return newest
+            time.sleep(0.02)
+        raise AssertionError(f"{robot} has no frame after {than} in the history")
+
     def log_in(self, token: str) -> Answer:
         body = json.dumps({"token": token})
         answer = self.ask("POST", "/api/login", body, Origin=f"http://{self.address}")
