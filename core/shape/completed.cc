@@ -44,8 +44,7 @@ void SetRoundShape(const Solid& solid, const LevelFrame& frame, Shape& shape) {
   const bool lies = solid.kind == Solid::Kind::kLyingCylinder;
   const Eigen::Vector3f axis =
       lies ? Eigen::Vector3f(solid.along.x(), solid.along.y(), 0) : Eigen::Vector3f::UnitZ().eval();
-  shape.radius_m =
-      std::max(solid.radius_m, solid.kind == Solid::Kind::kFrustum ? solid.bottom_radius_m : 0.0F);
+  shape.radius_m = solid.WidestRadius();
   if (solid.kind == Solid::Kind::kSphere) return;
   shape.axis = frame.rotation * axis;
   shape.length_m = lies ? size.x() : size.z();
@@ -89,10 +88,7 @@ void SetShape(const FittedShape& fitted, const LevelFrame& frame, DetectedObject
     shape.hollow = IsHollow(fitted.fit);
     constexpr int kRadii = 8;
     for (int i = 0; i < kRadii; ++i) {
-      const float share = (static_cast<float>(i) + 0.5F) / kRadii;
-      const float lowest =
-          solid.kind == Solid::Kind::kFrustum ? solid.bottom_radius_m : solid.radius_m;
-      shape.radii_m.push_back(lowest + share * (solid.radius_m - lowest));
+      shape.radii_m.push_back(solid.RadiusAt((static_cast<float>(i) + 0.5F) / kRadii));
     }
   }
 }

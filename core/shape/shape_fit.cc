@@ -120,7 +120,7 @@ float CostOfKind(const FittedSolid& fit) {
 
 Shape::Kind KindOf(const FittedSolid& fit) {
   constexpr float kFlat_m = 0.03F, kFlatShare = 0.5F;
-  constexpr float kEvenRadii = 0.12F;
+  constexpr float kEven = 0.12F;  // of the radius
   const Solid& solid = fit.solid;
   switch (solid.kind) {
     case Solid::Kind::kBox: {
@@ -136,7 +136,8 @@ Shape::Kind KindOf(const FittedSolid& fit) {
       return Shape::Kind::kSphere;
     case Solid::Kind::kFrustum: {
       const bool is_even =
-          std::abs(solid.radius_m - solid.bottom_radius_m) < kEvenRadii * solid.radius_m;
+          std::abs(solid.radius_m - solid.bottom_radius_m) < kEven * solid.radius_m &&
+          solid.bulge_m < kEven * solid.radius_m;
       return is_even && !IsHollow(fit) ? Shape::Kind::kCylinder : Shape::Kind::kRevolution;
     }
   }

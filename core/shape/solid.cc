@@ -58,11 +58,14 @@ void DistancesOfBox(const Solid& solid, const LevelPoints& p, const Eigen::Vecto
                    .min(0.0F);
 }
 
-void DistancesOfFrustum(const Solid& solid, const LevelPoints& p, SeenArray& distances) {
-  const float widens = (solid.radius_m - solid.bottom_radius_m) / solid.height_m;
-  const SeenArray radii = solid.bottom_radius_m + widens * p.h.max(0.0F).min(solid.height_m);
-  const SeenArray wall = (FromAxis(solid, p) - radii) / std::sqrt(1 + widens * widens);
-  distances = DistanceOfProduct(wall, DistanceOfLayer(p.h, solid.height_m));
+// To first order.
+SeenArray FromWallOfFrustum(const Solid& solid, const LevelPoints& p) {
+  const float widens = solid.radius_m - solid.bottom_radius_m;
+  const SeenArray share = p.h.max(0.0F).min(solid.height_m) / solid.height_m;
+  const SeenArray radii =
+      solid.bottom_radius_m + share * (widens + 4 * solid.bulge_m * (1 - share));
+  const SeenArray slope = (widens + 4 * solid.bulge_m * (1 - 2 * share)) / solid.height_m;
+  return (FromAxis(solid, p) - radii) / (1 + slope.square()).sqrt();
 }
 
 void DistancesOfLyingCylinder(const Solid& solid, const LevelPoints& p, SeenArray& distances) {
@@ -87,6 +90,18 @@ Eigen::Vector2f Turned(const Eigen::Vector2f& along, float angle_rad) {
 
 }  // namespace
 
+float Solid::RadiusAt(float share) const {
+  if (kind != Kind::kFrustum) return radius_m;
+  return bottom_radius_m + share * (radius_m - bottom_radius_m + 4 * bulge_m * (1 - share));
+}
+
+float Solid::WidestRadius() const {
+  if (kind != Kind::kFrustum) return radius_m;
+  const float ends = std::max(radius_m, bottom_radius_m), widens = radius_m - bottom_radius_m;
+  if (4 * bulge_m <= std::abs(widens)) return ends;
+  return RadiusAt(0.5F + widens / (8 * bulge_m));
+}
+
 Eigen::Vector3f Solid::Size() const {
   switch (kind) {
     case Kind::kBox:
@@ -98,7 +113,7 @@ Eigen::Vector3f Solid::Size() const {
     case Kind::kSphere:
       return Eigen::Vector3f::Constant(2 * radius_m);
     case Kind::kFrustum:
-      const float widest = std::max(radius_m, bottom_radius_m);
+      const float widest = WidestRadius();
       return {2 * widest, 2 * widest, height_m};
   }
   return Eigen::Vector3f::Zero();
@@ -107,9 +122,9 @@ Eigen::Vector3f Solid::Size() const {
 int NumParameters(Solid::Kind kind) {
   switch (kind) {
     case Solid::Kind::kBox:
+    case Solid::Kind::kFrustum:
       return 6;
     case Solid::Kind::kLyingCylinder:
-    case Solid::Kind::kFrustum:
       return 5;
     case Solid::Kind::kUprightCylinder:
       return 4;
@@ -150,6 +165,7 @@ Solid Moved(const Solid& solid, const ParameterVector& step) {
       grow(moved.radius_m);
       grow(moved.bottom_radius_m);
       grow(moved.height_m);
+      moved.bulge_m = std::max(0.0F, moved.bulge_m + step[next]);
       break;
   }
   return moved;
@@ -169,8 +185,17 @@ void SignedDistances(const Solid& solid, const LevelPoints& points, SeenArray& d
     case Solid::Kind::kSphere:
       return DistancesOfSphere(solid, points, distances);
     case Solid::Kind::kFrustum:
-      return DistancesOfFrustum(solid, points, distances);
+      distances = DistanceOfProduct(FromWallOfFrustum(solid, points),
+                                    DistanceOfLayer(points.h, solid.height_m));
+      return;
   }
+}
+
+SeenArray DistancesInside(const Solid& solid, const LevelPoints& points, float wall_m) {
+  const SeenArray wall = solid.kind == Solid::Kind::kFrustum
+                             ? FromWallOfFrustum(solid, points)
+                             : SeenArray(FromAxis(solid, points) - solid.radius_m);
+  return (wall + wall_m).abs().min((points.h - wall_m).abs());
 }
 
 }  // namespace fovea

@@ -39,6 +39,13 @@ struct Solid {
   float height_m = 0;                                // of boxes, upright cylinders and frusta
   float radius_m = 0;                                // of all round ones; of frusta at the top
   float bottom_radius_m = 0;                         // of frusta
+  float bulge_m = 0;  // of frusta: how far the wall stands out half way up; a parabola
+
+  // Of upright cylinders and frusta, at a share of the height.
+  float RadiusAt(float share) const;
+
+  // The largest radius of what is round.
+  float WidestRadius() const;
 
   // Its extents along `along`, across it and upwards.
   Eigen::Vector3f Size() const;
@@ -59,5 +66,9 @@ Solid Moved(const Solid& solid, const ParameterVector& step);
 // measured has come through none of the others.
 void SignedDistances(const Solid& solid, const LevelPoints& points, SeenArray& distances,
                      const Eigen::Vector3f* camera = nullptr);
+
+// Of what is hollow, an upright cylinder or a frustum, with walls and a bottom that thick: distances
+// from the nearer of the inner wall and the bottom, without a sign.
+SeenArray DistancesInside(const Solid& solid, const LevelPoints& points, float wall_m);
 
 }  // namespace fovea

@@ -8,8 +8,10 @@ namespace fovea {
 namespace {
 
 constexpr float kDifference = 1e-4F;  // metres and radians, for derivatives
-// A point inside of a hollow frustum costs as much as one 0.7 standard deviations off.
+// A point inside of a hollow solid, far from its inner surface, costs as much as one 0.7 standard
+// deviations off: what is inside may have any shape.
 constexpr float kHollowResidual = 0.7F;
+constexpr float kWall_m = 0.0035F, kWallNoise_m = 0.0015F;  // of vessels of a household
 constexpr float kRim_m = 0.006F, kInnerShare = 0.9F;
 
 }  // namespace
@@ -58,7 +60,13 @@ const SeenArray& SolidResiduals::AtNearest(const Solid& solid) {
   const Eigen::Index num_points = seen_.points.size(), num_rays = on_rays_.size();
   all_.resize(num_points + num_rays);
   SignedDistances(solid, seen_.points, distances_, &seen_.camera);
-  all_.head(num_points) = (is_hollow_ > 0).select(kHollowResidual, distances_ / seen_.noise_m);
+  all_.head(num_points) = distances_ / seen_.noise_m;
+  if (is_hollow_.any()) {
+    const SeenArray off =
+        DistancesInside(solid, seen_.points, kWall_m) / (seen_.noise_m + kWallNoise_m);
+    all_.head(num_points) = (is_hollow_ > 0).select(
+        kHollowResidual * off / (1 + off.square()).sqrt(), all_.head(num_points));
+  }
   SignedDistances(solid, on_rays_, distances_);
   distances_ = (seen_.is_own_end > 0).select(distances_, distances_.max(0.0F));
   all_.segment(num_points, num_rays) = distances_ / seen_.outline_noise_m;

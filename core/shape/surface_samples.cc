@@ -59,19 +59,21 @@ void AddRing(const Axis& axis, float along, float radius, float slope, float wid
   }
 }
 
-// The wall from -half to half with these radii at both ends, then the discs that close it.
-void AddRound(const Axis& axis, float half, float first, float last, bool close_first,
+// The wall from -half to half of the axis, then the discs that close it.
+void AddRound(const Axis& axis, float half, const Solid& solid, bool close_first,
               std::vector<SurfaceSample>& samples) {
-  const float slope = (last - first) / (2 * half);
+  constexpr float kStep = 0.5F / kAcross;  // from the middle of a ring to its ends
   for (int i = 0; i < kAcross; ++i) {
     const float share = (static_cast<float>(i) + 0.5F) / kAcross;
-    AddRing(axis, (2 * share - 1) * half, first + share * (last - first), slope,
+    const float slope =
+        (solid.RadiusAt(share + kStep) - solid.RadiusAt(share - kStep)) / (4 * kStep * half);
+    AddRing(axis, (2 * share - 1) * half, solid.RadiusAt(share), slope,
             2 * half / kAcross * std::sqrt(1 + slope * slope), samples);
   }
   constexpr int kRings = 3;
   for (const bool is_last : {false, true}) {
     if (!is_last && !close_first) continue;
-    const float radius = is_last ? last : first, sign = is_last ? 1.0F : -1.0F;
+    const float radius = solid.RadiusAt(is_last ? 1.0F : 0.0F), sign = is_last ? 1.0F : -1.0F;
     for (int i = 0; i < kRings; ++i) {
       const float r = radius * (static_cast<float>(i) + 0.5F) / kRings;
       const std::size_t begin = samples.size();
@@ -110,15 +112,12 @@ std::vector<SurfaceSample> SampleSurface(const Solid& solid) {
       break;
     case Solid::Kind::kUprightCylinder:
     case Solid::Kind::kFrustum: {
-      const bool is_even = solid.kind == Solid::Kind::kUprightCylinder;
       const Axis axis{ground + up * (solid.height_m / 2), up, u, v};
-      AddRound(axis, solid.height_m / 2, is_even ? solid.radius_m : solid.bottom_radius_m,
-               solid.radius_m, false, samples);
+      AddRound(axis, solid.height_m / 2, solid, false, samples);
       break;
     }
     case Solid::Kind::kLyingCylinder:
-      AddRound({ground + up * solid.radius_m, u, v, up}, solid.half_length_m, solid.radius_m,
-               solid.radius_m, true, samples);
+      AddRound({ground + up * solid.radius_m, u, v, up}, solid.half_length_m, solid, true, samples);
       break;
     case Solid::Kind::kSphere:
       AddSphere(solid, samples);
