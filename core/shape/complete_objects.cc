@@ -139,8 +139,8 @@ void CompleteObjects(const RgbdFrame& frame, const cv::Mat& points,
       LevelFrame under = FrameUnder(object.visible_box);
       under.origin -= under.rotation.col(2) * drop_m;
       FittedShape shape = FitShape(object, outline, frame.intrinsics, under);
-      shape.fit.cost += extra_cost;
-      if (any && best.fit.cost <= shape.fit.cost) return;
+      shape.cost += extra_cost;
+      if (any && best.cost <= shape.cost) return;
       any = true;
       best = std::move(shape);
       best_frame = under;

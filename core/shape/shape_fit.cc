@@ -175,13 +175,13 @@ FittedShape FitShape(const DetectedObject& object, const std::vector<OutlinePoin
   const Eigen::Vector3f top = start.center + frame.rotation.col(2) * (start.size_m.z() / 2);
   start.size_m.z() = frame.FromCamera(top).z();
   FittedShape best;
-  float best_cost = 2, odds = 0;
+  float odds = 0;
   for (const FittedSolid& fit : FitSolids(seen, start)) {
     const float cost = fit.cost + CostOfKind(fit);
     const float squared = std::max(cost, 0.02F) * std::max(cost, 0.02F);
     odds += 1 / (squared * squared);
-    if (cost >= best_cost) continue;
-    best_cost = cost;
+    if (cost >= best.cost) continue;
+    best.cost = cost;
     best.fit = fit;
     best.confidence = 1 / (squared * squared);
   }

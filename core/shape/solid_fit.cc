@@ -15,6 +15,7 @@ constexpr std::array<float, 3> kScales = {4, 2, 1};
 constexpr int kStepsPerScale = 3;
 // Of twelve parts of its rim, as many must be seen.
 constexpr int kMinRimParts = 4;
+constexpr float kPlainlyHollow = 0.5F;  // share below the rim for which no rim need be seen
 constexpr float kLeastBelow = 3;  // points below a rim that make a hollow
 constexpr float kRimHeight_m = 0.01F, kInnerShare = 0.9F;
 constexpr float kMostGrowth = 1.6F, kRoom_m = 0.02F;
@@ -101,10 +102,10 @@ FittedSolid FitSolid(const SeenObject& seen, const Solid& start) {
   const Solid::Kind kind = fitted.solid.kind;
   if (kind == Solid::Kind::kFrustum || kind == Solid::Kind::kUprightCylinder) {
     const float below = IsBelowRim(seen, fitted.solid).sum();
-    const bool has_rim = SeenRimParts(seen.points, fitted.solid) >= kMinRimParts;
-    if (has_rim && below >= kLeastBelow) {
-      fitted.hollow_share = below / IsThroughTop(seen, fitted.solid).sum();
-    }
+    const float share = below / std::max(1.0F, IsThroughTop(seen, fitted.solid).sum());
+    const bool has_rim =
+        SeenRimParts(seen.points, fitted.solid) >= kMinRimParts || share > kPlainlyHollow;
+    if (has_rim && below >= kLeastBelow) fitted.hollow_share = share;
     if (!has_rim && kind == Solid::Kind::kFrustum) {
       fitted.cost += below / static_cast<float>(std::max<Eigen::Index>(1, seen.points.size()));
     }

@@ -38,7 +38,7 @@ SeenArray IsThroughTop(const SeenObject& seen, const Solid& solid) {
 }
 
 SeenArray IsBelowRim(const SeenObject& seen, const Solid& solid) {
-  constexpr float kSurely = 2.5F;  // standard deviations
+  constexpr float kSurely = 2;  // standard deviations
   const SeenArray below = solid.height_m - seen.points.h - (kSurely * seen.noise_m).max(kRim_m);
   return IsThroughTop(seen, solid) * (below > 0).cast<float>();
 }
