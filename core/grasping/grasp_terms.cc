@@ -16,7 +16,8 @@ GraspTerms TermsOfObject(const GraspScene& scene, const DetectedObject& object) 
   terms[kTermConfidence] = object.confidence;
   terms[kTermUnseen] = object.unseen_share;
   terms[kTermTruncated] = object.truncated ? 1 : 0;
-  terms[kTermShapeSure] = kind == Kind::kOther ? 0 : object.shape.confidence;
+  const bool is_known = kind != Kind::kOther || object.shape.form != Shape::Form::kUnknown;
+  terms[kTermShapeSure] = is_known ? object.shape.confidence : 0;
   terms[kTermRound] =
       kind == Kind::kSphere || kind == Kind::kCylinder || kind == Kind::kRevolution ? 1 : 0;
   terms[kTermResidual] = std::min(2.0F, kCentimetres * object.shape.residual_m);

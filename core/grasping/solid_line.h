@@ -15,13 +15,24 @@ struct Span {
   float low = 0, high = 0;
 };
 
-// The completed solid of an object, in a level frame. Of kOther it is not known: only its box is.
+// A box, sphere or cylinder, in the axes of an object's box, from the middle of the solid.
+struct SolidPiece {
+  enum class Kind { kBox, kSphere, kCylinder };
+  Kind kind = Kind::kBox;
+  Eigen::Vector3f center = Eigen::Vector3f::Zero();
+  Eigen::Vector3f half = Eigen::Vector3f::Zero();   // of boxes
+  Eigen::Vector3f axis = Eigen::Vector3f::UnitZ();  // of cylinders: unit vector
+  float radius_m = 0, half_length_m = 0;
+};
+
+// The completed solid of an object, in a level frame: all that is in some piece, and what is
+// between two of them on a line. Where it is not known, its box.
 class CompletedSolid {
  public:
   CompletedSolid(const DetectedObject& object, const LevelFrame& frame);
 
-  bool IsKnown() const { return kind_ != Shape::Kind::kOther; }
-  // Hollow ones count as filled. `direction`: unit vector. Takes some 10 ns.
+  bool IsKnown() const { return is_known_; }
+  // Hollow ones count as filled. `direction`: unit vector. Takes some 10 ns for each piece.
   std::optional<Span> Along(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction) const;
 
   // Half of the solid's extents along the axes of the frame, and its middle.
@@ -29,13 +40,11 @@ class CompletedSolid {
   const Eigen::Vector3f& Center() const { return center_; }
 
  private:
-  Shape::Kind kind_ = Shape::Kind::kOther;
-  Eigen::Vector3f center_;                   // of the box, in the frame
-  Eigen::Matrix3f frame_from_box_;           // its axes as columns; of what has an axis, that
-                                             // is the third
-  Eigen::Vector3f half_box_, half_extents_;  // of the box along its axes; along the frame's
-  float radius_m_ = 0, half_length_m_ = 0;
-  std::vector<float> radii_m_;
+  bool is_known_ = true;
+  Eigen::Vector3f center_;        // in the frame
+  Eigen::Matrix3f frame_from_box_;  // the axes of the box as columns
+  Eigen::Vector3f half_extents_;  // of the box, along the frame's axes
+  std::vector<SolidPiece> pieces_;
 };
 
 }  // namespace fovea

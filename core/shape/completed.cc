@@ -33,15 +33,19 @@ Eigen::Vector2f AwayFromCamera(const LevelFrame& frame, const Eigen::Vector2f& c
   return away.norm() > 1e-3F ? Eigen::Vector2f(away.normalized()) : Eigen::Vector2f::UnitX();
 }
 
+bool Lies(const Solid& solid) {
+  return solid.kind == Solid::Kind::kLyingCylinder || solid.kind == Solid::Kind::kBent;
+}
+
 bool IsRoundAboutUpright(Shape::Kind kind, const Solid& solid) {
   return kind == Shape::Kind::kSphere || kind == Shape::Kind::kRevolution ||
-         (kind == Shape::Kind::kCylinder && solid.kind != Solid::Kind::kLyingCylinder);
+         (kind == Shape::Kind::kCylinder && !Lies(solid));
 }
 
 void SetRoundShape(const Solid& solid, const LevelFrame& frame, Shape& shape) {
   const Eigen::Vector3f size = solid.Size();
   shape.center = frame.ToCamera({solid.center.x(), solid.center.y(), size.z() / 2});
-  const bool lies = solid.kind == Solid::Kind::kLyingCylinder;
+  const bool lies = Lies(solid);
   const Eigen::Vector3f axis =
       lies ? Eigen::Vector3f(solid.along.x(), solid.along.y(), 0) : Eigen::Vector3f::UnitZ().eval();
   shape.radius_m = solid.WidestRadius();
@@ -69,7 +73,9 @@ void SetShape(const FittedShape& fitted, const LevelFrame& frame, DetectedObject
   shape.confidence = fitted.confidence;
   shape.residual_m = fitted.fit.residual_m;
   const Eigen::Vector3f size = solid.Size();
-  const bool is_other = fitted.kind == Shape::Kind::kOther;
+  shape.form = fitted.form;
+  const bool is_other =
+      fitted.kind == Shape::Kind::kOther && fitted.form == Shape::Form::kUnknown;
   object.uncertainty = InCamera(fitted.uncertainty, frame, !is_other && size.y() > size.x());
   if (is_other) {
     const float top = (object.visible_box.center - frame.origin).dot(frame.rotation.col(2)) +
@@ -83,7 +89,9 @@ void SetShape(const FittedShape& fitted, const LevelFrame& frame, DetectedObject
   object.yaw_is_arbitrary = IsRoundAboutUpright(fitted.kind, solid);
   if (object.yaw_is_arbitrary) solid.along = AwayFromCamera(frame, solid.center);
   object.box = BoxOf(solid, frame);
-  if (solid.kind != Solid::Kind::kBox) SetRoundShape(solid, frame, shape);
+  if (shape.form == Shape::Form::kBent) shape.bend_m = solid.bend_m;
+  const bool is_round = solid.kind != Solid::Kind::kBox && fitted.kind != Shape::Kind::kOther;
+  if (is_round) SetRoundShape(solid, frame, shape);
   if (fitted.kind == Shape::Kind::kRevolution) {
     shape.hollow = IsHollow(fitted.fit);
     constexpr int kRadii = 8;

@@ -20,7 +20,7 @@ constexpr float kOutlineNoise_px = 1.25F, kOutlineNoise_m = 0.001F;
 
 // Added to the cost of a solid: of two that explain as much, the one that could explain less.
 constexpr float kCostOfLying = 0, kCostOfFrustum = 0.05F, kCostOfFullFrustum = 0.12F,
-                kCostOfBox = 0.02F;
+                kCostOfBox = 0.02F, kCostOfUnnamed = 0.05F;
 constexpr float kMostCost = 0.38F;  // of what is anything but "other"
 
 void SetPoint(LevelPoints& points, Eigen::Index i, const Eigen::Vector3f& p) {
@@ -74,7 +74,7 @@ SeenObject See(const DetectedObject& object, const std::vector<OutlinePoint>& ou
 // Whether what was seen, as large as this, may belong to such a solid, for all that is hidden of
 // it.
 bool MayBe(Solid::Kind kind, const Eigen::Vector3f& size_m) {
-  constexpr float kMostHidden = 2.8F;
+  constexpr float kMostHidden = 2.8F, kLeastSlender = 2.5F;
   const float width = (size_m.x() + size_m.y()) / 2;
   const bool is_round = size_m.x() < kMostHidden * size_m.y();
   switch (kind) {
@@ -82,9 +82,12 @@ bool MayBe(Solid::Kind kind, const Eigen::Vector3f& size_m) {
       return true;
     case Solid::Kind::kUprightCylinder:
     case Solid::Kind::kFrustum:
+    case Solid::Kind::kOblong:
       return is_round;
     case Solid::Kind::kLyingCylinder:
       return size_m.z() < kMostHidden * size_m.y() && size_m.y() < kMostHidden * size_m.z();
+    case Solid::Kind::kBent:
+      return size_m.x() > kLeastSlender * size_m.z() && size_m.y() > size_m.z() / kMostHidden;
     case Solid::Kind::kSphere:
       return is_round && size_m.z() < kMostHidden * width && width < kMostHidden * size_m.z();
   }
@@ -97,9 +100,13 @@ Solid StartOf(Solid::Kind kind, const OrientedBox& box) {
   solid.half_length_m = box.size_m.x() / 2;
   solid.half_width_m = box.size_m.y() / 2;
   solid.height_m = std::max(box.size_m.z(), 0.004F);
-  const bool rests = kind == Solid::Kind::kLyingCylinder || kind == Solid::Kind::kSphere;
+  const bool rests = kind == Solid::Kind::kLyingCylinder || kind == Solid::Kind::kSphere ||
+                     kind == Solid::Kind::kBent;
   solid.radius_m = rests ? solid.height_m / 2 : (box.size_m.x() + box.size_m.y()) / 4;
   solid.bottom_radius_m = 0.7F * solid.radius_m;
+  if (kind == Solid::Kind::kBent) {
+    solid.half_length_m = std::max(solid.half_length_m, 1.5F * solid.radius_m);
+  }
   return solid;
 }
 
@@ -109,6 +116,9 @@ float CostOfKind(const FittedSolid& fit) {
       return kCostOfBox;
     case Solid::Kind::kLyingCylinder:
       return kCostOfLying;
+    case Solid::Kind::kOblong:
+    case Solid::Kind::kBent:
+      return kCostOfUnnamed;
     case Solid::Kind::kFrustum:
       return IsHollow(fit) ? kCostOfFrustum : kCostOfFullFrustum;
     case Solid::Kind::kUprightCylinder:
@@ -120,7 +130,7 @@ float CostOfKind(const FittedSolid& fit) {
 
 Shape::Kind KindOf(const FittedSolid& fit) {
   constexpr float kFlat_m = 0.03F, kFlatShare = 0.5F;
-  constexpr float kEven = 0.12F;  // of the radius
+  constexpr float kEven = 0.12F, kStraight = 0.3F;  // of the radius
   const Solid& solid = fit.solid;
   switch (solid.kind) {
     case Solid::Kind::kBox: {
@@ -132,6 +142,11 @@ Shape::Kind KindOf(const FittedSolid& fit) {
       return IsHollow(fit) ? Shape::Kind::kRevolution : Shape::Kind::kCylinder;
     case Solid::Kind::kLyingCylinder:
       return Shape::Kind::kCylinder;
+    case Solid::Kind::kOblong:
+      return Shape::Kind::kOther;
+    case Solid::Kind::kBent:
+      return std::abs(solid.bend_m) < kStraight * solid.radius_m ? Shape::Kind::kCylinder
+                                                                 : Shape::Kind::kOther;
     case Solid::Kind::kSphere:
       return Shape::Kind::kSphere;
     case Solid::Kind::kFrustum: {
@@ -145,16 +160,37 @@ Shape::Kind KindOf(const FittedSolid& fit) {
 }
 
 // One of each kind that it may be.
-std::vector<FittedSolid> FitSolids(const SeenObject& seen, const OrientedBox& start) {
+std::vector<FittedSolid> FitSolids(const SeenObject& seen, const OrientedBox& start,
+                                   std::initializer_list<Solid::Kind> kinds) {
   std::vector<Solid> starts;
-  for (const Solid::Kind kind :
-       {Solid::Kind::kBox, Solid::Kind::kUprightCylinder, Solid::Kind::kLyingCylinder,
-        Solid::Kind::kSphere, Solid::Kind::kFrustum}) {
+  for (const Solid::Kind kind : kinds) {
     if (MayBe(kind, start.size_m)) starts.push_back(StartOf(kind, start));
   }
   std::vector<FittedSolid> fits(starts.size());
   ForEachTogether(starts.size(), [&](std::size_t i) { fits[i] = FitSolid(seen, starts[i]); });
   return fits;
+}
+
+// Those that have names, and where none of them explains what was seen well, those that have none.
+std::vector<FittedSolid> FitSolids(const SeenObject& seen, const OrientedBox& start) {
+  constexpr float kWell = 0.1F;
+  using Kind = Solid::Kind;
+  std::vector<FittedSolid> fits =
+      FitSolids(seen, start,
+                {Kind::kBox, Kind::kUprightCylinder, Kind::kLyingCylinder, Kind::kSphere,
+                 Kind::kFrustum});
+  const auto best = std::min_element(fits.begin(), fits.end(), [](const auto& a, const auto& b) {
+    return a.cost < b.cost;
+  });
+  if (best->cost < kWell) return fits;
+  const std::vector<FittedSolid> more = FitSolids(seen, start, {Kind::kOblong, Kind::kBent});
+  fits.insert(fits.end(), more.begin(), more.end());
+  return fits;
+}
+
+Shape::Form FormOf(const FittedShape& shape) {
+  if (shape.kind != Shape::Kind::kOther || shape.fit.cost >= kMostCost) return Shape::Form::kUnknown;
+  return shape.fit.solid.kind == Solid::Kind::kOblong ? Shape::Form::kOblong : Shape::Form::kBent;
 }
 
 }  // namespace
@@ -187,7 +223,8 @@ FittedShape FitShape(const DetectedObject& object, const std::vector<OutlinePoin
   }
   best.confidence /= odds;
   best.kind = best.fit.cost < kMostCost ? KindOf(best.fit) : Shape::Kind::kOther;
-  const bool is_other = best.kind == Shape::Kind::kOther;
+  best.form = FormOf(best);
+  const bool is_other = best.kind == Shape::Kind::kOther && best.form == Shape::Form::kUnknown;
   best.uncertainty = UncertaintyOf(
       seen, is_other ? StartOf(Solid::Kind::kBox, start) : best.fit.solid, best.fit.cost);
   return best;

@@ -8,79 +8,6 @@ namespace {
 
 constexpr float kMinSize_m = 0.002F;
 
-// Of what is the product of two shapes, from the distances to both.
-SeenArray DistanceOfProduct(const SeenArray& a, const SeenArray& b) {
-  return (a.max(0.0F).square() + b.max(0.0F).square()).sqrt() + a.max(b).min(0.0F);
-}
-
-// To the layer between the plane and `height_m`.
-SeenArray DistanceOfLayer(const SeenArray& h, float height_m) {
-  return (h - height_m / 2).abs() - height_m / 2;
-}
-
-SeenArray AlongAxis(const Solid& solid, const LevelPoints& p) {
-  return solid.along.x() * (p.x - solid.center.x()) + solid.along.y() * (p.y - solid.center.y());
-}
-
-SeenArray AcrossAxis(const Solid& solid, const LevelPoints& p) {
-  return solid.along.x() * (p.y - solid.center.y()) - solid.along.y() * (p.x - solid.center.x());
-}
-
-SeenArray FromAxis(const Solid& solid, const LevelPoints& p) {
-  return ((p.x - solid.center.x()).square() + (p.y - solid.center.y()).square()).sqrt();
-}
-
-// From the nearest of the faces at -half and half that the camera sees, negative before it; far
-// inside where it sees none.
-SeenArray BehindSeenFace(const SeenArray& place, float half, float camera) {
-  if (std::abs(camera) <= half) return SeenArray::Constant(place.size(), -1);
-  return (camera > 0 ? place : SeenArray(-place)) - half;
-}
-
-void DistancesOfBox(const Solid& solid, const LevelPoints& p, const Eigen::Vector3f* camera,
-                    SeenArray& distances) {
-  const SeenArray along = AlongAxis(solid, p), across = AcrossAxis(solid, p);
-  const SeenArray u = along.abs() - solid.half_length_m;
-  const SeenArray v = across.abs() - solid.half_width_m;
-  const SeenArray w = DistanceOfLayer(p.h, solid.height_m);
-  distances = (u.max(0.0F).square() + v.max(0.0F).square() + w.max(0.0F).square()).sqrt();
-  if (camera == nullptr) {
-    distances += u.max(v).max(w).min(0.0F);
-    return;
-  }
-  const Eigen::Vector2f to = camera->head<2>() - solid.center;
-  const float to_along = to.dot(solid.along);
-  const float to_across = solid.along.x() * to.y() - solid.along.y() * to.x();
-  distances += BehindSeenFace(along, solid.half_length_m, to_along)
-                   .max(BehindSeenFace(across, solid.half_width_m, to_across))
-                   .max(BehindSeenFace(p.h - solid.height_m / 2, solid.height_m / 2,
-                                       camera->z() - solid.height_m / 2))
-                   .min(0.0F);
-}
-
-// To first order.
-SeenArray FromWallOfFrustum(const Solid& solid, const LevelPoints& p) {
-  const float widens = solid.radius_m - solid.bottom_radius_m;
-  const SeenArray share = p.h.max(0.0F).min(solid.height_m) / solid.height_m;
-  const SeenArray radii =
-      solid.bottom_radius_m + share * (widens + 4 * solid.bulge_m * (1 - share));
-  const SeenArray slope = (widens + 4 * solid.bulge_m * (1 - 2 * share)) / solid.height_m;
-  return (FromAxis(solid, p) - radii) / (1 + slope.square()).sqrt();
-}
-
-void DistancesOfLyingCylinder(const Solid& solid, const LevelPoints& p, SeenArray& distances) {
-  const SeenArray wall =
-      (AcrossAxis(solid, p).square() + (p.h - solid.radius_m).square()).sqrt() - solid.radius_m;
-  distances = DistanceOfProduct(wall, AlongAxis(solid, p).abs() - solid.half_length_m);
-}
-
-void DistancesOfSphere(const Solid& solid, const LevelPoints& p, SeenArray& distances) {
-  distances = ((p.x - solid.center.x()).square() + (p.y - solid.center.y()).square() +
-               (p.h - solid.radius_m).square())
-                  .sqrt() -
-              solid.radius_m;
-}
-
 // By half of the tangent, which is exact on every machine.
 Eigen::Vector2f Turned(const Eigen::Vector2f& along, float angle_rad) {
   const float t = angle_rad / 2, scale = 1 / (1 + t * t);
@@ -112,6 +39,10 @@ Eigen::Vector3f Solid::Size() const {
       return {2 * half_length_m, 2 * radius_m, 2 * radius_m};
     case Kind::kSphere:
       return Eigen::Vector3f::Constant(2 * radius_m);
+    case Kind::kOblong:
+      return {2 * half_length_m, 2 * half_width_m, height_m};
+    case Kind::kBent:
+      return {2 * half_length_m, 2 * radius_m + std::abs(bend_m), 2 * radius_m};
     case Kind::kFrustum:
       const float widest = WidestRadius();
       return {2 * widest, 2 * widest, height_m};
@@ -123,6 +54,8 @@ int NumParameters(Solid::Kind kind) {
   switch (kind) {
     case Solid::Kind::kBox:
     case Solid::Kind::kFrustum:
+    case Solid::Kind::kOblong:
+    case Solid::Kind::kBent:
       return 6;
     case Solid::Kind::kLyingCylinder:
       return 5;
@@ -135,7 +68,8 @@ int NumParameters(Solid::Kind kind) {
 }
 
 bool HasTurn(Solid::Kind kind) {
-  return kind == Solid::Kind::kBox || kind == Solid::Kind::kLyingCylinder;
+  return kind == Solid::Kind::kBox || kind == Solid::Kind::kLyingCylinder ||
+         kind == Solid::Kind::kOblong || kind == Solid::Kind::kBent;
 }
 
 Solid Moved(const Solid& solid, const ParameterVector& step) {
@@ -161,6 +95,21 @@ Solid Moved(const Solid& solid, const ParameterVector& step) {
     case Solid::Kind::kSphere:
       grow(moved.radius_m);
       break;
+    case Solid::Kind::kOblong:
+      grow(moved.half_length_m);
+      grow(moved.half_width_m);
+      grow(moved.height_m);
+      moved.half_width_m = std::min(moved.half_width_m, moved.half_length_m);
+      break;
+    case Solid::Kind::kBent:
+      grow(moved.half_length_m);
+      grow(moved.radius_m);
+      moved.half_length_m = std::max(moved.half_length_m, moved.radius_m + kMinSize_m);
+      // No wider than it is long.
+      moved.bend_m = std::clamp(moved.bend_m + step[next],
+                                -2 * (moved.half_length_m - moved.radius_m),
+                                2 * (moved.half_length_m - moved.radius_m));
+      break;
     case Solid::Kind::kFrustum:
       grow(moved.radius_m);
       grow(moved.bottom_radius_m);
@@ -169,33 +118,6 @@ Solid Moved(const Solid& solid, const ParameterVector& step) {
       break;
   }
   return moved;
-}
-
-void SignedDistances(const Solid& solid, const LevelPoints& points, SeenArray& distances,
-                     const Eigen::Vector3f* camera) {
-  switch (solid.kind) {
-    case Solid::Kind::kBox:
-      return DistancesOfBox(solid, points, camera, distances);
-    case Solid::Kind::kUprightCylinder:
-      distances = DistanceOfProduct(FromAxis(solid, points) - solid.radius_m,
-                                    DistanceOfLayer(points.h, solid.height_m));
-      return;
-    case Solid::Kind::kLyingCylinder:
-      return DistancesOfLyingCylinder(solid, points, distances);
-    case Solid::Kind::kSphere:
-      return DistancesOfSphere(solid, points, distances);
-    case Solid::Kind::kFrustum:
-      distances = DistanceOfProduct(FromWallOfFrustum(solid, points),
-                                    DistanceOfLayer(points.h, solid.height_m));
-      return;
-  }
-}
-
-SeenArray DistancesInside(const Solid& solid, const LevelPoints& points, float wall_m) {
-  const SeenArray wall = solid.kind == Solid::Kind::kFrustum
-                             ? FromWallOfFrustum(solid, points)
-                             : SeenArray(FromAxis(solid, points) - solid.radius_m);
-  return (wall + wall_m).abs().min((points.h - wall_m).abs());
 }
 
 }  // namespace fovea

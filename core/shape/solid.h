@@ -1,4 +1,6 @@
 // Simple solids that stand, or lie, on a level plane, and how far points are from their surface.
+// Oblongs stand: their footprint is a rectangle whose short sides are half circles. Bent rods lie
+// and have round ends.
 //
 // Level frame: x and y along the plane, h above it; metres.
 #pragma once
@@ -30,16 +32,18 @@ struct LevelPoints {
 };
 
 struct Solid {
-  enum class Kind { kBox, kUprightCylinder, kLyingCylinder, kSphere, kFrustum };
+  enum class Kind { kBox, kUprightCylinder, kLyingCylinder, kSphere, kFrustum, kOblong, kBent };
   Kind kind = Kind::kBox;
   Eigen::Vector2f center = Eigen::Vector2f::Zero();  // on the plane, of the footprint
-  Eigen::Vector2f along = Eigen::Vector2f::UnitX();  // of boxes and lying cylinders: unit vector
+  Eigen::Vector2f along = Eigen::Vector2f::UnitX();  // of what has a turn: unit vector
   float half_length_m = 0;                           // along it
-  float half_width_m = 0;                            // of boxes
-  float height_m = 0;                                // of boxes, upright cylinders and frusta
+  float half_width_m = 0;                            // of boxes and oblongs
+  float height_m = 0;                                // of what stands
   float radius_m = 0;                                // of all round ones; of frusta at the top
   float bottom_radius_m = 0;                         // of frusta
   float bulge_m = 0;  // of frusta: how far the wall stands out half way up; a parabola
+  float bend_m = 0;   // of bent rods: how far the ends of the axis lie to the left of `along` from
+                      // its middle; a parabola
 
   // Of upright cylinders and frusta, at a share of the height.
   float RadiusAt(float share) const;

@@ -34,14 +34,14 @@ bool IsNear(const Solid& solid, const Solid& start) {
 }
 
 float CostOf(const SeenArray& residuals, const Solid& solid, float scale) {
-  const float thinness = Thinness(solid);
-  return MeanCost(residuals, scale) + thinness * thinness;
+  const float unlikeliness = Unlikeliness(solid);
+  return MeanCost(residuals, scale) + unlikeliness * unlikeliness;
 }
 
 ParameterVector Step(SolidResiduals& residuals, const Solid& solid, const SeenArray& at,
                      float scale, float damping) {
   NormalEquations equations = Linearize(residuals, solid, at, scale);
-  AddThinness(solid, static_cast<float>(at.size()) * scale * scale, equations);
+  AddUnlikeliness(solid, static_cast<float>(at.size()) * scale * scale, equations);
   ParameterMatrix& normal = equations.normal;
   normal.diagonal().array() += damping * (normal.diagonal().array() + normal.diagonal().mean());
   return normal.ldlt().solve(-equations.gradient);

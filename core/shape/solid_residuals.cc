@@ -16,7 +16,11 @@ constexpr float kRim_m = 0.006F, kInnerShare = 0.9F;
 
 }  // namespace
 
-float Thinness(const Solid& solid) {
+float Unlikeliness(const Solid& solid) {
+  constexpr float kOblongWeight = 0.1F;
+  if (solid.kind == Solid::Kind::kOblong) {
+    return kOblongWeight * (solid.half_length_m / solid.half_width_m - 1);
+  }
   if (solid.kind != Solid::Kind::kBox) return 0;
   constexpr float kLikelyShare = 0.6F, kWeight = 0.4F;
   const float length = 2 * std::max(solid.half_length_m, solid.half_width_m);
@@ -149,16 +153,16 @@ NormalEquations Linearize(SolidResiduals& residuals, const Solid& solid, const S
   return {weighted.transpose() * derivatives, weighted.transpose() * at.matrix()};
 }
 
-void AddThinness(const Solid& solid, float weight, NormalEquations& equations) {
+void AddUnlikeliness(const Solid& solid, float weight, NormalEquations& equations) {
   const auto count = static_cast<int>(equations.gradient.size());
-  const float thinness = Thinness(solid);
+  const float unlikeliness = Unlikeliness(solid);
   ParameterVector thinner(count);
   for (int k = 0; k < count; ++k) {
     const Solid moved = Moved(solid, ParameterVector::Unit(count, k) * kDifference);
-    thinner[k] = (Thinness(moved) - thinness) / kDifference;
+    thinner[k] = (Unlikeliness(moved) - unlikeliness) / kDifference;
   }
   equations.normal += weight * thinner * thinner.transpose();
-  equations.gradient += weight * thinness * thinner;
+  equations.gradient += weight * unlikeliness * thinner;
 }
 
 }  // namespace fovea

@@ -8,9 +8,10 @@
 
 namespace fovea {
 
-// What is not seen of a box is likely not much thinner than what is: 0 unless it is. Moves sides by
-// tenths of a millimetre where they are seen, and decides where nothing else does.
-float Thinness(const Solid& solid);
+// What is not seen of a box is likely not much thinner than what is, and oblongs are hardly longer
+// than wide: 0 if so. Moves sides by tenths of a millimetre where they are seen, and decides where
+// nothing else does.
+float Unlikeliness(const Solid& solid);
 
 // 1 for the points whose lines of sight pass the top of an upright round solid, well inside of its
 // rim. None where the camera is not above it.
@@ -54,7 +55,7 @@ struct NormalEquations {
 NormalEquations Linearize(SolidResiduals& residuals, const Solid& solid, const SeenArray& at,
                           float scale);
 
-// As if a solid that is too thin were `weight` residuals more.
-void AddThinness(const Solid& solid, float weight, NormalEquations& equations);
+// As if a solid that is unlikely were `weight` residuals more.
+void AddUnlikeliness(const Solid& solid, float weight, NormalEquations& equations);
 
 }  // namespace fovea

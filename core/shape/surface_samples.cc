@@ -98,6 +98,56 @@ void AddSphere(const Solid& solid, std::vector<SurfaceSample>& samples) {
   }
 }
 
+// The discs at both ends of the straight part, walls as well, and what is between them.
+void AddOblong(const Solid& solid, std::vector<SurfaceSample>& samples) {
+  const Eigen::Vector3f u(solid.along.x(), solid.along.y(), 0),
+      v(-solid.along.y(), solid.along.x(), 0);
+  const Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
+  const Eigen::Vector3f middle(solid.center.x(), solid.center.y(), solid.height_m / 2);
+  const float straight = solid.half_length_m - solid.half_width_m;
+  Solid end = solid;
+  end.kind = Solid::Kind::kUprightCylinder;
+  end.radius_m = solid.half_width_m;
+  std::vector<SurfaceSample> round;
+  AddRound({middle, up, u, v}, solid.height_m / 2, end, false, round);
+  for (SurfaceSample& sample : round) {
+    const float side = (sample.position - middle).dot(u) > 0 ? 1.0F : -1.0F;
+    sample.position += side * straight * u;
+    samples.push_back(sample);
+  }
+  const Eigen::Vector3f a = straight * u, b = solid.half_width_m * v, c = solid.height_m / 2 * up;
+  AddFace(middle + c, a, b, up, samples);
+  for (const float sign : {-1.0F, 1.0F}) AddFace(middle + sign * b, a, c, sign * v, samples);
+}
+
+// Rings around its axis; the halves of a ball at both ends.
+void AddBent(const Solid& solid, std::vector<SurfaceSample>& samples) {
+  const Eigen::Vector3f along(solid.along.x(), solid.along.y(), 0),
+      left(-solid.along.y(), solid.along.x(), 0);
+  const Eigen::Vector3f middle(solid.center.x(), solid.center.y(), solid.radius_m);
+  const float reach = solid.half_length_m - solid.radius_m;
+  const auto add_ring = [&](float share, float from_end, float radius, float slope, float width) {
+    const float bend = solid.bend_m * (share * share - 0.5F), turn = 2 * solid.bend_m * share / reach;
+    const Eigen::Vector3f axis = (along + turn * left).normalized();
+    const Eigen::Vector3f center = middle + share * reach * along + bend * left;
+    const Eigen::Vector3f side = Eigen::Vector3f::UnitZ().cross(axis);
+    AddRing({center, axis, side, Eigen::Vector3f::UnitZ()}, from_end, radius, slope, width, samples);
+  };
+  for (int i = 0; i < kAcross; ++i) {
+    const float share = (2 * static_cast<float>(i) + 1) / kAcross - 1;
+    const float slope = 2 * solid.bend_m * share / reach;
+    add_ring(share, 0, solid.radius_m, 0, 2 * reach / kAcross * std::sqrt(1 + slope * slope));
+  }
+  constexpr int kLayers = 3;  // of the same height: of the same area
+  for (const float end : {-1.0F, 1.0F}) {
+    for (int i = 0; i < kLayers; ++i) {
+      const float h = (static_cast<float>(i) + 0.5F) / kLayers, r = std::sqrt(1 - h * h);
+      add_ring(end, end * h * solid.radius_m, r * solid.radius_m, -end * h / r,
+               solid.radius_m / (kLayers * r));
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<SurfaceSample> SampleSurface(const Solid& solid) {
@@ -121,6 +171,12 @@ std::vector<SurfaceSample> SampleSurface(const Solid& solid) {
       break;
     case Solid::Kind::kSphere:
       AddSphere(solid, samples);
+      break;
+    case Solid::Kind::kOblong:
+      AddOblong(solid, samples);
+      break;
+    case Solid::Kind::kBent:
+      AddBent(solid, samples);
       break;
   }
   return samples;

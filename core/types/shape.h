@@ -27,6 +27,14 @@ struct Shape {
   // Of kRevolution: the outer radius at evenly spaced heights, the lowest first; half the spacing
   // from each end.
   std::vector<float> radii_m;
+  // Of kOther: what fills its box, where that is known.
+  enum class Form {
+    kUnknown,
+    kOblong,  // upright, its footprint a rectangle whose short sides are half circles
+    kBent,    // a rod with round ends that lies and is bent sideways
+  };
+  Form form = Form::kUnknown;
+  float bend_m = 0;  // of kBent: how far its ends lie towards +y of the box from its middle
   // Of kRevolution: open at its top, with an inside, as bowls and cups.
   bool hollow = false;
 };
