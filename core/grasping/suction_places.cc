@@ -41,8 +41,10 @@ Surface SurfaceOf(const DetectedObject& object, const SuctionPatch& patch) {
       if (std::abs(along) > kOnTop) return {along > 0 ? shape.axis : -shape.axis, 0};
       return {(from - shape.axis * shape.axis.dot(from)).normalized(), 1 / shape.radius_m};
     }
-    case Kind::kRevolution:
     case Kind::kOther:
+      if (shape.form == Shape::Form::kOblong) return {FaceTowards(object.box, patch.normal), 0};
+      break;
+    case Kind::kRevolution:
       break;
   }
   return {patch.normal, patch.curvature_per_m};
@@ -118,6 +120,7 @@ std::vector<SuctionPlace> SpotsOf(const DetectedObject& object, const Eigen::Vec
       spots.AddRevolution(shape);
       break;
     case Kind::kOther:
+      if (shape.form == Shape::Form::kOblong) spots.AddFaces(object.box);
       break;
   }
   return spots.places;

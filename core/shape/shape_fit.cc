@@ -20,7 +20,7 @@ constexpr float kOutlineNoise_px = 1.25F, kOutlineNoise_m = 0.001F;
 
 // Added to the cost of a solid: of two that explain as much, the one that could explain less.
 constexpr float kCostOfLying = 0, kCostOfFrustum = 0.05F, kCostOfFullFrustum = 0.12F,
-                kCostOfBox = 0.02F, kCostOfUnnamed = 0.05F;
+                kCostOfBox = 0.02F, kCostOfOblong = 0.03F, kCostOfBent = 0.05F;
 constexpr float kMostCost = 0.38F;  // of what is anything but "other"
 
 void SetPoint(LevelPoints& points, Eigen::Index i, const Eigen::Vector3f& p) {
@@ -117,8 +117,9 @@ float CostOfKind(const FittedSolid& fit) {
     case Solid::Kind::kLyingCylinder:
       return kCostOfLying;
     case Solid::Kind::kOblong:
+      return kCostOfOblong;
     case Solid::Kind::kBent:
-      return kCostOfUnnamed;
+      return kCostOfBent;
     case Solid::Kind::kFrustum:
       return IsHollow(fit) ? kCostOfFrustum : kCostOfFullFrustum;
     case Solid::Kind::kUprightCylinder:

@@ -156,13 +156,13 @@ NormalEquations Linearize(SolidResiduals& residuals, const Solid& solid, const S
 void AddUnlikeliness(const Solid& solid, float weight, NormalEquations& equations) {
   const auto count = static_cast<int>(equations.gradient.size());
   const float unlikeliness = Unlikeliness(solid);
-  ParameterVector thinner(count);
+  ParameterVector growth(count);
   for (int k = 0; k < count; ++k) {
     const Solid moved = Moved(solid, ParameterVector::Unit(count, k) * kDifference);
-    thinner[k] = (Unlikeliness(moved) - unlikeliness) / kDifference;
+    growth[k] = (Unlikeliness(moved) - unlikeliness) / kDifference;
   }
-  equations.normal += weight * thinner * thinner.transpose();
-  equations.gradient += weight * unlikeliness * thinner;
+  equations.normal += weight * growth * growth.transpose();
+  equations.gradient += weight * unlikeliness * growth;
 }
 
 }  // namespace fovea
