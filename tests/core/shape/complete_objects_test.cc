@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/core/shape/things_on_floor.h"
+#include "tests/support/compound_parts.h"
 
 namespace fovea {
 namespace {
@@ -69,6 +70,73 @@ TEST(CompleteObjects, ACupIsHollowAndACanIsNotHoweverSteep) {
     EXPECT_EQ(found.objects[1].shape.kind, Shape::Kind::kCylinder);
     EXPECT_FALSE(found.objects[1].shape.hollow);
     for (const DetectedObject& object : found.objects) ExpectSize(object, {0.08F, 0.08F, 0.09F});
+  }
+}
+
+TEST(CompleteObjects, ABowlIsWiderHalfWayUpThanAFrustum) {
+  const Detections found =
+      CompleteThings({Thing(ShapeKind::kBowl, {0.16, 0.16, 0.06}, {0, 0}, 0, 0, 0.004)}, 45)
+          .detections;
+  const Shape& bowl = found.objects[0].shape;
+  ASSERT_EQ(bowl.kind, Shape::Kind::kRevolution);
+  ASSERT_EQ(bowl.radii_m.size(), 8U);
+  // True: 40 mm at the foot, 66 mm half way up, 80 mm at the rim.
+  EXPECT_NEAR((bowl.radii_m[3] + bowl.radii_m[4]) / 2, 0.066F, 0.004F);
+  EXPECT_NEAR(bowl.radius_m, 0.08F, 0.003F);
+}
+
+// Lies or stands at a place as its parts say.
+scenes::Body Placed(std::vector<scenes::Part> parts, double yaw_rad) {
+  scenes::Body body = scenes::Compound("thing", std::move(parts));
+  body.is_object = true;
+  scenes::Rest(body, {0, 0}, 0, yaw_rad);
+  return body;
+}
+
+TEST(CompleteObjects, AFlatBottleIsOblong) {
+  constexpr double kSide_m = 0.025, kDepth_m = 0.05, kHeight_m = 0.14;
+  std::vector<scenes::Part> parts = {
+      scenes::BlockPart({0, 0, kHeight_m / 2}, {2 * kSide_m, kDepth_m, kHeight_m})};
+  for (const double x : {-kSide_m, kSide_m}) {
+    parts.push_back(scenes::RodPart({x, 0, 0}, {x, 0, kHeight_m}, kDepth_m));
+  }
+  const Detections found = CompleteThings({Placed(parts, 0.4)}, 35).detections;
+  const DetectedObject& object = found.objects[0];
+  EXPECT_EQ(object.shape.kind, Shape::Kind::kOther);
+  EXPECT_EQ(object.shape.form, Shape::Form::kOblong);
+  ExpectSize(object, {0.1F, 0.05F, 0.14F});
+}
+
+// How far its ends lie from its middle along the box's y axis.
+float EndsBesideMiddle(const DetectedObject& object) {
+  float ends = 0, middle = 0;
+  int num_ends = 0, num_middle = 0;
+  for (const ColoredPoint& p : object.cloud) {
+    const Eigen::Vector3f at =
+        object.box.rotation.transpose() * (Eigen::Vector3f(p.x, p.y, p.z) - object.box.center);
+    if (std::abs(at.x()) > 0.08F) ends += at.y(), ++num_ends;
+    if (std::abs(at.x()) < 0.02F) middle += at.y(), ++num_middle;
+  }
+  return ends / static_cast<float>(num_ends) - middle / static_cast<float>(num_middle);
+}
+
+TEST(CompleteObjects, ABananaIsBent) {
+  for (const double side : {-1.0, 1.0}) {
+    SCOPED_TRACE(side);
+    std::vector<scenes::Part> parts;
+    std::vector<Eigen::Vector3d> axis;
+    for (int i = -4; i <= 4; ++i) axis.emplace_back(0.02 * i, side * 0.04 * i * i / 16, 0.02);
+    scenes::AddBentRod(parts, axis, 0.04);
+    for (const Eigen::Vector3d& end : {axis.front(), axis.back()}) {
+      parts.push_back(scenes::BallPart(end, 0.04));
+    }
+    const Detections found = CompleteThings({Placed(parts, 0.3)}, 40).detections;
+    const DetectedObject& object = found.objects[0];
+    EXPECT_EQ(object.shape.kind, Shape::Kind::kOther);
+    EXPECT_EQ(object.shape.form, Shape::Form::kBent);
+    ExpectSize(object, {0.2F, 0.08F, 0.04F});
+    EXPECT_NEAR(std::abs(object.shape.bend_m), 0.04F, 0.006F);
+    EXPECT_GT(object.shape.bend_m * EndsBesideMiddle(object), 0);
   }
 }
 

@@ -72,6 +72,64 @@ TEST(Solid, DistancesFromRoundSolids) {
   EXPECT_NEAR(Distances(solid, {{0, 0.07F, 0.1F}})[0], 0.02F, 1e-6F);
 }
 
+TEST(Solid, AFrustumThatBulgesIsWidestWhereItsWallIsUpright) {
+  Solid solid;
+  solid.kind = Solid::Kind::kFrustum;
+  solid.radius_m = 0.06F;
+  solid.bottom_radius_m = 0.04F;
+  solid.height_m = 0.1F;
+  EXPECT_FLOAT_EQ(solid.WidestRadius(), 0.06F);
+  solid.bulge_m = 0.02F;
+  EXPECT_FLOAT_EQ(solid.RadiusAt(0), 0.04F);
+  EXPECT_FLOAT_EQ(solid.RadiusAt(0.5F), 0.07F);
+  EXPECT_FLOAT_EQ(solid.RadiusAt(1), 0.06F);
+  EXPECT_NEAR(solid.WidestRadius(), 0.07125F, 1e-6F);  // at 5 / 8 of its height
+  EXPECT_NEAR(Distances(solid, {{0, 0.08125F, 0.0625F}})[0], 0.01F, 1e-6F);
+}
+
+TEST(Solid, InsideOfAHollowOneTheWallAndTheBottomCount) {
+  Solid cup;
+  cup.kind = Solid::Kind::kUprightCylinder;
+  cup.radius_m = 0.04F;
+  cup.height_m = 0.1F;
+  const SeenArray d =
+      DistancesInside(cup, Points({{0.037F, 0, 0.05F}, {0, 0.031F, 0.05F}, {0, 0, 0.008F}}), 0.003F);
+  EXPECT_NEAR(d[0], 0, 1e-6F);
+  EXPECT_NEAR(d[1], 0.006F, 1e-6F);
+  EXPECT_NEAR(d[2], 0.005F, 1e-6F);
+}
+
+TEST(Solid, DistancesFromAnOblongAndABentRod) {
+  Solid solid;
+  solid.kind = Solid::Kind::kOblong;
+  solid.half_length_m = 0.05F;
+  solid.half_width_m = 0.02F;
+  solid.height_m = 0.1F;
+  const SeenArray d = Distances(solid, {{0, 0.03F, 0.05F}, {0.06F, 0, 0.05F}, {0.06F, 0.04F, 0.05F}});
+  EXPECT_NEAR(d[0], 0.01F, 1e-6F);
+  EXPECT_NEAR(d[1], 0.01F, 1e-6F);
+  EXPECT_NEAR(d[2], 0.03F, 1e-6F);  // 3-4-5 about the middle of its end
+
+  solid.kind = Solid::Kind::kBent;
+  solid.half_length_m = 0.1F;
+  solid.radius_m = 0.02F;
+  solid.bend_m = 0.03F;  // its axis from (-0.08, 0.015) by (0, -0.015) to (0.08, 0.015)
+  const SeenArray bent =
+      Distances(solid, {{0, -0.015F, 0.05F}, {0, -0.045F, 0.02F}, {0.11F, 0.015F, 0.02F}});
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(bent[i], 0.01F, 1e-6F) << i;
+  EXPECT_NEAR(solid.Size().y(), 0.07F, 1e-6F);
+}
+
+TEST(Solid, ABentRodStaysLongerThanWide) {
+  Solid solid;
+  solid.kind = Solid::Kind::kBent;
+  solid.half_length_m = 0.1F;
+  solid.radius_m = 0.02F;
+  const ParameterVector step = ParameterVector::Unit(NumParameters(solid.kind), 5);
+  EXPECT_FLOAT_EQ(Moved(solid, step).bend_m, 0.16F);
+  EXPECT_FLOAT_EQ(Moved(solid, -step).bend_m, -0.16F);
+}
+
 TEST(Solid, MovesByWhatDescribesIt) {
   ParameterVector step(NumParameters(Solid::Kind::kBox));
   step << 0.1F, 0, 0.01F, 0.02F, -1, 0.04F;
@@ -88,6 +146,7 @@ TEST(SampleSurface, HasTheAreaWithoutTheBottomAndLiesOnTheSolid) {
   Solid solid = Box();
   solid.radius_m = 0.1F;
   solid.bottom_radius_m = 0.07F;
+  const Solid rounded = solid;
   const float pi = static_cast<float>(M_PI);
   const float slant = std::hypot(0.3F, 0.03F);
   const std::pair<Solid::Kind, float> areas[] = {
@@ -95,9 +154,14 @@ TEST(SampleSurface, HasTheAreaWithoutTheBottomAndLiesOnTheSolid) {
       {Solid::Kind::kUprightCylinder, pi * 0.01F + 2 * pi * 0.1F * 0.3F},
       {Solid::Kind::kLyingCylinder, 2 * pi * 0.01F + 2 * pi * 0.1F * 0.4F},
       {Solid::Kind::kSphere, 4 * pi * 0.01F},
-      {Solid::Kind::kFrustum, pi * 0.01F + pi * (0.1F + 0.07F) * slant}};
+      {Solid::Kind::kFrustum, pi * 0.01F + pi * (0.1F + 0.07F) * slant},
+      {Solid::Kind::kOblong, 0.04F + pi * 0.01F + 0.3F * (0.4F + 2 * pi * 0.1F)},
+      {Solid::Kind::kBent, 2 * pi * 0.08F * (0.24F + 2 * 0.08F)}};
   for (const auto& [kind, area] : areas) {
+    solid = rounded;
     solid.kind = kind;
+    if (kind == Solid::Kind::kOblong) solid.half_width_m = 0.1F;
+    if (kind == Solid::Kind::kBent) solid.radius_m = 0.08F;
     float sum = 0;
     for (const SurfaceSample& sample : SampleSurface(solid)) {
       sum += sample.area_m2;
