@@ -6,6 +6,26 @@
 #include "core/grasping/silhouette.h"
 
 namespace fovea {
+namespace {
+
+// 1 of what is round, 0 of what has flat sides or is not known, between them of what has both.
+float Roundness(const Shape& shape) {
+  using Kind = Shape::Kind;
+  switch (shape.kind) {
+    case Kind::kSphere:
+    case Kind::kCylinder:
+    case Kind::kRevolution:
+      return 1;
+    case Kind::kBox:
+    case Kind::kFlat:
+      return 0;
+    case Kind::kOther:
+      break;
+  }
+  return shape.form == Shape::Form::kUnknown ? 0 : 0.5F;
+}
+
+}  // namespace
 
 GraspTerms TermsOfObject(const GraspScene& scene, const DetectedObject& object) {
   constexpr float kCentimetres = 100;
@@ -18,8 +38,7 @@ GraspTerms TermsOfObject(const GraspScene& scene, const DetectedObject& object) 
   terms[kTermTruncated] = object.truncated ? 1 : 0;
   const bool is_known = kind != Kind::kOther || object.shape.form != Shape::Form::kUnknown;
   terms[kTermShapeSure] = is_known ? object.shape.confidence : 0;
-  terms[kTermRound] =
-      kind == Kind::kSphere || kind == Kind::kCylinder || kind == Kind::kRevolution ? 1 : 0;
+  terms[kTermRound] = Roundness(object.shape);
   terms[kTermResidual] = std::min(2.0F, kCentimetres * object.shape.residual_m);
   terms[kTermFlat] = kind == Kind::kFlat ? 1 : 0;
   terms[kTermHeight] = std::min(15.0F, kCentimetres * object.box.size_m.z());

@@ -19,8 +19,8 @@ enum ObjectGraspTerm : std::size_t {
   kTermConfidence,    // that it is an object
   kTermUnseen,        // share of its surface
   kTermTruncated,     //
-  kTermShapeSure,     // confidence of its shape; 0 of kOther
-  kTermRound,         // whether it is round: sphere, cylinder, of revolution
+  kTermShapeSure,     // confidence of its shape; 0 of kOther without a form
+  kTermRound,         // sphere, cylinder, of revolution: 1; oblong, bent: a half
   kTermResidual,      // of the shape
   kTermFlat,          //
   kTermHeight,        // up to 15

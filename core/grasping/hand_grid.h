@@ -6,7 +6,7 @@
 
 #include "core/grasping/grasp_scene.h"
 #include "core/grasping/solid_line.h"
-#include "core/shape/shape_fit.h"
+#include "core/shape/level_frame.h"
 #include "core/types/detections.h"
 
 namespace fovea {

@@ -41,6 +41,14 @@ class Rings {
   std::vector<float> lowest_;
 };
 
+// Half a step above the last of its radii.
+float RimRadiusOf(const Shape& shape) {
+  const std::vector<float>& radii = shape.radii_m;
+  if (radii.size() < 2) return shape.radius_m;
+  const float last = radii.back(), before = radii[radii.size() - 2];
+  return std::min(shape.radius_m, last + (last - before) / 2);
+}
+
 // From a point inside towards the camera until it leaves through the top.
 void FollowSight(const Eigen::Vector3f& point, const Eigen::Vector3f& camera,
                  const Eigen::Vector2f& axis, float top_m, float step_m, Rings& rings) {
@@ -63,7 +71,7 @@ void HollowOut(const DetectedObject& object, HandGrid& grid) {
   const Eigen::Vector3f center = grid.frame.FromCamera(object.shape.center);
   const float top = center.z() + object.shape.length_m / 2;
   const Eigen::Vector3f camera = grid.frame.FromCamera(Eigen::Vector3f::Zero());
-  const float radius = object.shape.radius_m;
+  const float radius = RimRadiusOf(object.shape);
   Rings rings(radius - kLeastWall_m, grid.cell_m);
   const std::size_t stride = object.cloud.size() / kMostPoints + 1;
   for (std::size_t i = 0; i < object.cloud.size(); i += stride) {

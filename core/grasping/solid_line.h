@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/shape/shape_fit.h"
+#include "core/shape/level_frame.h"
 #include "core/types/detections.h"
 
 namespace fovea {

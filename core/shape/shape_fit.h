@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "core/shape/level_frame.h"
 #include "core/shape/outline.h"
 #include "core/shape/solid_fit.h"
 #include "core/types/box_uncertainty.h"
@@ -11,21 +12,6 @@
 #include "core/types/rgbd_frame.h"
 
 namespace fovea {
-
-// A level frame: its plane carries the object. Columns of `rotation` are its axes in the camera
-// frame; the third is up.
-struct LevelFrame {
-  Eigen::Matrix3f rotation = Eigen::Matrix3f::Identity();
-  Eigen::Vector3f origin = Eigen::Vector3f::Zero();
-
-  Eigen::Vector3f FromCamera(const Eigen::Vector3f& p) const {
-    return rotation.transpose() * (p - origin);
-  }
-  Eigen::Vector3f ToCamera(const Eigen::Vector3f& p) const { return origin + rotation * p; }
-};
-
-// That of a box, whose footprint is centred on its origin, with its axes.
-LevelFrame FrameUnder(const OrientedBox& box);
 
 // Whether enough points lie below its rim.
 bool IsHollow(const FittedSolid& fit);

@@ -3,19 +3,10 @@
 
 #include <Eigen/Core>
 
+#include "core/shape/seen_object.h"
 #include "core/shape/solid.h"
 
 namespace fovea {
-
-// What was seen of an object, in the level frame that its solid is in.
-struct SeenObject {
-  LevelPoints points;  // on its surface
-  SeenArray noise_m;   // standard deviation of each, along its normal
-  Eigen::Vector3f camera = Eigen::Vector3f::Zero();
-  LevelPoints directions;  // from the camera: rays through its outline, of any length
-  SeenArray outline_noise_m;
-  SeenArray is_own_end;  // 1 where the object ends there; 0 where it may go on behind
-};
 
 struct FittedSolid {
   Solid solid;
