@@ -41,9 +41,9 @@ class CompletedSolid {
 
  private:
   bool is_known_ = true;
-  Eigen::Vector3f center_;        // in the frame
+  Eigen::Vector3f center_;          // in the frame
   Eigen::Matrix3f frame_from_box_;  // the axes of the box as columns
-  Eigen::Vector3f half_extents_;  // of the box, along the frame's axes
+  Eigen::Vector3f half_extents_;    // of the box, along the frame's axes
   std::vector<SolidPiece> pieces_;
 };
 

@@ -74,8 +74,7 @@ void SetShape(const FittedShape& fitted, const LevelFrame& frame, DetectedObject
   shape.residual_m = fitted.fit.residual_m;
   const Eigen::Vector3f size = solid.Size();
   shape.form = fitted.form;
-  const bool is_other =
-      fitted.kind == Shape::Kind::kOther && fitted.form == Shape::Form::kUnknown;
+  const bool is_other = fitted.kind == Shape::Kind::kOther && fitted.form == Shape::Form::kUnknown;
   object.uncertainty = InCamera(fitted.uncertainty, frame, !is_other && size.y() > size.x());
   if (is_other) {
     const float top = (object.visible_box.center - frame.origin).dot(frame.rotation.col(2)) +

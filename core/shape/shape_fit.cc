@@ -121,13 +121,11 @@ std::vector<FittedSolid> FitSolids(const SeenObject& seen, const OrientedBox& st
 std::vector<FittedSolid> FitSolids(const SeenObject& seen, const OrientedBox& start) {
   constexpr float kWell = 0.1F;
   using Kind = Solid::Kind;
-  std::vector<FittedSolid> fits =
-      FitSolids(seen, start,
-                {Kind::kBox, Kind::kUprightCylinder, Kind::kLyingCylinder, Kind::kSphere,
-                 Kind::kFrustum});
-  const auto best = std::min_element(fits.begin(), fits.end(), [](const auto& a, const auto& b) {
-    return a.cost < b.cost;
-  });
+  std::vector<FittedSolid> fits = FitSolids(
+      seen, start,
+      {Kind::kBox, Kind::kUprightCylinder, Kind::kLyingCylinder, Kind::kSphere, Kind::kFrustum});
+  const auto best = std::min_element(fits.begin(), fits.end(),
+                                     [](const auto& a, const auto& b) { return a.cost < b.cost; });
   if (best->cost < kWell) return fits;
   const std::vector<FittedSolid> more = FitSolids(seen, start, {Kind::kOblong, Kind::kBent});
   fits.insert(fits.end(), more.begin(), more.end());
@@ -135,7 +133,8 @@ std::vector<FittedSolid> FitSolids(const SeenObject& seen, const OrientedBox& st
 }
 
 Shape::Form FormOf(const FittedShape& shape) {
-  if (shape.kind != Shape::Kind::kOther || shape.fit.cost >= kMostCost) return Shape::Form::kUnknown;
+  if (shape.kind != Shape::Kind::kOther || shape.fit.cost >= kMostCost)
+    return Shape::Form::kUnknown;
   return shape.fit.solid.kind == Solid::Kind::kOblong ? Shape::Form::kOblong : Shape::Form::kBent;
 }
 

@@ -21,7 +21,7 @@ struct FittedShape {
   float confidence = 0;
   FittedSolid fit;  // of kOther: the one that explains most
   Shape::Form form = Shape::Form::kUnknown;
-  float cost = 2;   // of the fit, and for being of its kind: what likelier explanations have less of
+  float cost = 2;  // of the fit, and for being of its kind: what likelier explanations have less of
   // Level frame; of the solid's box, of kOther of the box around what was seen.
   BoxUncertainty uncertainty;
 };

@@ -106,9 +106,9 @@ Solid Moved(const Solid& solid, const ParameterVector& step) {
       grow(moved.radius_m);
       moved.half_length_m = std::max(moved.half_length_m, moved.radius_m + kMinSize_m);
       // No wider than it is long.
-      moved.bend_m = std::clamp(moved.bend_m + step[next],
-                                -2 * (moved.half_length_m - moved.radius_m),
-                                2 * (moved.half_length_m - moved.radius_m));
+      moved.bend_m =
+          std::clamp(moved.bend_m + step[next], -2 * (moved.half_length_m - moved.radius_m),
+                     2 * (moved.half_length_m - moved.radius_m));
       break;
     case Solid::Kind::kFrustum:
       grow(moved.radius_m);

@@ -71,8 +71,8 @@ Solid Moved(const Solid& solid, const ParameterVector& step);
 void SignedDistances(const Solid& solid, const LevelPoints& points, SeenArray& distances,
                      const Eigen::Vector3f* camera = nullptr);
 
-// Of what is hollow, an upright cylinder or a frustum, with walls and a bottom that thick: distances
-// from the nearer of the inner wall and the bottom, without a sign.
+// Of what is hollow, an upright cylinder or a frustum, with walls and a bottom that thick:
+// distances from the nearer of the inner wall and the bottom, without a sign.
 SeenArray DistancesInside(const Solid& solid, const LevelPoints& points, float wall_m);
 
 }  // namespace fovea

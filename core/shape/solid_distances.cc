@@ -88,10 +88,10 @@ void DistancesOfBent(const Solid& solid, const LevelPoints& p, SeenArray& distan
   const SeenArray slope = 2 * solid.bend_m / reach * share;
   const SeenArray across = AcrossAxis(solid, p) - solid.bend_m * (share.square() - 0.5F);
   const SeenArray beyond = along - share * reach;
-  distances = (beyond.square() + across.square() / (1 + slope.square()) +
-               (p.h - solid.radius_m).square())
-                  .sqrt() -
-              solid.radius_m;
+  distances =
+      (beyond.square() + across.square() / (1 + slope.square()) + (p.h - solid.radius_m).square())
+          .sqrt() -
+      solid.radius_m;
 }
 
 void DistancesOfSphere(const Solid& solid, const LevelPoints& p, SeenArray& distances) {

@@ -16,7 +16,7 @@ constexpr int kStepsPerScale = 3;
 // Of twelve parts of its rim, as many must be seen.
 constexpr int kMinRimParts = 4;
 constexpr float kPlainlyHollow = 0.5F;  // share below the rim for which no rim need be seen
-constexpr float kLeastBelow = 3;  // points below a rim that make a hollow
+constexpr float kLeastBelow = 3;        // points below a rim that make a hollow
 constexpr float kRimHeight_m = 0.01F, kInnerShare = 0.9F;
 constexpr float kMostGrowth = 1.6F, kRoom_m = 0.02F;
 

@@ -68,8 +68,9 @@ const SeenArray& SolidResiduals::AtNearest(const Solid& solid) {
   if (is_hollow_.any()) {
     const SeenArray off =
         DistancesInside(solid, seen_.points, kWall_m) / (seen_.noise_m + kWallNoise_m);
-    all_.head(num_points) = (is_hollow_ > 0).select(
-        kHollowResidual * off / (1 + off.square()).sqrt(), all_.head(num_points));
+    all_.head(num_points) =
+        (is_hollow_ > 0)
+            .select(kHollowResidual * off / (1 + off.square()).sqrt(), all_.head(num_points));
   }
   SignedDistances(solid, on_rays_, distances_);
   distances_ = (seen_.is_own_end > 0).select(distances_, distances_.max(0.0F));

@@ -127,11 +127,13 @@ void AddBent(const Solid& solid, std::vector<SurfaceSample>& samples) {
   const Eigen::Vector3f middle(solid.center.x(), solid.center.y(), solid.radius_m);
   const float reach = solid.half_length_m - solid.radius_m;
   const auto add_ring = [&](float share, float from_end, float radius, float slope, float width) {
-    const float bend = solid.bend_m * (share * share - 0.5F), turn = 2 * solid.bend_m * share / reach;
+    const float bend = solid.bend_m * (share * share - 0.5F),
+                turn = 2 * solid.bend_m * share / reach;
     const Eigen::Vector3f axis = (along + turn * left).normalized();
     const Eigen::Vector3f center = middle + share * reach * along + bend * left;
     const Eigen::Vector3f side = Eigen::Vector3f::UnitZ().cross(axis);
-    AddRing({center, axis, side, Eigen::Vector3f::UnitZ()}, from_end, radius, slope, width, samples);
+    AddRing({center, axis, side, Eigen::Vector3f::UnitZ()}, from_end, radius, slope, width,
+            samples);
   };
   for (int i = 0; i < kAcross; ++i) {
     const float share = (2 * static_cast<float>(i) + 1) / kAcross - 1;

@@ -65,7 +65,7 @@ TEST(CompletedSolid, OfWhatIsOblongHasRoundEnds) {
 TEST(CompletedSolid, OfABentRodGoesToWhereItIsBent) {
   DetectedObject object = ObjectOf(Shape::Kind::kOther, {0.24F, 0.1F, 0.04F});
   object.shape.form = Shape::Form::kBent;
-  object.shape.bend_m = 0.06F;  // towards +z of the camera
+  object.shape.bend_m = 0.06F;        // towards +z of the camera
   constexpr float kPieces_m = 1e-3F;  // between a curve and its pieces
   EXPECT_NEAR(Through(object, 0, 0).low, 0.95F, kPieces_m);
   EXPECT_NEAR(Through(object, 0, 0).high, 0.99F, kPieces_m);

@@ -92,8 +92,8 @@ TEST(Solid, InsideOfAHollowOneTheWallAndTheBottomCount) {
   cup.kind = Solid::Kind::kUprightCylinder;
   cup.radius_m = 0.04F;
   cup.height_m = 0.1F;
-  const SeenArray d =
-      DistancesInside(cup, Points({{0.037F, 0, 0.05F}, {0, 0.031F, 0.05F}, {0, 0, 0.008F}}), 0.003F);
+  const SeenArray d = DistancesInside(
+      cup, Points({{0.037F, 0, 0.05F}, {0, 0.031F, 0.05F}, {0, 0, 0.008F}}), 0.003F);
   EXPECT_NEAR(d[0], 0, 1e-6F);
   EXPECT_NEAR(d[1], 0.006F, 1e-6F);
   EXPECT_NEAR(d[2], 0.005F, 1e-6F);
@@ -105,7 +105,8 @@ TEST(Solid, DistancesFromAnOblongAndABentRod) {
   solid.half_length_m = 0.05F;
   solid.half_width_m = 0.02F;
   solid.height_m = 0.1F;
-  const SeenArray d = Distances(solid, {{0, 0.03F, 0.05F}, {0.06F, 0, 0.05F}, {0.06F, 0.04F, 0.05F}});
+  const SeenArray d =
+      Distances(solid, {{0, 0.03F, 0.05F}, {0.06F, 0, 0.05F}, {0.06F, 0.04F, 0.05F}});
   EXPECT_NEAR(d[0], 0.01F, 1e-6F);
   EXPECT_NEAR(d[1], 0.01F, 1e-6F);
   EXPECT_NEAR(d[2], 0.03F, 1e-6F);  // 3-4-5 about the middle of its end
