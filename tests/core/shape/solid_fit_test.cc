@@ -15,7 +15,7 @@ constexpr float kRadius_m = 0.04F, kHeight_m = 0.09F;
 SeenObject CupWithoutRim(float wall_m) {
   constexpr int kAround = 12, kLevels = 5;
   SeenObject seen;
-  seen.points = LevelPoints(2 * kAround * kLevels);
+  seen.points = LevelPoints(Eigen::Index{2} * kAround * kLevels);
   seen.camera = {0, -0.5F, 0.7F};
   Eigen::Index next = 0;
   for (const float side : {-1.0F, 1.0F}) {  // the front, and the inside behind the axis
@@ -60,7 +60,7 @@ TEST(FitSolid, TheInsideTellsWhereTheWallIs) {
 TEST(FitSolid, AnOblongOfWhichOnlyTheFrontIsSeenIsHardlyLongerThanWide) {
   constexpr int kAround = 16, kLevels = 6;
   SeenObject seen;  // half of a round front
-  seen.points = LevelPoints(kAround * kLevels);
+  seen.points = LevelPoints(Eigen::Index{kAround} * kLevels);
   seen.camera = {0, -0.6F, 0.2F};
   Eigen::Index next = 0;
   for (int i = 0; i < kAround; ++i) {
