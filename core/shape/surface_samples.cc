@@ -1,5 +1,6 @@
 #include "core/shape/surface_samples.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 
