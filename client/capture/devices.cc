@@ -9,6 +9,8 @@
 namespace fovea::capture {
 namespace {
 
+std::atomic<bool> kept = false;
+
 std::vector<DeviceName> Cameras() {
   openni::Array<openni::DeviceInfo> devices;
   openni::OpenNI::enumerateDevices(&devices);
@@ -31,7 +33,11 @@ OpenNiRuntime::OpenNiRuntime() {
   }
 }
 
-OpenNiRuntime::~OpenNiRuntime() { openni::OpenNI::shutdown(); }
+OpenNiRuntime::~OpenNiRuntime() {
+  if (!kept) openni::OpenNI::shutdown();
+}
+
+void OpenNiRuntime::KeepUntilExit() { kept = true; }
 
 std::vector<DeviceName> ListDevices() {
   std::vector<DeviceName> cameras = Cameras();

@@ -15,6 +15,9 @@ class OpenNiRuntime {
   OpenNiRuntime();  // throws CameraError
   ~OpenNiRuntime();
 
+  // What is open stays so, whoever ends the runtime.
+  static void KeepUntilExit();
+
   OpenNiRuntime(const OpenNiRuntime&) = delete;
   OpenNiRuntime& operator=(const OpenNiRuntime&) = delete;
 };

@@ -3,6 +3,7 @@
 #include <OpenNI.h>
 
 #include <array>
+#include <memory>
 #include <opencv2/core/mat.hpp>
 
 #include "client/capture/camera.h"
@@ -16,7 +17,6 @@ class OpenNiCamera : public Camera {
  public:
   // Opens and starts it; `notes` gets what a person should know. Throws CameraError.
   OpenNiCamera(const CameraOptions& options, std::ostream& notes);
-  ~OpenNiCamera() override;
 
   std::optional<Picture> Next(std::chrono::milliseconds patience) override;
   bool AtEnd() const override;
@@ -35,6 +35,14 @@ class OpenNiCamera : public Camera {
   std::uint64_t PeriodUs() const { return period_us_; }
 
  private:
+  struct Opened {
+    openni::Device device;
+    Streams streams;
+  };
+  struct Closing {
+    void operator()(Opened* opened) const;
+  };
+
   void StartRecording(std::ostream& notes);
   void SetSpeed(double speed);
   void StartCamera(std::ostream& notes);
@@ -47,8 +55,9 @@ class OpenNiCamera : public Camera {
   CameraOptions options_;
   const std::string uri_;
   UnplugWatch watch_;
-  openni::Device device_;
-  Streams streams_;
+  const std::unique_ptr<Opened, Closing> opened_{new Opened};
+  openni::Device& device_ = opened_->device;
+  Streams& streams_ = opened_->streams;
   const std::array<openni::VideoStream*, 2> both_{&streams_.color, &streams_.depth};
   std::array<int, 2> last_index_{0, 0};
   std::optional<Pairing<cv::Mat>> pairing_;

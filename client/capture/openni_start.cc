@@ -30,10 +30,17 @@ OpenNiCamera::OpenNiCamera(const CameraOptions& options, std::ostream& notes)
   last_arrival_ = steady_clock::now();
 }
 
-OpenNiCamera::~OpenNiCamera() {
-  Stop();
-  for (openni::VideoStream* stream : both_) stream->destroy();
-  device_.close();
+// The player of OpenNI2 goes through its streams in a thread of its own, without a lock, until its
+// device is closed, and a device can only be closed when its streams are gone: whoever closes a
+// recording may crash. Stopped, it stays until the program ends.
+void OpenNiCamera::Closing::operator()(Opened* opened) const {
+  opened->streams.color.stop();
+  opened->streams.depth.stop();
+  if (opened->device.isValid() && opened->device.isFile()) {
+    OpenNiRuntime::KeepUntilExit();
+  } else {
+    delete opened;
+  }
 }
 
 void OpenNiCamera::Stop() {

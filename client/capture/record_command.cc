@@ -39,30 +39,55 @@ void SaveIntrinsicsOf(const Camera& camera, const RecordFlags& flags) {
   }
 }
 
-// Until the limits; what was recorded until a camera fails stays. Returns the number of pictures.
-std::uint64_t Record(OpenNiCamera& camera, const RecordFlags& flags) {
+// A recording without a frame is none to OpenNI2.
+void Discard(const std::string& path) {
+  std::filesystem::remove(path);
+  std::filesystem::remove(IntrinsicsPathOf(path));
+}
+
+struct Recorded {
+  std::uint64_t num_frames = 0;
+  std::exception_ptr error;  // of the camera, which may come after some frames
+};
+
+// Until the limits.
+Recorded Record(OpenNiCamera& camera, const RecordFlags& flags) {
   const auto end = EndOf(flags.limits);
   const auto goes_on = [&] { return !StopAsked() && std::chrono::steady_clock::now() < end; };
   const std::uint64_t max_frames = MaxFramesOf(flags.limits);
-  std::exception_ptr error;
-  std::uint64_t num_frames = 0;
-  {
+  Recorded recorded;
+  try {
     Recording recording(flags.path, camera, goes_on, std::cerr);
+    std::cout << "recording " << camera.Uri() << " to " << flags.path << "; Ctrl-C ends it"
+              << std::endl;
     try {
       constexpr std::chrono::milliseconds kMoment{100};
       while (goes_on() && (!camera.Next(kMoment) || recording.NumWritten() < max_frames)) {
       }
     } catch (const CameraError&) {
-      error = std::current_exception();
+      recorded.error = std::current_exception();
     }
     camera.Stop();
     recording.AwaitWritten();
-    num_frames = recording.NumWritten();
+    recorded.num_frames = recording.NumWritten();
+  } catch (const CameraError&) {  // before it began
+    recorded.error = std::current_exception();
   }
-  std::cout << num_frames << " frames in " << flags.path << ", "
-            << std::filesystem::file_size(flags.path) / 1000 << " kB" << std::endl;
-  if (error) std::rethrow_exception(error);
-  return num_frames;
+  return recorded;
+}
+
+// What was recorded until a camera fails stays.
+void Keep(const Recorded& recorded, const std::string& path) {
+  if (recorded.num_frames > 0) {
+    std::cout << recorded.num_frames << " frames in " << path << ", "
+              << std::filesystem::file_size(path) / 1000 << " kB" << std::endl;
+  } else {
+    Discard(path);
+  }
+  if (recorded.error) std::rethrow_exception(recorded.error);
+  if (recorded.num_frames == 0) {
+    throw std::runtime_error("nothing was recorded: it ended before a frame");
+  }
 }
 
 }  // namespace
@@ -80,10 +105,8 @@ int RunRecord(const RecordFlags& flags) {
   const OpenNiRuntime runtime;
   OpenNiCamera camera(CameraOptionsOf(flags.camera), std::cerr);
   SaveIntrinsicsOf(camera, flags);
-  std::cout << "recording " << camera.Uri() << " to " << flags.path << "; Ctrl-C ends it"
-            << std::endl;
-  const std::uint64_t num_frames = Record(camera, flags);
-  return num_frames > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  Keep(Record(camera, flags), flags.path);
+  return EXIT_SUCCESS;
 }
 
 }  // namespace fovea::capture

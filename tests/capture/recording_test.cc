@@ -16,8 +16,9 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-// Waits until the file has grown to this size; false where it does not in a minute.
-bool Holds(const std::string& path, std::uintmax_t num_bytes) {
+// Waits until the file has grown to this size; where it does not in a minute, the recording ends
+// and what it said is printed.
+bool Holds(const std::string& path, std::uintmax_t num_bytes, Process& record) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
   while (std::chrono::steady_clock::now() < deadline) {
     std::error_code missing;
@@ -25,6 +26,9 @@ bool Holds(const std::string& path, std::uintmax_t num_bytes) {
     if (!missing && size >= num_bytes) return true;
     std::this_thread::yield();
   }
+  record.Signal(SIGTERM);
+  const Finished finished = record.Wait();
+  ADD_FAILURE() << finished.out << finished.err;
   return false;
 }
 
@@ -116,7 +120,7 @@ TEST_F(RecordingTest, SignalsLeaveARecordingThatPlays) {
     const std::string path = At(std::to_string(signal) + ".oni");
     Process record(CommandLine(Record(path), {{"FOVEA_CAMERA_FPS", "30"}}));
     EXPECT_THAT(record.ReadLine(), HasSubstr("recording fovea/test@0/1 to " + path));
-    ASSERT_TRUE(Holds(path, 1'000'000));
+    ASSERT_TRUE(Holds(path, 1'000'000, record));
     record.Signal(signal);
     const Finished finished = record.Wait();
     EXPECT_EQ(finished.exit_code, 0) << finished.err;
@@ -128,11 +132,19 @@ TEST_F(RecordingTest, UnpluggingLeavesARecordingThatPlays) {
   const Environment environment{{"FOVEA_CAMERA_CONTROL", At("unplugged")},
                                 {"FOVEA_CAMERA_FPS", "30"}};
   Process record(CommandLine(Record(At("a.oni")), environment));
-  record.ReadLine();
-  ASSERT_TRUE(Holds(At("a.oni"), 1'000'000));
+  EXPECT_THAT(record.ReadLine(), HasSubstr("recording fovea/test@0/1 to " + At("a.oni")));
+  ASSERT_TRUE(Holds(At("a.oni"), 1'000'000, record));
   folder_.Write("unplugged", "");
   ExpectOneLineError(record.Wait(), "fovea/test@0/1 was unplugged");
   EXPECT_GE(SavedByReplay(At("a.oni"), At("out")).size(), 2U);
+}
+
+TEST_F(RecordingTest, LeavesNoFileWithoutFrames) {
+  ExpectOneLineError(
+      Capture(Record(At("a.oni"), {"--frame-timeout", "0.3"}), {{"FOVEA_CAMERA_FAULTS", "silent"}}),
+      "no frames arrive");
+  EXPECT_FALSE(fs::exists(At("a.oni")));
+  EXPECT_FALSE(fs::exists(At("a.intrinsics.json")));
 }
 
 TEST_F(RecordingTest, SaysWhatIsNoRecording) {
