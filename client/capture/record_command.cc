@@ -57,7 +57,8 @@ Recorded Record(OpenNiCamera& camera, const RecordFlags& flags) {
   const std::uint64_t max_frames = MaxFramesOf(flags.limits);
   Recorded recorded;
   try {
-    Recording recording(flags.path, camera, goes_on, std::cerr);
+    Recording recording(flags.path, camera);
+    recording.Begin(goes_on, std::cerr);
     std::cout << "recording " << camera.Uri() << " to " << flags.path << "; Ctrl-C ends it"
               << std::endl;
     try {
@@ -67,9 +68,7 @@ Recorded Record(OpenNiCamera& camera, const RecordFlags& flags) {
     } catch (const CameraError&) {
       recorded.error = std::current_exception();
     }
-    camera.Stop();
-    recording.AwaitWritten();
-    recorded.num_frames = recording.NumWritten();
+    recorded.num_frames = recording.Finish();
   } catch (const CameraError&) {  // before it began
     recorded.error = std::current_exception();
   }

@@ -32,13 +32,20 @@ void Recording::Closing::operator()(openni::Recorder* recorder) const {
   delete recorder;
 }
 
-Recording::Recording(std::string path, OpenNiCamera& camera, const std::function<bool()>& goes_on,
-                     std::ostream& notes)
+Recording::Recording(std::string path, OpenNiCamera& camera)
     : path_(std::move(path)), camera_(camera) {
   CheckWritable(path_);
-  for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
+}
+
+Recording::~Recording() {
+  if (recorder_) Finish();
+}
+
+void Recording::Begin(const std::function<bool()>& goes_on, std::ostream& notes) {
+  for (int attempt = 1;; ++attempt) {
     Create();
     if (StartsTogether(goes_on)) return;
+    if (attempt == kMaxAttempts || !Abandon(goes_on)) break;
   }
   notes
       << "note: colour and depth of " << path_
@@ -47,7 +54,6 @@ Recording::Recording(std::string path, OpenNiCamera& camera, const std::function
 }
 
 void Recording::Create() {
-  recorder_.reset();
   recorder_.reset(new openni::Recorder);
   file_.emplace(path_);
   Check(recorder_->create(path_.c_str()));
@@ -55,17 +61,30 @@ void Recording::Create() {
   Check(recorder_->attach(camera_.BothStreams().color, /*allowLossyCompression=*/false));
 }
 
+// OpenNI2 waits for itself for ever where a recorder ends while it is given an image. One may be on
+// its way to it now, and one before that wait to be read; once a third is read, it is given none.
+// False where it shall not go on.
+bool Recording::Abandon(const std::function<bool()>& goes_on) {
+  constexpr int kSurelyLater = 3;
+  recorder_->stop();
+  for (int i = 0; i < kSurelyLater; ++i) {
+    if (!TimeOfNext(goes_on)) return false;
+  }
+  recorder_.reset();
+  return true;
+}
+
 // True as well where it shall not go on.
 bool Recording::StartsTogether(const std::function<bool()>& goes_on) {
   const auto before = TimeOfNext(goes_on);
   Check(recorder_->start());
-  if (!Begins() || camera_.ImageWaits()) return false;  // an image may have come before
+  if (!Starts() || camera_.ImageWaits()) return false;  // an image may have come before
   const auto first = TimeOfNext(goes_on);
   return !before || !first || *first - *before < camera_.PeriodUs() * 3 / 2;
 }
 
 // OpenNI2 keeps no image until the thread that writes has begun, and only the file tells when.
-bool Recording::Begins() {
+bool Recording::Starts() {
   constexpr std::chrono::milliseconds kMoment{1};
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(1);
   while (file_->CountStreams() < kNumStreams) {
@@ -93,6 +112,14 @@ void Recording::AwaitWritten() {
     const std::uint64_t now = NumWritten();
     if (now == std::exchange(before, now)) return;
   }
+}
+
+std::uint64_t Recording::Finish() {
+  camera_.Stop();
+  AwaitWritten();
+  const std::uint64_t num_written = NumWritten();
+  recorder_.reset();
+  return num_written;
 }
 
 void Recording::Check(openni::Status status) const {
