@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "core/shape/solid_residuals.h"
 
@@ -38,11 +39,15 @@ float CostOf(const SeenArray& residuals, const Solid& solid, float scale) {
   return MeanCost(residuals, scale) + unlikeliness * unlikeliness;
 }
 
-ParameterVector Step(SolidResiduals& residuals, const Solid& solid, const SeenArray& at,
-                     float scale, float damping) {
+NormalEquations EquationsAround(SolidResiduals& residuals, const Solid& solid, const SeenArray& at,
+                                float scale) {
   NormalEquations equations = Linearize(residuals, solid, at, scale);
   AddUnlikeliness(solid, static_cast<float>(at.size()) * scale * scale, equations);
-  ParameterMatrix& normal = equations.normal;
+  return equations;
+}
+
+ParameterVector Step(const NormalEquations& equations, float damping) {
+  ParameterMatrix normal = equations.normal;
   normal.diagonal().array() += damping * (normal.diagonal().array() + normal.diagonal().mean());
   return normal.ldlt().solve(-equations.gradient);
 }
@@ -77,27 +82,34 @@ float ResidualOf(const SeenObject& seen, const Solid& solid, const SeenArray& re
 FittedSolid FitSolid(const SeenObject& seen, const Solid& start) {
   SolidResiduals residuals(seen);
   FittedSolid fitted{start};
+  SeenArray at = residuals.Of(start);
   float damping = 1e-2F;
   for (const float scale : kScales) {
-    SeenArray at = residuals.Of(fitted.solid);
     float cost = CostOf(at, fitted.solid, scale);
+    std::optional<NormalEquations> equations;  // around the solid as it is
     for (int step = 0; step < kStepsPerScale; ++step) {
-      const ParameterVector change = Step(residuals, fitted.solid, at, scale, damping);
+      if (!equations) equations = EquationsAround(residuals, fitted.solid, at, scale);
+      const ParameterVector change = Step(*equations, damping);
       const Solid moved = change.allFinite() ? Moved(fitted.solid, change) : fitted.solid;
-      const SeenArray after = residuals.Of(moved);
-      const float new_cost = CostOf(after, moved, scale);
-      if (new_cost < cost && IsNear(moved, start)) {
+      SolidResiduals there = residuals;
+      SeenArray at_there;
+      float cost_there = cost;
+      if (IsNear(moved, start)) {
+        at_there = there.Of(moved);
+        cost_there = CostOf(at_there, moved, scale);
+      }
+      if (cost_there < cost) {
         fitted.solid = moved;
-        at = after;
-        cost = new_cost;
+        residuals = there;
+        at = at_there;
+        cost = cost_there;
         damping /= 4;
+        equations.reset();
       } else {
         damping *= 8;
-        if (step + 1 < kStepsPerScale) residuals.Of(fitted.solid);
       }
     }
   }
-  const SeenArray at = residuals.Of(fitted.solid);
   fitted.cost = MeanCost(at, 1);
   const Solid::Kind kind = fitted.solid.kind;
   if (kind == Solid::Kind::kFrustum || kind == Solid::Kind::kUprightCylinder) {

@@ -48,7 +48,7 @@ SeenArray IsBelowRim(const SeenObject& seen, const Solid& solid) {
 }
 
 SolidResiduals::SolidResiduals(const SeenObject& seen)
-    : seen_(seen), on_rays_(seen.directions.size()), is_hollow_(seen.points.size()) {
+    : seen_(&seen), on_rays_(seen.directions.size()), is_hollow_(seen.points.size()) {
   if (seen.points.size() + seen.directions.size() > kMaxSeen) {
     throw std::length_error("points and rays of an object: more than kMaxSeen");
   }
@@ -61,46 +61,49 @@ const SeenArray& SolidResiduals::Of(const Solid& solid) {
 }
 
 const SeenArray& SolidResiduals::AtNearest(const Solid& solid) {
-  const Eigen::Index num_points = seen_.points.size(), num_rays = on_rays_.size();
+  const Eigen::Index num_points = seen_->points.size(), num_rays = on_rays_.size();
   all_.resize(num_points + num_rays);
-  SignedDistances(solid, seen_.points, distances_, &seen_.camera);
-  all_.head(num_points) = distances_ / seen_.noise_m;
+  SignedDistances(solid, seen_->points, distances_, &seen_->camera);
+  all_.head(num_points) = distances_ / seen_->noise_m;
   if (is_hollow_.any()) {
     const SeenArray off =
-        DistancesInside(solid, seen_.points, kWall_m) / (seen_.noise_m + kWallNoise_m);
+        DistancesInside(solid, seen_->points, kWall_m) / (seen_->noise_m + kWallNoise_m);
     all_.head(num_points) =
         (is_hollow_ > 0)
             .select(kHollowResidual * off / (1 + off.square()).sqrt(), all_.head(num_points));
   }
   SignedDistances(solid, on_rays_, distances_);
-  distances_ = (seen_.is_own_end > 0).select(distances_, distances_.max(0.0F));
-  all_.segment(num_points, num_rays) = distances_ / seen_.outline_noise_m;
+  distances_ = (seen_->is_own_end > 0).select(distances_, distances_.max(0.0F));
+  all_.segment(num_points, num_rays) = distances_ / seen_->outline_noise_m;
   return all_;
 }
 
 void SolidResiduals::PutOnRays(const SeenArray& places) {
-  on_rays_.x = seen_.camera.x() + seen_.directions.x * places;
-  on_rays_.y = seen_.camera.y() + seen_.directions.y * places;
-  on_rays_.h = seen_.camera.z() + seen_.directions.h * places;
+  on_rays_.x = seen_->camera.x() + seen_->directions.x * places;
+  on_rays_.y = seen_->camera.y() + seen_->directions.y * places;
+  on_rays_.h = seen_->camera.z() + seen_->directions.h * places;
 }
 
-// The distance from a convex solid along a ray has one minimum; golden sections find it, after
-// the first time from where it was.
+// The distance from a convex solid along a ray has one minimum; golden sections find it to less
+// than a hundredth of the solid's size, after the first time near where it was.
 void SolidResiduals::FindNearest(const Solid& solid) {
   const Eigen::Vector3f size = solid.Size();
   const Eigen::Vector3f middle(solid.center.x(), solid.center.y(), size.z() / 2);
-  const Eigen::Vector3f to = middle - seen_.camera;
+  const Eigen::Vector3f to = middle - seen_->camera;
   const SeenArray squared =
-      seen_.directions.x.square() + seen_.directions.y.square() + seen_.directions.h.square();
+      seen_->directions.x.square() + seen_->directions.y.square() + seen_->directions.h.square();
+  constexpr int kSections = 9, kSectionsNear = 6;
+  constexpr float kNear = 0.06F;  // of the size
+  int num_sections = kSections;
   SeenArray reach = size.norm() / squared.sqrt();
   if (places_.size() == 0) {
-    places_ =
-        (seen_.directions.x * to.x() + seen_.directions.y * to.y() + seen_.directions.h * to.z()) /
-        squared;
+    places_ = (seen_->directions.x * to.x() + seen_->directions.y * to.y() +
+               seen_->directions.h * to.z()) /
+              squared;
   } else {
-    reach *= 0.25F;
+    reach *= kNear;
+    num_sections = kSectionsNear;
   }
-  constexpr int kSections = 9;
   constexpr float kGolden = 0.381966F;
   SeenArray low = places_ - reach, high = places_ + reach;
   SeenArray a = low + kGolden * (high - low), b = high - kGolden * (high - low), at_a, at_b, at_new;
@@ -108,7 +111,7 @@ void SolidResiduals::FindNearest(const Solid& solid) {
   SignedDistances(solid, on_rays_, at_a);
   PutOnRays(b);
   SignedDistances(solid, on_rays_, at_b);
-  for (int section = 0; section < kSections; ++section) {
+  for (int section = 0; section < num_sections; ++section) {
     for (Eigen::Index i = 0; i < places_.size(); ++i) {  // what compilers make vectors of
       const bool is_before = at_a[i] < at_b[i];
       high[i] = is_before ? b[i] : high[i];
@@ -133,7 +136,7 @@ void SolidResiduals::FindNearest(const Solid& solid) {
 
 void SolidResiduals::MarkHollow(const Solid& solid) {
   if (solid.kind == Solid::Kind::kFrustum || solid.kind == Solid::Kind::kUprightCylinder) {
-    is_hollow_ = IsBelowRim(seen_, solid);
+    is_hollow_ = IsBelowRim(*seen_, solid);
   } else {
     is_hollow_.setZero();
   }

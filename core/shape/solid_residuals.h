@@ -23,8 +23,8 @@ SeenArray IsBelowRim(const SeenObject& seen, const Solid& solid);
 // Distances, in standard deviations, of the points and of the rays, and where each ray is nearest.
 class SolidResiduals {
  public:
-  // Refers to `seen`, which must outlive it. Throws std::length_error for more than kMaxSeen points
-  // and rays.
+  // Refers to `seen`, which must outlive it and its copies. Throws std::length_error for more than
+  // kMaxSeen points and rays.
   explicit SolidResiduals(const SeenObject& seen);
 
   // With the places along the rays that are nearest to this solid.
@@ -38,7 +38,7 @@ class SolidResiduals {
   void FindNearest(const Solid& solid);
   void MarkHollow(const Solid& solid);
 
-  const SeenObject& seen_;
+  const SeenObject* seen_;
   LevelPoints on_rays_;
   SeenArray places_;  // along the rays, of what is nearest to the solid
   SeenArray is_hollow_, distances_, all_;
