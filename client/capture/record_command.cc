@@ -69,7 +69,7 @@ Recorded Record(OpenNiCamera& camera, const RecordFlags& flags) {
       recorded.error = std::current_exception();
     }
     recorded.num_frames = recording.Finish();
-  } catch (const CameraError&) {  // before it began
+  } catch (const std::exception&) {  // before it began
     recorded.error = std::current_exception();
   }
   return recorded;

@@ -39,6 +39,7 @@ class Recording {
   struct Closing {
     void operator()(openni::Recorder* recorder) const;
   };
+
   void Create();
   bool StartsTogether(const std::function<bool()>& goes_on);
   bool Starts();

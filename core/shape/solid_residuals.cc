@@ -84,8 +84,8 @@ void SolidResiduals::PutOnRays(const SeenArray& places) {
   on_rays_.h = seen_->camera.z() + seen_->directions.h * places;
 }
 
-// The distance from a convex solid along a ray has one minimum; golden sections find it to less
-// than a hundredth of the solid's size, after the first time near where it was.
+// The distance from a convex solid along a ray has one minimum; golden sections find it to a
+// fiftieth of the solid's size, and after the first time, near where it was, four times as well.
 void SolidResiduals::FindNearest(const Solid& solid) {
   const Eigen::Vector3f size = solid.Size();
   const Eigen::Vector3f middle(solid.center.x(), solid.center.y(), size.z() / 2);
