@@ -16,9 +16,10 @@ configured: dependencies
 build: configured
 	@cmake --build --preset $(PRESET)
 
-# Generated frames, or real ones: make demo FRAME=DIR/NAME [INTRINSICS=FX,FY,CX,CY]
+# Generated frames, or real ones: make demo FRAME=DIR/NAME [INTRINSICS=FX,FY,CX,CY]; the page that it
+# may show is built once there is a picture to look at.
 demo: configured
-	@cmake --build --preset $(PRESET) --target fovea-server fovea fovea-observer fovea_scenes_tool
+	@cmake --build --preset $(PRESET) --target fovea-server fovea fovea_scenes_tool
 	@deploy/demo.sh $(BUILD)
 
 # Some tests wait more than they compute.

@@ -74,6 +74,9 @@ case ${WATCH:-} in
   "") [ -t 1 ] || exit 0 ;;
   *) exit 0 ;;
 esac
+echo
+echo "Building the page that shows what a robot sees (a minute or two; Ctrl-C ends it) …"
+cmake --build "$build" --target fovea-observer
 : >"$out/observer.log"
 "$build/client/observer/fovea-observer" --server "$address" --listen "${LISTEN:-127.0.0.1:8080}" \
   --history "$out/history" --history-token-file "$out/recorder" --history-minutes 5 --history-size 256MB \

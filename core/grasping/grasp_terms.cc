@@ -28,7 +28,6 @@ float Roundness(const Shape& shape) {
 }  // namespace
 
 GraspTerms TermsOfObject(const GraspScene& scene, const DetectedObject& object) {
-  constexpr float kCentimetres = 100;
   using Kind = Shape::Kind;
   const Kind kind = object.shape.kind;
   GraspTerms terms{};

@@ -13,7 +13,9 @@ namespace fovea {
 inline constexpr std::size_t kNumGraspTerms = 28;
 using GraspTerms = std::array<float, kNumGraspTerms>;
 
-// Lengths in centimetres, slopes as tangents, shares 0 … 1. The first fifteen are of the object.
+// Lengths in centimetres (kCentimetres of a metre), slopes as tangents, shares 0 … 1. The first
+// fifteen are of the object.
+inline constexpr float kCentimetres = 100;
 enum ObjectGraspTerm : std::size_t {
   kTermDistance,      // from the camera, metres
   kTermConfidence,    // that it is an object

@@ -9,13 +9,13 @@
 namespace fovea {
 namespace {
 
-constexpr float kAbove_m = 0.2F;  // the hand and the arm behind it, above the object
+constexpr float kRoomAbove_m = 0.2F;  // the hand and the arm behind it, above the object
 
 // The part of the image in which the grid's columns are seen.
 cv::Rect SeenPart(const GraspScene& scene, float half_height_m, const HandGrid& grid) {
   const cv::Rect image({}, scene.points.size());
   cv::Rect2d part;
-  for (const float z : {-half_height_m, half_height_m + kAbove_m}) {
+  for (const float z : {-half_height_m, half_height_m + kRoomAbove_m}) {
     for (const float y : {-grid.Half(), grid.Half()}) {
       for (const float x : {-grid.Half(), grid.Half()}) {
         const Eigen::Vector3f corner = grid.frame.ToCamera({x, y, z});
@@ -31,7 +31,7 @@ cv::Rect SeenPart(const GraspScene& scene, float half_height_m, const HandGrid& 
 }
 
 // The two highest.
-struct Highest {
+struct TwoHighest {
   float first = HandGrid::kNothing, second = HandGrid::kNothing;
 
   void Add(float height) {
@@ -68,7 +68,7 @@ void AddPoints(const GraspScene& scene, const DetectedObject& object, const Comp
   const int step = std::max(1, cvCeil(std::sqrt(part.area() / static_cast<double>(kMostPixels))));
   const Eigen::Matrix3f axes = grid.frame.rotation.transpose();
   const Eigen::Vector3f origin = axes * grid.frame.origin;
-  std::vector<Highest> of_target(grid.columns.size()), of_others(grid.columns.size());
+  std::vector<TwoHighest> of_target(grid.columns.size()), of_others(grid.columns.size());
   for (int row = part.y; row < part.br().y; row += step) {
     InterruptionPoint();
     const auto* points = scene.points.ptr<Eigen::Vector3f>(row);

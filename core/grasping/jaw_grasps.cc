@@ -12,7 +12,6 @@ namespace fovea {
 namespace {
 
 constexpr std::size_t kMostPlaces = 400;  // of each hand
-constexpr float kCentimetres = 100;
 
 // Shares of the places of both fingers, by what the camera says of them.
 struct HandSights {

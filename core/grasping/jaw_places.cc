@@ -10,7 +10,7 @@ using Reason = NoGrasp::Reason;
 
 constexpr float kMargin_m = 0.002F;  // to what was seen
 constexpr float kAboveFloor_m = 0.003F;
-constexpr float kFarthest_m = 0.02F;    // to which distances are told
+constexpr float kFarthestTold_m = 0.02F;    // to which distances are told
 constexpr float kLeastGrip_m = 0.004F;  // of the fingers below the object's top
 constexpr std::size_t kMostRuns = 4;
 
@@ -102,7 +102,7 @@ bool PalmFits(const Station& at, const Run& run, JawPlace& place, Failures& fail
   const float palm_m = place.tip_m + at.gripper.finger_length_m - kMargin_m;
   const float target = Highest(at.palm.target, middle - half, middle + half);
   const float other = Highest(at.palm.other, middle - half, middle + half);
-  place.palm_gap_m = std::min(kFarthest_m, palm_m - std::max(target, other));
+  place.palm_gap_m = std::min(kFarthestTold_m, palm_m - std::max(target, other));
   if (other > palm_m) {
     const bool on_it = Highest(at.pads.other, run.first, run.last) > palm_m;
     failures.Add(on_it ? Reason::kCovered : Reason::kNeighbor);
@@ -129,7 +129,7 @@ void TryRun(const Station& at, const Run& run, bool is_part, float tip_m, Failur
   const float beside =
       (OpenedAround(width, at.gripper) - width) / 2 + at.gripper.finger_thickness_m;
   const int needed = at.CellsIn(beside - at.grid.cell_m / 2);
-  const int most = needed + at.CellsIn(kFarthest_m);
+  const int most = needed + at.CellsIn(kFarthestTold_m);
   const int left = FreeCells(at, run.first, -1, tip_m, most);
   const int right = FreeCells(at, run.last, 1, tip_m, most);
   if (left < needed) return failures.Add(WhatBlocks(at, run.first - left - 1, tip_m));
@@ -141,7 +141,7 @@ void TryRun(const Station& at, const Run& run, bool is_part, float tip_m, Failur
                                         Highest(at.pads.other, run.last + 1, run.last + needed)),
                                std::max(Highest(at.pads.target, run.first - needed, run.first - 1),
                                         Highest(at.pads.target, run.last + 1, run.last + needed)));
-  place.tip_gap_m = std::min(kFarthest_m, tip_m - below);
+  place.tip_gap_m = std::min(kFarthestTold_m, tip_m - below);
   places.push_back(place);
 }
 

@@ -11,7 +11,6 @@
 namespace fovea {
 namespace {
 
-constexpr float kCentimetres = 100;
 constexpr float kTube_m = 0.15F;  // of the tube behind the cup that must be free
 constexpr int kSteps = 15;        // along it
 

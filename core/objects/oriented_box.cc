@@ -71,14 +71,14 @@ std::vector<cv::Point2f> WithoutInnerPoints(const std::vector<cv::Point2f>& poin
 }
 
 // The smallest rectangle around the points; `longer` is the direction of its longer side.
-struct Footprint {
+struct BaseRectangle {
   Eigen::Vector2f center;
   Eigen::Vector2f longer;
   float length = 0;
   float width = 0;
 };
 
-Footprint SmallestFootprint(const std::vector<cv::Point2f>& points) {
+BaseRectangle SmallestRectangle(const std::vector<cv::Point2f>& points) {
   std::vector<cv::Point2f> hull;
   cv::convexHull(WithoutInnerPoints(points), hull);
   const cv::RotatedRect rectangle = cv::minAreaRect(hull);
@@ -108,21 +108,21 @@ OrientedBox FitOrientedBox(const std::vector<Eigen::Vector3f>& points, const Eig
     bottom = std::min(bottom, p.z());
     top = std::max(top, p.z());
   }
-  const Footprint footprint = SmallestFootprint(ground);
+  const BaseRectangle base = SmallestRectangle(ground);
   if (support) {
     const Eigen::Vector3f lowest =
-        origin + level * Eigen::Vector3f(footprint.center.x(), footprint.center.y(), bottom);
+        origin + level * Eigen::Vector3f(base.center.x(), base.center.y(), bottom);
     const float gap = support->HeightOf(lowest);
     if (gap <= options.max_gap_m) bottom = std::min(bottom - gap, top);
   }
 
   OrientedBox box;
-  box.center = origin + level * Eigen::Vector3f(footprint.center.x(), footprint.center.y(),
+  box.center = origin + level * Eigen::Vector3f(base.center.x(), base.center.y(),
                                                 (bottom + top) / 2);
-  box.rotation.col(0) = level * Eigen::Vector3f(footprint.longer.x(), footprint.longer.y(), 0);
+  box.rotation.col(0) = level * Eigen::Vector3f(base.longer.x(), base.longer.y(), 0);
   box.rotation.col(2) = up;
   box.rotation.col(1) = box.rotation.col(2).cross(box.rotation.col(0));
-  box.size_m = {footprint.length, footprint.width, top - bottom};
+  box.size_m = {base.length, base.width, top - bottom};
   return box;
 }
 

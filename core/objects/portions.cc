@@ -9,15 +9,15 @@
 namespace fovea {
 namespace {
 
-struct Part {
+struct SalientPart {
   double saliency = 0;  // sum over its pixels
   double num_pixels = 0;
   std::size_t num_voxels = 0;
 };
 
-std::vector<Part> CollectParts(const VoxelGrid& grid, const std::vector<int>& part_of_voxel,
+std::vector<SalientPart> CollectParts(const VoxelGrid& grid, const std::vector<int>& part_of_voxel,
                                const cv::Mat& saliency) {
-  std::vector<Part> parts(CountLabels(part_of_voxel) + 1);
+  std::vector<SalientPart> parts(CountLabels(part_of_voxel) + 1);
   for (const int part : part_of_voxel) ++parts[part].num_voxels;
   for (int row = 0; row < saliency.rows; ++row) {
     InterruptionPoint();
@@ -25,7 +25,7 @@ std::vector<Part> CollectParts(const VoxelGrid& grid, const std::vector<int>& pa
     const float* value = saliency.ptr<float>(row);
     for (int col = 0; col < saliency.cols; ++col) {
       if (voxel[col] < 0) continue;
-      Part& part = parts[part_of_voxel[voxel[col]]];
+      SalientPart& part = parts[part_of_voxel[voxel[col]]];
       part.saliency += value[col];
       ++part.num_pixels;
     }
@@ -34,7 +34,7 @@ std::vector<Part> CollectParts(const VoxelGrid& grid, const std::vector<int>& pa
 }
 
 // The parts, without the background, by falling mean saliency.
-std::vector<int> Order(const std::vector<Part>& parts) {
+std::vector<int> Order(const std::vector<SalientPart>& parts) {
   std::vector<int> order(parts.size() - 1);
   std::iota(order.begin(), order.end(), 1);
   const auto mean = [&](int part) { return parts[part].saliency / parts[part].num_pixels; };
@@ -48,7 +48,7 @@ std::vector<std::vector<char>> SalientPortions(const VoxelGrid& grid,
                                                const std::vector<char>& is_background,
                                                const cv::Mat& saliency, int num_portions) {
   const std::vector<int> part_of_voxel = PartsOfForeground(grid, is_background);
-  const std::vector<Part> parts = CollectParts(grid, part_of_voxel, saliency);
+  const std::vector<SalientPart> parts = CollectParts(grid, part_of_voxel, saliency);
   const std::size_t num_voxels = part_of_voxel.size() - parts.front().num_voxels;
   std::vector<int> portion_of_part(parts.size(), -1);
   std::size_t num_before = 0;

@@ -17,10 +17,10 @@ namespace {
 
 constexpr int kMaxPlanes = 8;
 constexpr double kMinAreaM2 = 0.08;  // visible, of a part that is wall
-constexpr float kCellM = 0.04F;      // of the grid on a plane, at least
-constexpr float kMaxCells = 2048;    // along a side of it, however far the points reach
+constexpr float kWallCellM = 0.04F;      // of the grid on a plane, at least
+constexpr float kMaxWallCells = 2048;    // along a side of it, however far the points reach
 constexpr int kSolidCells = 5;       // edge of a square within a wall: legs of a table have none
-constexpr float kMinCosine = std::numbers::sqrt2_v<float> / 2;  // of what has a plane's direction
+constexpr float kMinWallCosine = std::numbers::sqrt2_v<float> / 2;  // of what has a plane's direction
 
 // Voxels on no support whose normal lies within 45° of the horizon: noise tilts normals far away.
 std::vector<int> UprightVoxels(const VoxelGrid& grid, const Eigen::Vector3f& up,
@@ -55,7 +55,7 @@ std::vector<int> Inliers(const VoxelGrid& grid, const std::vector<int>& voxels,
 std::vector<int> Facing(const VoxelGrid& grid, std::vector<int> inliers,
                         const SupportSurface& plane) {
   std::erase_if(inliers,
-                [&](int v) { return grid.voxels[v].normal.dot(plane.normal) < kMinCosine; });
+                [&](int v) { return grid.voxels[v].normal.dot(plane.normal) < kMinWallCosine; });
   return inliers;
 }
 
@@ -88,7 +88,7 @@ class LargeParts {
       low = low.cwiseMin(OnPlane(grid.voxels[v].mean));
       high = high.cwiseMax(OnPlane(grid.voxels[v].mean));
     }
-    cell_m_ = std::max(kCellM, (high - low).maxCoeff() / kMaxCells);
+    cell_m_ = std::max(kWallCellM, (high - low).maxCoeff() / kMaxWallCells);
     origin_ = low - Eigen::Vector2f::Constant(2 * cell_m_);
     const Eigen::Vector2i size = ((high - low) / cell_m_).cast<int>().array() + 5;
     cv::Mat occupied = cv::Mat::zeros(size.y(), size.x(), CV_8UC1);
@@ -135,7 +135,7 @@ class LargeParts {
 
   Eigen::Vector3f vertical_, horizontal_;  // the plane's axes
   Eigen::Vector2f origin_;                 // of the grid
-  float cell_m_ = kCellM;                  // edge length of its cells
+  float cell_m_ = kWallCellM;                  // edge length of its cells
   cv::Mat large_;                          // CV_8UC1, one pixel a cell
   bool exist_ = false;
 };

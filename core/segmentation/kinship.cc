@@ -8,7 +8,7 @@ namespace {
 
 // Beyond these an angle or a difference of colour says hardly more.
 constexpr double kUnevennessDeg = 25;
-constexpr double kColorScale = 12;  // units of core/segmentation/mean_color.h
+constexpr double kLikeColors = 12;  // units of core/segmentation/mean_color.h
 constexpr double kContrastScale = 6;
 constexpr double kFlat_m = 0.025;
 constexpr double kMinHeight_m = 0.05;
@@ -48,7 +48,7 @@ Kinship KinshipOf(const Boundary& boundary, const Part& a, const Part& b) {
   const Intervals across = Compare(a, b, 0), away = Compare(a, b, 1), upwards = Compare(a, b, 2);
   return {
       .unevenness = 1 - std::exp(-(std::abs(convexity_deg) + step_deg) / kUnevennessDeg),
-      .color_likeness = std::exp(-a.color.DistanceTo(b.color) / kColorScale),
+      .color_likeness = std::exp(-a.color.DistanceTo(b.color) / kLikeColors),
       .top_step = std::abs(a.Top_m() - b.Top_m()) / std::max(kMinHeight_m, height_m),
       .height_m = height_m,
       .log_area = std::log(both.area_m2),

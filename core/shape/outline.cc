@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kWidth_px = 640;  // that lengths in pixels are given for
 constexpr double kStep_px = 2;
-constexpr std::size_t kMaxPoints = 160;
+constexpr std::size_t kMaxContourPoints = 160;
 constexpr std::size_t kMinPoints = 12;
 constexpr int kClosing_px = 5;
 
@@ -32,7 +32,7 @@ std::vector<cv::Point> Contour(const cv::Mat& labels, int label, const cv::Rect&
 // Evenly spaced, and without the corners of pixels.
 std::vector<Eigen::Vector2f> Smoothed(const std::vector<cv::Point>& contour, double step) {
   const std::size_t count =
-      std::min(kMaxPoints, static_cast<std::size_t>(static_cast<double>(contour.size()) / step));
+      std::min(kMaxContourPoints, static_cast<std::size_t>(static_cast<double>(contour.size()) / step));
   if (count < kMinPoints) return {};
   std::vector<Eigen::Vector2f> points(count);
   for (std::size_t i = 0; i < count; ++i) {

@@ -18,7 +18,7 @@ constexpr int kStepsPerScale = 3;
 constexpr int kMinRimParts = 4;
 constexpr float kPlainlyHollow = 0.5F;  // share below the rim for which no rim need be seen
 constexpr float kLeastBelow = 3;        // points below a rim that make a hollow
-constexpr float kRimHeight_m = 0.01F, kInnerShare = 0.9F;
+constexpr float kRimHeight_m = 0.01F, kRimShare = 0.9F;
 constexpr float kMostGrowth = 1.6F, kRoom_m = 0.02F;
 
 float MeanCost(const SeenArray& residuals, float scale) {
@@ -58,7 +58,7 @@ int SeenRimParts(const LevelPoints& p, const Solid& solid) {
   for (Eigen::Index i = 0; i < p.size(); ++i) {
     const Eigen::Vector2f out(p.x[i] - solid.center.x(), p.y[i] - solid.center.y());
     const float share = out.norm() / solid.radius_m;
-    if (share < kInnerShare || share > 2 - kInnerShare) continue;
+    if (share < kRimShare || share > 2 - kRimShare) continue;
     if (std::abs(p.h[i] - solid.height_m) > kRimHeight_m) continue;
     // Twelfths without an arc tangent: the quadrant, and in it tangents of 30 and 60 degrees.
     const float x = std::abs(out.x()), y = std::abs(out.y());

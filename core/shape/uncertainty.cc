@@ -29,12 +29,12 @@ Eigen::Matrix<float, 6, 1> BoxAround(const Solid& solid) {
 
 // Of middle, turn and sizes by the solid's numbers.
 BoxDerivatives Derivatives(const Solid& solid) {
-  constexpr float kDifference = 1e-3F;  // metres; of a function that is linear
+  constexpr float kMillimetre = 1e-3F;  // metres; of a function that is linear
   const int count = NumParameters(solid.kind);
   BoxDerivatives derivatives(7, count);
   for (int k = 0; k < count; ++k) {
-    const Solid moved = Moved(solid, ParameterVector::Unit(count, k) * kDifference);
-    const Eigen::Matrix<float, 6, 1> change = (BoxAround(moved) - BoxAround(solid)) / kDifference;
+    const Solid moved = Moved(solid, ParameterVector::Unit(count, k) * kMillimetre);
+    const Eigen::Matrix<float, 6, 1> change = (BoxAround(moved) - BoxAround(solid)) / kMillimetre;
     const float turn = HasTurn(solid.kind) && k == kTurnParameter ? 1 : 0;
     derivatives.col(k) << change.head<3>(), turn, change.tail<3>();
   }

@@ -7,8 +7,7 @@ namespace fovea::scenes {
 namespace {
 
 Material OneColor(double hue, double saturation, double value) {
-  const Eigen::Vector3d color = ColorOf(hue, saturation, value);
-  return {.color = color, .second_color = color};
+  return Plain(ColorOf(hue, saturation, value));
 }
 
 // Walls from `low_m` up around a rectangle, outside it.

@@ -5,8 +5,6 @@
 namespace fovea::scenes {
 namespace {
 
-Material Plain(const Eigen::Vector3d& color) { return {.color = color, .second_color = color}; }
-
 Material RandomWood(Random& random) {
   const Eigen::Vector3d color =
       ColorOf(random.Uniform(0.06, 0.1), random.Uniform(0.2, 0.6), random.Uniform(0.45, 0.85));

@@ -10,17 +10,16 @@ namespace {
 
 constexpr std::array kVesselsAndTools = {Mug,     Mug, Bottle,      Bottle, FlatBottle, Drill,
                                          Pitcher, Pan, SprayBottle, Banana, Hammer,     Wrench};
-constexpr std::array kSupplies = {Bag,  Bag,  Bag,      Cloth, Cloth, Plate,
-                                  Slab, Slab, Keyboard, Torch, Pear};
-constexpr std::array kTools = {Spoon, Knife,  Scissors, Scissors, Screwdriver, Brush,
-                               Whisk, Hammer, Wrench,   Torch,    Plate,       Slab};
-constexpr std::array kLuggage = {Carton, Carton, Carton, Carton, Backpack, Slipper, Slipper};
+constexpr std::array kSupplyThings = {Bag,  Bag,  Bag,      Cloth, Cloth, Plate,
+                                      Slab, Slab, Keyboard, Torch, Pear};
+constexpr std::array kToolThings = {Spoon, Knife,  Scissors, Scissors, Screwdriver, Brush,
+                                    Whisk, Hammer, Wrench,   Torch,    Plate,       Slab};
+constexpr std::array kLuggageThings = {Carton, Carton, Carton, Carton, Backpack, Slipper, Slipper};
 
 Material RandomPaint(Random& random) {
   const double saturation = random.Chance(0.35) ? random.Uniform(0, 0.08)  // black, grey, white
                                                 : random.Uniform(0.4, 0.95);
-  const Eigen::Vector3d color = ColorOf(random.Unit(), saturation, random.Uniform(0.25, 0.95));
-  return {.color = color, .second_color = color};
+  return Plain(ColorOf(random.Unit(), saturation, random.Uniform(0.25, 0.95)));
 }
 
 // Most things are of plain colours; some are printed on, and most bags.
@@ -46,10 +45,10 @@ Body RandomBody(const Forms& forms, double ordinary, Random& random) {
 
 Body RandomHouseholdObject(Random& random) { return RandomBody(kVesselsAndTools, 0.4, random); }
 
-Body RandomSupply(Random& random) { return RandomBody(kSupplies, 0.4, random); }
+Body RandomSupply(Random& random) { return RandomBody(kSupplyThings, 0.4, random); }
 
-Body RandomTool(Random& random) { return RandomBody(kTools, 0.15, random); }
+Body RandomTool(Random& random) { return RandomBody(kToolThings, 0.15, random); }
 
-Body RandomLuggage(Random& random) { return RandomBody(kLuggage, 0, random); }
+Body RandomLuggage(Random& random) { return RandomBody(kLuggageThings, 0, random); }
 
 }  // namespace fovea::scenes

@@ -7,12 +7,6 @@
 #include "tests/support/random_objects.h"
 
 namespace fovea::scenes {
-namespace {
-
-Material Plain(const Eigen::Vector3d& color) { return {.color = color, .second_color = color}; }
-
-}  // namespace
-
 Body Drill(Random& random) {
   using Eigen::Vector3d;
   const double diameter_m = random.Uniform(0.055, 0.07), motor_m = random.Uniform(0.12, 0.15);

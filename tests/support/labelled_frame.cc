@@ -7,7 +7,7 @@
 namespace fovea::scenes {
 namespace {
 
-std::vector<ObjectTruth> Objects(const Scene& scene, const cv::Mat& labels) {
+std::vector<ObjectTruth> TrueObjects(const Scene& scene, const cv::Mat& labels) {
   const Eigen::Isometry3d camera_from_world = scene.camera.world_from_camera.inverse();
   std::vector<ObjectTruth> objects;
   for (const Body& body : scene.bodies) {
@@ -38,7 +38,7 @@ LabelledFrame MakeFrame(const Scene& scene, SensorKind sensor, std::uint64_t see
   labelled.frame.depth_m = MeasureDepth(rendering, sensor, intrinsics.fx_px, seed);
   labelled.frame.intrinsics = intrinsics;
   labelled.labels = rendering.labels;
-  labelled.objects = Objects(scene, rendering.labels);
+  labelled.objects = TrueObjects(scene, rendering.labels);
   labelled.gravity = -scene.camera.world_from_camera.linear().row(2).cast<float>();
   for (const Support& support : scene.supports) {
     labelled.supports.push_back(InCamera(support, scene.camera));

@@ -13,16 +13,16 @@ namespace {
 
 constexpr double kRadian = std::numbers::pi / 180;
 
-struct Slab {
+struct Board {
   double length_m, width_m, thickness_m;  // up the slope, along the wall, across
 };
 
 // With its lower back edge on the support at the height of the box's bottom, its back touching the
 // box; `out` is the side of the box that it leans against, level.
-Body Leaning(const Slab& slab, const Body& box, const Eigen::Vector3d& out, double half_depth_m,
+Body Leaning(const Board& board, const Body& box, const Eigen::Vector3d& out, double half_depth_m,
              double tilt_rad) {
   const auto [bottom, top] = VerticalExtent(box);
-  const double rise = slab.length_m * std::cos(tilt_rad), height = top - bottom;
+  const double rise = board.length_m * std::cos(tilt_rad), height = top - bottom;
   // It touches the upper edge of the box, or ends against its side.
   const double foot_m = std::tan(tilt_rad) * std::min(height, rise);
   const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
@@ -32,13 +32,13 @@ Body Leaning(const Slab& slab, const Body& box, const Eigen::Vector3d& out, doub
   axes.col(1) = axes.col(2).cross(axes.col(0));
   Body body;
   body.name = "leaning";
-  body.shape.size_m = {slab.thickness_m, slab.width_m, slab.length_m};
+  body.shape.size_m = {board.thickness_m, board.width_m, board.length_m};
   body.is_object = true;
   body.world_from_body.linear() = axes;
   Eigen::Vector3d foot = box.world_from_body.translation() + (half_depth_m + foot_m) * out;
   foot.z() = bottom;
   body.world_from_body.translation() =
-      foot + axes.col(2) * slab.length_m / 2 + axes.col(0) * slab.thickness_m / 2;
+      foot + axes.col(2) * board.length_m / 2 + axes.col(0) * board.thickness_m / 2;
   return body;
 }
 
@@ -85,10 +85,10 @@ std::optional<LeaningThing> AddLeaningThing(Scene& scene, std::uint64_t seed) {
       Eigen::Vector3d to_camera = camera - box.world_from_body.translation();
       to_camera.z() = 0;
       if (std::abs(out.z()) > 0.01 || out.dot(to_camera.normalized()) < kFacing) continue;
-      const Slab slab = {random.Uniform(0.11, 0.22), random.Uniform(0.08, 0.16),
-                         random.Uniform(0.006, 0.025)};
-      Body leaning =
-          Leaning(slab, box, out, box.shape.size_m[side / 2] / 2, random.Uniform(12, 40) * kRadian);
+      const Board board = {random.Uniform(0.11, 0.22), random.Uniform(0.08, 0.16),
+                           random.Uniform(0.006, 0.025)};
+      Body leaning = Leaning(board, box, out, box.shape.size_m[side / 2] / 2,
+                             random.Uniform(12, 40) * kRadian);
       leaning.material = RandomMaterial(random);
       if (!HasRoom(scene, AroundIt(leaning, out), box)) continue;
       scene.bodies.push_back(leaning);

@@ -39,6 +39,8 @@ double ShareOfSecond(const Material& material, const Eigen::Vector3d& point) {
 
 }  // namespace
 
+Material Plain(const Eigen::Vector3d& color) { return {.color = color, .second_color = color}; }
+
 Eigen::Vector3d AlbedoAt(const Material& material, const Eigen::Vector3d& point) {
   const double share = ShareOfSecond(material, point);
   return (1 - share) * material.color + share * material.second_color;

@@ -23,6 +23,9 @@ struct Material {
   std::uint32_t seed = 0;  // of the clouds
 };
 
+// Of one colour.
+Material Plain(const Eigen::Vector3d& color);
+
 // Linear RGB albedo at a point of the body, in the body's frame and metres.
 Eigen::Vector3d AlbedoAt(const Material& material, const Eigen::Vector3d& point);
 

@@ -10,8 +10,8 @@
 #include <numbers>
 #include <opencv2/imgcodecs.hpp>
 #include <optional>
-#include <regex>
 #include <sstream>
+#include <string>
 
 #include "flags/misspelling.h"
 #include "tests/support/depth_camera.h"
@@ -35,11 +35,17 @@ struct Flags {
 };
 
 cv::Size ParseSize(const std::string& flag, const std::string& text) {
-  std::smatch parts;
-  if (!std::regex_match(text, parts, std::regex("([0-9]{2,4})x([0-9]{2,4})"))) {
-    throw std::invalid_argument(flag + " " + text + ": expected WIDTHxHEIGHT in pixels");
+  constexpr int kLeast = 10, kMost = 9999;
+  const auto is_side = [](int value) { return value >= kLeast && value <= kMost; };
+  std::istringstream in(text);
+  cv::Size size;
+  char x = 0;
+  in >> size.width >> x >> size.height;
+  if (!in || !in.eof() || x != 'x' || !is_side(size.width) || !is_side(size.height)) {
+    throw std::invalid_argument(flag + " " + text + ": expected WIDTHxHEIGHT in pixels, of " +
+                                std::to_string(kLeast) + " to " + std::to_string(kMost));
   }
-  return {std::stoi(parts[1]), std::stoi(parts[2])};
+  return size;
 }
 
 std::optional<DepthCamera> DepthCameraOf(const Flags& flags) {

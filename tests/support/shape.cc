@@ -31,7 +31,7 @@ Span operator&(const Span& a, const Span& b) {
   return both;
 }
 
-Span Slab(const Ray& ray, int axis, double low, double high) {
+Span Within(const Ray& ray, int axis, double low, double high) {
   const double o = ray.origin[axis], d = ray.direction[axis];
   if (d == 0) return low < o && o < high ? Span{} : kNothing;
   const Eigen::Vector3d up = Eigen::Vector3d::Unit(axis);
@@ -60,12 +60,12 @@ const Eigen::Vector3d kBall(1, 1, 1), kTube(1, 1, 0);
 std::pair<Span, Span> BodyAndCavity(const Shape& shape, const Ray& ray) {
   const Eigen::Vector3d half = shape.size_m / 2;
   const double radius = half.x();
-  const Span height = Slab(ray, 2, -half.z(), half.z());
-  const auto inside = [&] { return Slab(ray, 2, -half.z() + shape.wall_m, kInfinity); };
+  const Span height = Within(ray, 2, -half.z(), half.z());
+  const auto inside = [&] { return Within(ray, 2, -half.z() + shape.wall_m, kInfinity); };
   const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   switch (shape.kind) {
     case ShapeKind::kBox:
-      return {height & Slab(ray, 0, -half.x(), half.x()) & Slab(ray, 1, -half.y(), half.y()),
+      return {height & Within(ray, 0, -half.x(), half.x()) & Within(ray, 1, -half.y(), half.y()),
               kNothing};
     case ShapeKind::kCylinder:
       return {height & Round(ray, kTube, origin, radius), kNothing};
