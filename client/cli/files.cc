@@ -11,7 +11,7 @@
 namespace fovea::cli {
 namespace {
 
-[[noreturn]] void Fail(const std::string& what, const std::string& path) {
+[[noreturn]] void FailOn(const std::string& what, const std::string& path) {
   const std::string reason = errno != 0 ? std::string(": ") + std::strerror(errno) : "";
   throw std::runtime_error(what + " " + path + reason);
 }
@@ -36,9 +36,9 @@ std::string ReadFile(const std::string& path) {
   }
   errno = 0;
   std::ifstream file(path, std::ios::binary);
-  if (!file) Fail("cannot read", path);
+  if (!file) FailOn("cannot read", path);
   std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  if (file.bad()) Fail("cannot read", path);
+  if (file.bad()) FailOn("cannot read", path);
   if (bytes.empty()) throw std::runtime_error(path + " is empty");
   return bytes;
 }
@@ -48,7 +48,7 @@ void WriteFile(const std::string& path, const std::string& bytes) {
   std::ofstream file(path, std::ios::binary);
   file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   file.close();
-  if (!file) Fail("cannot write", path);
+  if (!file) FailOn("cannot write", path);
 }
 
 cv::Mat DecodeColor(const std::string& file, const std::string& path) {

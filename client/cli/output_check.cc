@@ -13,40 +13,42 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void Fail(const std::string& flag, const std::string& path, const std::string& why) {
+[[noreturn]] void FailToWrite(const std::string& flag, const std::string& path,
+                              const std::string& why) {
   throw std::invalid_argument(flag + ": cannot write " + path + ": " + why);
 }
 
 void RequireWritableFolder(const std::string& flag, const std::string& path, fs::path folder) {
   if (folder.empty()) folder = ".";
   std::error_code error;
-  if (!fs::is_directory(folder, error)) Fail(flag, path, "there is no folder " + folder.string());
+  if (!fs::is_directory(folder, error))
+    FailToWrite(flag, path, "there is no folder " + folder.string());
   if (access(folder.c_str(), W_OK | X_OK) != 0) {
-    Fail(flag, path, "folder " + folder.string() + ": " + std::strerror(errno));
+    FailToWrite(flag, path, "folder " + folder.string() + ": " + std::strerror(errno));
   }
 }
 
 // A file that is there is overwritten, which needs no right to its folder.
 void RequireWritable(const std::string& flag, const std::string& path) {
   std::error_code error;
-  if (fs::is_directory(path, error)) Fail(flag, path, "it is a folder");
+  if (fs::is_directory(path, error)) FailToWrite(flag, path, "it is a folder");
   if (!fs::exists(path, error)) RequireWritableFolder(flag, path, fs::path(path).parent_path());
   if (fs::exists(path, error) && access(path.c_str(), W_OK) != 0) {
-    Fail(flag, path, std::strerror(errno));
+    FailToWrite(flag, path, std::strerror(errno));
   }
 }
 
 void RequireOther(const std::string& flag, const std::string& path, const FrameFiles& files) {
   for (const std::string& input : {files.color_path, files.depth_path}) {
     std::error_code error;  // of files that are not there
-    if (fs::equivalent(path, input, error)) Fail(flag, path, "it is an image of the frame");
+    if (fs::equivalent(path, input, error)) FailToWrite(flag, path, "it is an image of the frame");
   }
 }
 
 void RequireImageFormat(const std::string& flag, const std::string& path) {
   const std::string extension = fs::path(path).extension().string();
-  if (extension.empty()) Fail(flag, path, "give it an extension, for example .png");
-  if (!cv::haveImageWriter(path)) Fail(flag, path, "unknown image format " + extension);
+  if (extension.empty()) FailToWrite(flag, path, "give it an extension, for example .png");
+  if (!cv::haveImageWriter(path)) FailToWrite(flag, path, "unknown image format " + extension);
 }
 
 // Numbers must come back as they were.
@@ -54,14 +56,14 @@ void RequireLossless(const std::string& flag, const std::string& path) {
   RequireImageFormat(flag, path);
   const std::string ending = fs::path(path).extension().string();
   if (ending == ".png" || ending == ".tif" || ending == ".tiff" || ending == ".pgm") return;
-  Fail(flag, path, "labels need a format without loss; end it in .png");
+  FailToWrite(flag, path, "labels need a format without loss; end it in .png");
 }
 
 // Makes it where it is missing.
 void MakeFolder(const std::string& flag, const std::string& path) {
   std::error_code error;
   fs::create_directories(path, error);
-  if (error) Fail(flag, path, error.message());
+  if (error) FailToWrite(flag, path, error.message());
   RequireWritableFolder(flag, path, path);
 }
 

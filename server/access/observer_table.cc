@@ -12,7 +12,7 @@
 namespace fovea::server {
 namespace {
 
-constexpr std::size_t kMaxName = 64, kMaxPatterns = 64;
+constexpr std::size_t kMaxPatterns = 64;
 
 std::vector<std::string> Split(const std::string& text) {
   std::vector<std::string> parts;
@@ -70,7 +70,7 @@ void ObserverTable::Add(const std::string& line) {
   words >> hash >> rights >> robots >> expires >> rest;
   RequireField(rest.empty(), "\"" + rest + "\"",
                "is too much; a line is NAME SHA256 RIGHTS ROBOTS [EXPIRES]");
-  RequireField(name.size() <= kMaxName, "the name", "has more than 64 characters");
+  RequireField(name.size() <= kMaxTokenName, "the name", "has more than 64 characters");
   RequireHash(hash);
   ObserverEntry entry{.name = name, .rights = ParseRights(rights), .robots = ParsePatterns(robots)};
   if (!expires.empty()) entry.expires = ParseExpiry(expires);

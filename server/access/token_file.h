@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <string>
@@ -12,6 +13,9 @@
 #include "server/conversion/field_error.h"
 
 namespace fovea::server {
+
+// Of robots and observers, in characters.
+inline constexpr std::size_t kMaxTokenName = 64;
 
 // Calls add(line) for each line of the file that `flag` names. Throws std::runtime_error where
 // there is none; of what `add` throws, std::invalid_argument names flag, file and line.

@@ -7,12 +7,6 @@
 #include "server/conversion/field_error.h"
 
 namespace fovea::server {
-namespace {
-
-constexpr std::size_t kMaxName = 64;
-
-}  // namespace
-
 TokenTable TokenTable::FromFile(const std::string& path) {
   TokenTable table;
   ForEachTokenLine("--tokens", path, [&](const std::string& line) { table.Add(line); });
@@ -25,7 +19,7 @@ void TokenTable::Add(const std::string& line) {
   if (!(words >> robot) || robot.front() == '#') return;
   words >> hash >> expires >> rest;
   RequireField(rest.empty(), "\"" + rest + "\"", "is too much; a line is ROBOT SHA256 [EXPIRES]");
-  RequireField(robot.size() <= kMaxName, "the robot's name", "has more than 64 characters");
+  RequireField(robot.size() <= kMaxTokenName, "the robot's name", "has more than 64 characters");
   RequireHash(hash);
   Entry entry{.robot = robot};
   if (!expires.empty()) entry.expires = ParseExpiry(expires);

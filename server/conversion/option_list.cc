@@ -25,7 +25,7 @@ const char* UnitOf(std::string_view name) {
   return "";
 }
 
-v1::Option ToProto(const OptionInfo& info) {
+v1::Option OptionProto(const OptionInfo& info) {
   v1::Option option;
   option.set_name(info.name);
   option.set_unit(UnitOf(info.name));
@@ -42,7 +42,7 @@ v1::ListOptionsResponse OptionList(const OptionPolicy& policy) {
   v1::ListOptionsResponse list;
   for (const OptionInfo& info : ListOptions()) {
     v1::Option& option = *list.add_options();
-    option = ToProto(info);
+    option = OptionProto(info);
     option.set_fixed(!policy.MaySet(info.name));
   }
   for (const std::string& profile : ProfileNames()) {

@@ -16,8 +16,6 @@
 namespace fovea::cli {
 namespace {
 
-const cv::Scalar kWhite(255, 255, 255);
-
 // A little darker and greyer, so that the objects stand out.
 cv::Mat Dimmed(const cv::Mat& color) {
   cv::Mat grey, dimmed;
@@ -60,7 +58,7 @@ void OutlineMask(cv::Mat& picture, const v1::Object& object, const View& view) {
 }
 
 void DrawSolid(cv::Mat& picture, const v1::Object& object, const View& view) {
-  const cv::Scalar color = 0.45 * ColorOf(object.label()) + 0.55 * kWhite;
+  const cv::Scalar color = 0.45 * ColorOf(object.label()) + 0.55 * cv::Scalar::all(255);
   for (const SpaceLine& line : LinesOf(object)) {
     const auto ends = view.Project(line);
     if (ends) DrawThinLine(picture, ends->first, ends->second, color, line.hidden ? 0.35 : 1);
