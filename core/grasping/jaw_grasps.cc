@@ -162,6 +162,7 @@ void AddGrasp(const Turn& turn, const JawPlace& place, const GraspTerms& of_obje
   grasp.closing = turn.grid.frame.rotation *
                   Eigen::Vector3f(turn.turned.closing.x(), turn.turned.closing.y(), 0);
   grasp.opening_m = width;
+  grasp.pre_grasp_opening_m = OpenedAround(width + 2 * place.room_m, hand.jaw);
   grasp.clearance_m = std::min({place.clearance_m, place.tip_gap_m, place.palm_gap_m});
   grasp.unseen_contacts = t[kTermUnseenContacts];
   scored.family = FamilyOf(grasp.kind);

@@ -10,8 +10,9 @@ using Reason = NoGrasp::Reason;
 
 constexpr float kMargin_m = 0.002F;  // to what was seen
 constexpr float kAboveFloor_m = 0.003F;
-constexpr float kFarthestTold_m = 0.02F;    // to which distances are told
-constexpr float kLeastGrip_m = 0.004F;  // of the fingers below the object's top
+constexpr float kFarthestTold_m = 0.02F;  // to which distances are told
+constexpr float kMostRoom_m = 0.02F;      // to open wider than what is needed
+constexpr float kLeastGrip_m = 0.004F;    // of the fingers below the object's top
 constexpr std::size_t kMostRuns = 4;
 
 struct Run {
@@ -129,14 +130,16 @@ void TryRun(const Station& at, const Run& run, bool is_part, float tip_m, Failur
   const float beside =
       (OpenedAround(width, at.gripper) - width) / 2 + at.gripper.finger_thickness_m;
   const int needed = at.CellsIn(beside - at.grid.cell_m / 2);
-  const int most = needed + at.CellsIn(kFarthestTold_m);
+  const int told = at.CellsIn(kFarthestTold_m), most = needed + told + at.CellsIn(kMostRoom_m);
   const int left = FreeCells(at, run.first, -1, tip_m, most);
   const int right = FreeCells(at, run.last, 1, tip_m, most);
   if (left < needed) return failures.Add(WhatBlocks(at, run.first - left - 1, tip_m));
   if (right < needed) return failures.Add(WhatBlocks(at, run.last + right + 1, tip_m));
   JawPlace place = {at.first_row, at.last_row, run.first, run.last, at.across_m, tip_m, is_part};
   if (!PalmFits(at, run, place, failures)) return;
-  place.clearance_m = static_cast<float>(std::min(left, right) - needed) * at.grid.cell_m;
+  const int free = std::min(left, right) - needed;
+  place.clearance_m = static_cast<float>(std::min(free, told)) * at.grid.cell_m;
+  place.room_m = static_cast<float>(std::max(0, free - told)) * at.grid.cell_m;
   const float below = std::max(std::max(Highest(at.pads.other, run.first - needed, run.first - 1),
                                         Highest(at.pads.other, run.last + 1, run.last + needed)),
                                std::max(Highest(at.pads.target, run.first - needed, run.first - 1),

@@ -42,6 +42,7 @@ std::vector<cv::Point2d> Octagon(const std::vector<cv::Point2f>& points) {
     }
   }
   std::vector<cv::Point2d> corners;
+  corners.reserve(farthest.size());
   for (const Farthest& corner : farthest) corners.emplace_back(corner.point);
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   if (corners.front() == corners.back()) corners.pop_back();
@@ -117,8 +118,8 @@ OrientedBox FitOrientedBox(const std::vector<Eigen::Vector3f>& points, const Eig
   }
 
   OrientedBox box;
-  box.center = origin + level * Eigen::Vector3f(base.center.x(), base.center.y(),
-                                                (bottom + top) / 2);
+  box.center =
+      origin + level * Eigen::Vector3f(base.center.x(), base.center.y(), (bottom + top) / 2);
   box.rotation.col(0) = level * Eigen::Vector3f(base.longer.x(), base.longer.y(), 0);
   box.rotation.col(2) = up;
   box.rotation.col(1) = box.rotation.col(2).cross(box.rotation.col(0));

@@ -16,7 +16,7 @@ struct SalientPart {
 };
 
 std::vector<SalientPart> CollectParts(const VoxelGrid& grid, const std::vector<int>& part_of_voxel,
-                               const cv::Mat& saliency) {
+                                      const cv::Mat& saliency) {
   std::vector<SalientPart> parts(CountLabels(part_of_voxel) + 1);
   for (const int part : part_of_voxel) ++parts[part].num_voxels;
   for (int row = 0; row < saliency.rows; ++row) {

@@ -16,11 +16,12 @@ namespace fovea {
 namespace {
 
 constexpr int kMaxPlanes = 8;
-constexpr double kMinAreaM2 = 0.08;  // visible, of a part that is wall
-constexpr float kWallCellM = 0.04F;      // of the grid on a plane, at least
-constexpr float kMaxWallCells = 2048;    // along a side of it, however far the points reach
-constexpr int kSolidCells = 5;       // edge of a square within a wall: legs of a table have none
-constexpr float kMinWallCosine = std::numbers::sqrt2_v<float> / 2;  // of what has a plane's direction
+constexpr double kMinAreaM2 = 0.08;    // visible, of a part that is wall
+constexpr float kWallCellM = 0.04F;    // of the grid on a plane, at least
+constexpr float kMaxWallCells = 2048;  // along a side of it, however far the points reach
+constexpr int kSolidCells = 5;         // edge of a square within a wall: legs of a table have none
+constexpr float kMinWallCosine =
+    std::numbers::sqrt2_v<float> / 2;  // of what has a plane's direction
 
 // Voxels on no support whose normal lies within 45° of the horizon: noise tilts normals far away.
 std::vector<int> UprightVoxels(const VoxelGrid& grid, const Eigen::Vector3f& up,
@@ -135,7 +136,7 @@ class LargeParts {
 
   Eigen::Vector3f vertical_, horizontal_;  // the plane's axes
   Eigen::Vector2f origin_;                 // of the grid
-  float cell_m_ = kWallCellM;                  // edge length of its cells
+  float cell_m_ = kWallCellM;              // edge length of its cells
   cv::Mat large_;                          // CV_8UC1, one pixel a cell
   bool exist_ = false;
 };

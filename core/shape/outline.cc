@@ -31,8 +31,8 @@ std::vector<cv::Point> Contour(const cv::Mat& labels, int label, const cv::Rect&
 
 // Evenly spaced, and without the corners of pixels.
 std::vector<Eigen::Vector2f> Smoothed(const std::vector<cv::Point>& contour, double step) {
-  const std::size_t count =
-      std::min(kMaxContourPoints, static_cast<std::size_t>(static_cast<double>(contour.size()) / step));
+  const std::size_t count = std::min(
+      kMaxContourPoints, static_cast<std::size_t>(static_cast<double>(contour.size()) / step));
   if (count < kMinPoints) return {};
   std::vector<Eigen::Vector2f> points(count);
   for (std::size_t i = 0; i < count; ++i) {

@@ -23,6 +23,10 @@ struct Grasp {
                                                         // suction, any direction along the surface
   // Distance between the fingers that the object needs, without clearance; 0 for suction.
   float opening_m = 0;
+  // Before and while the hand moves in: 10 mm more on each side, and up to 30 mm where 20 mm more
+  // than that are free, since a side that is not seen may lie farther out; at most what the hand
+  // can. 0 for suction.
+  float pre_grasp_opening_m = 0;
   // From the pre-grasp, where the hand is clear of everything, to the tool centre point: the
   // pre-grasp is tool_center_point - approach * pre_grasp_distance_m.
   float pre_grasp_distance_m = 0.1F;

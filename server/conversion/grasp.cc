@@ -53,6 +53,7 @@ v1::Grasp ToProto(const Grasp& grasp, const std::string& gripper_name) {
   *proto.mutable_approach() = ToProto(grasp.approach);
   *proto.mutable_closing() = ToProto(grasp.closing);
   proto.set_opening_m(grasp.opening_m);
+  proto.set_pre_grasp_opening_m(grasp.pre_grasp_opening_m);
   proto.set_kind(KindToProto(grasp.kind));
   proto.set_gripper(gripper_name);
   proto.set_gripper_index(static_cast<std::uint32_t>(grasp.gripper));

@@ -61,6 +61,7 @@ void Add(const DetectedObject& object, Digest& digest) {
     digest.Add(grasp.approach);
     digest.Add(grasp.closing);
     digest.Add(grasp.opening_m);
+    digest.Add(grasp.pre_grasp_opening_m);
   }
 }
 

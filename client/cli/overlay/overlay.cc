@@ -37,7 +37,7 @@ void TintMask(cv::Mat& frame, const cv::Mat& color, const v1::Object& object) {
 
 // The outline of the mask, smooth where the picture is larger than the frame. Specks have none.
 void OutlineMask(cv::Mat& picture, const v1::Object& object, const View& view) {
-  constexpr double kSpeck_px2 = 40, kTolerance_px = 0.8;
+  constexpr double kSpeckArea = 40, kTolerance_px = 0.8;
   const cv::Rect bounds = BoundsOf(object.mask().bounds(), view.frame);
   if (bounds.empty()) return;
   cv::Mat mask;
@@ -50,7 +50,7 @@ void OutlineMask(cv::Mat& picture, const v1::Object& object, const View& view) {
   cv::findContours(mask, contours, cv::RETR_CCOMP, cv::CHAIN_APPROX_SIMPLE,
                    (bounds.tl() - cv::Point(1, 1)) * view.scale);
   for (std::vector<cv::Point>& contour : contours) {
-    if (cv::contourArea(contour) < kSpeck_px2) continue;
+    if (cv::contourArea(contour) < kSpeckArea) continue;
     cv::approxPolyDP(contour, contour, kTolerance_px, true);
     drawn.push_back(std::move(contour));
   }

@@ -92,6 +92,8 @@ class Grasp:
     unevenness_m: float = 0.0
     usable_diameter_m: float = 0.0
     off_center_m: float = 0.0
+    # How far apart the fingers should be before and while the hand moves in; 0 with suction.
+    pre_grasp_opening_m: float = 0.0
 
     @property
     def pose(self) -> FloatArray:
@@ -246,6 +248,7 @@ def _grasp(proto: detection_pb2.Grasp) -> Grasp:
         unevenness_m=proto.unevenness_m,
         usable_diameter_m=proto.usable_diameter_m,
         off_center_m=proto.off_center_m,
+        pre_grasp_opening_m=proto.pre_grasp_opening_m,
     )
 
 

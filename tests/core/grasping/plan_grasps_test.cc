@@ -56,6 +56,7 @@ TEST(PlanGrasps, TakesABoxAcrossItsNarrowerSideFromAbove) {
     EXPECT_GT(std::abs(grasp.closing.dot(box.box.rotation.col(1))), std::cos(0.3F));
     EXPECT_GT(grasp.approach.dot(-box.box.rotation.col(2)), 0.999F);
     EXPECT_NEAR(grasp.opening_m, 0.06F, 0.01F);
+    EXPECT_FLOAT_EQ(grasp.pre_grasp_opening_m, 0.085F);  // as far as it can
     EXPECT_NEAR(grasp.closing.dot(grasp.approach), 0, 1e-4F);
     EXPECT_GE(grasp.probability, 0.5F);
     EXPECT_LE(grasp.probability, 1);
@@ -63,6 +64,24 @@ TEST(PlanGrasps, TakesABoxAcrossItsNarrowerSideFromAbove) {
   for (std::size_t i = 1; i < box.grasps.size(); ++i) {
     EXPECT_LE(box.grasps[i].probability, box.grasps[i - 1].probability);
   }
+}
+
+TEST(PlanGrasps, OpensWideWhereThereIsRoom) {
+  const scenes::Body box = Thing(ShapeKind::kBox, {0.14, 0.05, 0.1}, {0, 0}, 0);
+  const auto between = [&](double gap_m) {
+    const double middle_m = 0.025 + gap_m + 0.02;
+    return Plan({box, Thing(ShapeKind::kBox, {0.2, 0.04, 0.1}, {0, middle_m}, 0),
+                 Thing(ShapeKind::kBox, {0.2, 0.04, 0.1}, {0, -middle_m}, 0)},
+                {Jaw(0.12F)}, 60)[0];
+  };
+  const auto room_of = [](const DetectedObject& object) {
+    if (object.grasps.empty()) return -1.0F;  // none of these is right
+    return object.grasps[0].pre_grasp_opening_m - object.grasps[0].opening_m;
+  };
+  EXPECT_NEAR(room_of(between(0.2)), 0.06F, 0.006F);
+  // 55 mm: a finger of 10, 20 of clearance, 25 to open.
+  EXPECT_NEAR(room_of(between(0.055)), 0.05F, 0.012F);
+  EXPECT_NEAR(room_of(between(0.03)), 0.02F, 0.005F);
 }
 
 TEST(PlanGrasps, SaysWhatIsTooWide) {

@@ -54,6 +54,7 @@ Grasp GraspOf(const Json& json) {
   grasp.approach = Vector(json.at("approach"));
   grasp.closing = Vector(json.at("closing"));
   grasp.opening_m = static_cast<float>(Number(json, "opening_m"));
+  grasp.pre_grasp_opening_m = static_cast<float>(Number(json, "pre_grasp_opening_m"));
   grasp.probability = static_cast<float>(Number(json, "probability"));
   if (!grasp.approach.allFinite() || std::abs(grasp.approach.norm() - 1) > 1e-3F) {
     throw std::invalid_argument("\"approach\" is no unit vector");

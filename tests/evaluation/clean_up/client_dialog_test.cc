@@ -44,15 +44,16 @@ TEST(ClientDialog, ARequestHasTheFrameAndTheHands) {
 TEST(ClientDialog, ReadsDecisionsOfBothLibraries) {
   for (const char* line :
        {R"({"grasp":{"tool_center_point":{"x":0.1,"z":0.9},"approach":{"z":1},
-           "closing":{"x":1},"opening_m":0.05,"gripper_index":1,"probability":0.75}})",
+           "closing":{"x":1},"opening_m":0.05,"pre_grasp_opening_m":0.09,"gripper_index":1,"probability":0.75}})",
         R"({"grasp": {"tool_center_point": [0.1, 0, 0.9], "approach": [0, 0, 1], "closing":
-           [1, 0, 0], "opening_m": 0.05, "gripper_index": 1, "probability": 0.75}})"}) {
+           [1, 0, 0], "opening_m": 0.05, "pre_grasp_opening_m": 0.09, "gripper_index": 1, "probability": 0.75}})"}) {
     const Decision decision = DecisionOf(line);
     const Grasp& grasp = std::get<Grasp>(decision);
     EXPECT_TRUE(grasp.tool_center_point.isApprox(Eigen::Vector3f(0.1F, 0, 0.9F)));
     EXPECT_EQ(grasp.approach, Eigen::Vector3f::UnitZ());
     EXPECT_EQ(grasp.closing, Eigen::Vector3f::UnitX());
     EXPECT_FLOAT_EQ(grasp.opening_m, 0.05F);
+    EXPECT_FLOAT_EQ(grasp.pre_grasp_opening_m, 0.09F);
     EXPECT_EQ(grasp.gripper, 1U);
   }
   for (const char* line :

@@ -15,7 +15,8 @@ Outcome CheckGrasp(const PhysicalScene& scene, int target, const Gripper& grippe
   }
   const Eigen::Vector3d closing = world_from_camera.linear() * grasp.closing.cast<double>();
   return CheckJaw(scene, target, std::get<JawGripper>(gripper.hand),
-                  {tip, approach.normalized(), closing.normalized(), double{grasp.opening_m}});
+                  {tip, approach.normalized(), closing.normalized(), double{grasp.opening_m},
+                   double{grasp.pre_grasp_opening_m}});
 }
 
 }  // namespace fovea::evaluation

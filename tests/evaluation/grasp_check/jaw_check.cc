@@ -125,7 +125,9 @@ std::optional<JawContacts> CloseOn(const PhysicalScene& scene, int target,
 Outcome CheckJaw(const PhysicalScene& scene, int target, const JawGripper& gripper,
                  const JawPose& pose) {
   if (pose.opening_m > gripper.max_opening_m) return Outcome::kTooWide;
-  const double opening_m = std::min<double>(gripper.max_opening_m, pose.opening_m + 2 * kMargin_m);
+  const double moving_in_m =
+      pose.moving_in_m > 0 ? pose.moving_in_m : pose.opening_m + 2 * kMargin_m;
+  const double opening_m = std::min<double>(gripper.max_opening_m, moving_in_m);
   const Outcome way_in =
       OnTheWayIn(scene, target, SweptHand(gripper, pose, opening_m, kSweep_m, kTolerance_m));
   if (way_in != Outcome::kSuccess) return way_in;

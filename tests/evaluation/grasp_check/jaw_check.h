@@ -16,6 +16,7 @@ struct JawPose {
   Eigen::Vector3d approach;           // unit
   Eigen::Vector3d closing;            // unit, at right angles to the approach
   double opening_m = 0;               // that the object needs
+  double moving_in_m = 0;             // of the hand that moves in; 0: 10 mm more on each side
 };
 
 // Where the pads come to rest on the target.
@@ -30,13 +31,12 @@ std::optional<JawContacts> CloseOn(const PhysicalScene& scene, int target,
                                    const JawGripper& gripper, const JawPose& pose,
                                    double opening_m);
 
-// The hand opens to `opening_m` and 10 mm more on each side, as far as it can, and moves in by 150
-// mm along the approach: fingers and palm may touch nothing (they are taken for 1 mm smaller on
-// every side). A palm of no size is as wide as the gripper opens at most with both fingers. Then
-// each finger closes until its pad, in a grid of 2 mm, meets the target, and nothing else before.
-// It holds if at both contacts (the mean over what lies within 1 mm of the first) the closing
-// direction is within the friction cone of the surface, and so is some line from one patch to the
-// other.
+// The hand opens to `moving_in_m`, as far as it can, and moves in by 150 mm along the approach:
+// fingers and palm may touch nothing (they are taken for 1 mm smaller on every side). A palm of no
+// size is as wide as the gripper opens at most with both fingers. Then each finger closes until its
+// pad, in a grid of 2 mm, meets the target, and nothing else before. It holds if at both contacts
+// (the mean over what lies within 1 mm of the first) the closing direction is within the friction
+// cone of the surface, and so is some line from one patch to the other.
 Outcome CheckJaw(const PhysicalScene& scene, int target, const JawGripper& gripper,
                  const JawPose& pose);
 

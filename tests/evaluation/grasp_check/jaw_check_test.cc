@@ -108,6 +108,17 @@ TEST(JawCheck, HoldsABallWithinFriction) {
   EXPECT_EQ(at(0.018, 0.07), Outcome::kSlips);
 }
 
+TEST(JawCheck, MovesInAsWideAsIsSaid) {
+  // 30 mm wide, but what was seen of it only 4 mm: 10 mm more on each side meet it, 15 do not.
+  const Body bar = Object(ShapeKind::kBox, {0.03, 0.1, 0.06}, {0, 0, 0.03});
+  const auto with = [&](double moving_in_m) {
+    return Check(OnTable({bar}), {{0, 0, 0.03}, kDown, kX, 0.004, moving_in_m});
+  };
+  EXPECT_EQ(with(0), Outcome::kHitsTarget);
+  EXPECT_EQ(with(0.024), Outcome::kHitsTarget);
+  EXPECT_EQ(with(0.034), Outcome::kSuccess);
+}
+
 TEST(JawCheck, SlipsOffACorner) {
   // Across a square turned by 30°: its sides face the fingers at 30°.
   Body turned = kBox;
