@@ -7,6 +7,7 @@
 #include "tests/support/random_objects.h"
 
 namespace fovea::scenes {
+
 Body Drill(Random& random) {
   using Eigen::Vector3d;
   const double diameter_m = random.Uniform(0.055, 0.07), motor_m = random.Uniform(0.12, 0.15);
