@@ -39,9 +39,11 @@ float LowestHeight(const std::vector<Eigen::Vector3f>& positions, const SupportS
   return lowest;
 }
 
-// The surface that most of the points are above: the highest one if there are several.
+// The surface that most of the points are above: the highest one if there are several, the first if
+// there is none.
 std::optional<SupportSurface> OwnSupport(const std::vector<Support>& supports,
                                          const std::vector<Eigen::Vector3f>& positions) {
+  if (supports.size() == 1) return supports.front().surface;
   const auto is_below = [&](const Support& support) {
     const auto above = std::count_if(positions.begin(), positions.end(), [&](const auto& p) {
       return support.surface.HeightOf(p) > 0 && support.footprint.Covers(p);
@@ -95,6 +97,7 @@ DescribedObject Describe(const RgbdFrame& frame, const cv::Mat& points, const Ca
   object.colors = ColorPartsOf(object.cloud);
 
   std::vector<Eigen::Vector3f> positions;
+  positions.reserve(object.cloud.size());
   for (const ColoredPoint& p : object.cloud) positions.emplace_back(p.x, p.y, p.z);
   InterruptionPoint();
   const std::optional<SupportSurface> support = OwnSupport(supports, positions);

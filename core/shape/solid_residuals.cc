@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/shape/solid_distances.h"
+
 namespace fovea {
 namespace {
 
@@ -48,7 +50,7 @@ SeenArray IsBelowRim(const SeenObject& seen, const Solid& solid) {
 }
 
 SolidResiduals::SolidResiduals(const SeenObject& seen)
-    : seen_(&seen), on_rays_(seen.directions.size()), is_hollow_(seen.points.size()) {
+    : seen_(&seen), on_rays_(seen.directions.size()) {
   if (seen.points.size() + seen.directions.size() > kMaxSeen) {
     throw std::length_error("points and rays of an object: more than kMaxSeen");
   }
@@ -64,8 +66,10 @@ const SeenArray& SolidResiduals::AtNearest(const Solid& solid) {
   const Eigen::Index num_points = seen_->points.size(), num_rays = on_rays_.size();
   all_.resize(num_points + num_rays);
   SignedDistances(solid, seen_->points, distances_, &seen_->camera);
-  all_.head(num_points) = distances_ / seen_->noise_m;
-  if (is_hollow_.any()) {
+  RunInWidestRegisters([&] {
+    for (Eigen::Index i = 0; i < num_points; ++i) all_[i] = distances_[i] / seen_->noise_m[i];
+  });
+  if (has_hollow_) {
     const SeenArray off =
         DistancesInside(solid, seen_->points, kWall_m) / (seen_->noise_m + kWallNoise_m);
     all_.head(num_points) =
@@ -73,72 +77,87 @@ const SeenArray& SolidResiduals::AtNearest(const Solid& solid) {
             .select(kHollowResidual * off / (1 + off.square()).sqrt(), all_.head(num_points));
   }
   SignedDistances(solid, on_rays_, distances_);
-  distances_ = (seen_->is_own_end > 0).select(distances_, distances_.max(0.0F));
-  all_.segment(num_points, num_rays) = distances_ / seen_->outline_noise_m;
+  RunInWidestRegisters([&] {
+    for (Eigen::Index i = 0; i < num_rays; ++i) {
+      const float beyond = std::max(distances_[i], 0.0F);
+      const float distance = seen_->is_own_end[i] > 0 ? distances_[i] : beyond;
+      all_[num_points + i] = distance / seen_->outline_noise_m[i];
+    }
+  });
   return all_;
 }
 
-void SolidResiduals::PutOnRays(const SeenArray& places) {
-  on_rays_.x = seen_->camera.x() + seen_->directions.x * places;
-  on_rays_.y = seen_->camera.y() + seen_->directions.y * places;
-  on_rays_.h = seen_->camera.z() + seen_->directions.h * places;
+// By golden sections, from the places along the rays less and more `reach` on.
+template <typename Distance>
+void SolidResiduals::Narrow(const Distance& distance, const SeenArray& reach, int num_sections) {
+  constexpr float kGolden = 0.381966F;
+  RunInWidestRegisters([&] {
+    // Copies, which compilers know to lie apart.
+    const LevelPoints directions = seen_->directions;
+    const Eigen::Vector3f camera = seen_->camera;
+    const Eigen::Index count = directions.size();
+    SeenArray low = places_ - reach, high = places_ + reach;
+    SeenArray a = low + kGolden * (high - low), b = high - kGolden * (high - low);
+    SeenArray place(count), at_a(count), at_b(count), at_place(count);
+    const auto look = [&](const SeenArray& places, SeenArray& at) {
+      for (Eigen::Index i = 0; i < count; ++i) {
+        at[i] = distance(camera.x() + directions.x[i] * places[i],
+                         camera.y() + directions.y[i] * places[i],
+                         camera.z() + directions.h[i] * places[i]);
+      }
+    };
+    look(a, at_a);
+    look(b, at_b);
+    for (int section = 0; section < num_sections; ++section) {
+      for (Eigen::Index i = 0; i < count; ++i) {
+        const bool is_before = at_a[i] < at_b[i];
+        high[i] = is_before ? b[i] : high[i];
+        low[i] = is_before ? low[i] : a[i];
+        const float step = kGolden * (high[i] - low[i]);
+        place[i] = is_before ? low[i] + step : high[i] - step;
+      }
+      look(place, at_place);
+      for (Eigen::Index i = 0; i < count; ++i) {
+        const bool is_before = at_a[i] < at_b[i];
+        const float kept = is_before ? a[i] : b[i], at_kept = is_before ? at_a[i] : at_b[i];
+        a[i] = is_before ? place[i] : kept;
+        at_a[i] = is_before ? at_place[i] : at_kept;
+        b[i] = is_before ? kept : place[i];
+        at_b[i] = is_before ? at_kept : at_place[i];
+      }
+    }
+    for (Eigen::Index i = 0; i < count; ++i) places_[i] = at_a[i] < at_b[i] ? a[i] : b[i];
+  });
 }
 
 // The distance from a convex solid along a ray has one minimum; golden sections find it to a
 // fiftieth of the solid's size, and after the first time, near where it was, four times as well.
 void SolidResiduals::FindNearest(const Solid& solid) {
+  const LevelPoints& directions = seen_->directions;
   const Eigen::Vector3f size = solid.Size();
   const Eigen::Vector3f middle(solid.center.x(), solid.center.y(), size.z() / 2);
   const Eigen::Vector3f to = middle - seen_->camera;
-  const SeenArray squared =
-      seen_->directions.x.square() + seen_->directions.y.square() + seen_->directions.h.square();
+  const SeenArray squared = directions.x.square() + directions.y.square() + directions.h.square();
   constexpr int kSections = 9, kSectionsNear = 6;
   constexpr float kNear = 0.06F;  // of the size
   int num_sections = kSections;
   SeenArray reach = size.norm() / squared.sqrt();
   if (places_.size() == 0) {
-    places_ = (seen_->directions.x * to.x() + seen_->directions.y * to.y() +
-               seen_->directions.h * to.z()) /
-              squared;
+    places_ = (directions.x * to.x() + directions.y * to.y() + directions.h * to.z()) / squared;
   } else {
     reach *= kNear;
     num_sections = kSectionsNear;
   }
-  constexpr float kGolden = 0.381966F;
-  SeenArray low = places_ - reach, high = places_ + reach;
-  SeenArray a = low + kGolden * (high - low), b = high - kGolden * (high - low), at_a, at_b, at_new;
-  PutOnRays(a);
-  SignedDistances(solid, on_rays_, at_a);
-  PutOnRays(b);
-  SignedDistances(solid, on_rays_, at_b);
-  for (int section = 0; section < num_sections; ++section) {
-    for (Eigen::Index i = 0; i < places_.size(); ++i) {  // what compilers make vectors of
-      const bool is_before = at_a[i] < at_b[i];
-      high[i] = is_before ? b[i] : high[i];
-      low[i] = is_before ? low[i] : a[i];
-      const float step = kGolden * (high[i] - low[i]);
-      places_[i] = is_before ? low[i] + step : high[i] - step;
-    }
-    PutOnRays(places_);
-    SignedDistances(solid, on_rays_, at_new);
-    for (Eigen::Index i = 0; i < places_.size(); ++i) {
-      const bool is_before = at_a[i] < at_b[i];
-      const float kept = is_before ? a[i] : b[i], at_kept = is_before ? at_a[i] : at_b[i];
-      a[i] = is_before ? places_[i] : kept;
-      at_a[i] = is_before ? at_new[i] : at_kept;
-      b[i] = is_before ? kept : places_[i];
-      at_b[i] = is_before ? at_kept : at_new[i];
-    }
-  }
-  places_ = (at_a < at_b).select(a, b);
-  PutOnRays(places_);
+  WithDistanceFrom(solid, [&](const auto& distance) { Narrow(distance, reach, num_sections); });
+  on_rays_.x = seen_->camera.x() + directions.x * places_;
+  on_rays_.y = seen_->camera.y() + directions.y * places_;
+  on_rays_.h = seen_->camera.z() + directions.h * places_;
 }
 
 void SolidResiduals::MarkHollow(const Solid& solid) {
   if (solid.kind == Solid::Kind::kFrustum || solid.kind == Solid::Kind::kUprightCylinder) {
     is_hollow_ = IsBelowRim(*seen_, solid);
-  } else {
-    is_hollow_.setZero();
+    has_hollow_ = is_hollow_.any();
   }
 }
 
@@ -153,8 +172,16 @@ NormalEquations Linearize(SolidResiduals& residuals, const Solid& solid, const S
     derivatives.col(k) = (residuals.AtNearest(Moved(solid, step)) - at) / kDifference;
   }
   const SeenArray weights = (1 + (at / scale).square()).square().inverse();
-  const Derivatives weighted = derivatives.array().colwise() * weights;
-  return {weighted.transpose() * derivatives, weighted.transpose() * at.matrix()};
+  NormalEquations equations{ParameterMatrix(count, count), ParameterVector(count)};
+  for (int k = 0; k < count; ++k) {
+    const SeenArray weighted = derivatives.col(k).array() * weights;
+    for (int other = k; other < count; ++other) {
+      const float product = weighted.matrix().dot(derivatives.col(other));
+      equations.normal(k, other) = equations.normal(other, k) = product;
+    }
+    equations.gradient[k] = weighted.matrix().dot(at.matrix());
+  }
+  return equations;
 }
 
 void AddUnlikeliness(const Solid& solid, float weight, NormalEquations& equations) {

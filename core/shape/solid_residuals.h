@@ -34,14 +34,17 @@ class SolidResiduals {
   const SeenArray& AtNearest(const Solid& solid);
 
  private:
-  void PutOnRays(const SeenArray& places);
   void FindNearest(const Solid& solid);
+  template <typename Distance>
+  void Narrow(const Distance& distance, const SeenArray& reach, int num_sections);
   void MarkHollow(const Solid& solid);
 
   const SeenObject* seen_;
   LevelPoints on_rays_;
   SeenArray places_;  // along the rays, of what is nearest to the solid
-  SeenArray is_hollow_, distances_, all_;
+  bool has_hollow_ = false;
+  SeenArray is_hollow_;  // of points, where there are any
+  SeenArray distances_, all_;
 };
 
 // The robust cost of the residuals around a solid, to second order in its parameters (as Moved

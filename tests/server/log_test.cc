@@ -120,7 +120,9 @@ TEST_P(LogReader, GetsLongLinesWhole) {
 
 TEST_P(LogReader, SeesWhereALineWasCut) {
   LineWriter writer(pipe_.writer());
-  while (writer.Write(std::string(9'000, 'x') + "\n")) {
+  std::string line(9'000, 'x');  // in two steps, which GCC 12 with sanitizers follows
+  line += '\n';
+  while (writer.Write(line)) {
   }
   const std::string seen = pipe_.Read();
   EXPECT_TRUE(writer.Write("next\n"));
