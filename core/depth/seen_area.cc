@@ -13,32 +13,41 @@ namespace {
 
 constexpr double kUnevenPx = 6;  // in an image 640 wide
 
+bool IsMeasured(const cv::Mat& points, int row, int col) {
+  return !std::isnan(points.ptr<cv::Vec3f>(row)[col][2]);
+}
+
+bool MostOfRow(const cv::Mat& points, int row) {
+  int count = 0;
+  for (int col = 0; col < points.cols; ++col) count += IsMeasured(points, row, col) ? 1 : 0;
+  return 2 * count >= points.cols;
+}
+
+bool MostOfColumn(const cv::Mat& points, int col) {
+  int count = 0;
+  for (int row = 0; row < points.rows; ++row) count += IsMeasured(points, row, col) ? 1 : 0;
+  return 2 * count >= points.rows;
+}
+
 // How many of the lines at one end of the image are for the most part not measured: a margin if
-// not more than an eighth of all, else things too far away or cut out.
-int Margin(const std::vector<int>& measured, int across, bool from_end) {
-  const int count = static_cast<int>(measured.size());
+// not more than an eighth of all, else things too far away or cut out. `first`: of that end, from
+// which on they are looked at in steps of one or minus one.
+template <typename IsMeasuredLine>
+int Margin(int count, const IsMeasuredLine& is_measured, int first, int step) {
+  InterruptionPoint();
   for (int i = 0; i < count / 8; ++i) {
-    if (2 * measured[from_end ? count - 1 - i : i] >= across) return i;
+    if (is_measured(first + i * step)) return i;
   }
   return 0;
 }
 
 cv::Rect MeasuredBounds(const cv::Mat& points) {
-  std::vector<int> in_row(points.rows, 0), in_col(points.cols, 0);
-  for (int row = 0; row < points.rows; ++row) {
-    InterruptionPoint();
-    const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
-    int count = 0;
-    for (int col = 0; col < points.cols; ++col) {
-      const int is_measured = std::isnan(point[col][2]) ? 0 : 1;
-      count += is_measured;
-      in_col[col] += is_measured;
-    }
-    in_row[row] = count;
-  }
-  const cv::Point first(Margin(in_col, points.rows, false), Margin(in_row, points.cols, false));
-  const cv::Point end(points.cols - Margin(in_col, points.rows, true),
-                      points.rows - Margin(in_row, points.cols, true));
+  const auto row = [&](int y) { return MostOfRow(points, y); };
+  const auto column = [&](int x) { return MostOfColumn(points, x); };
+  const int width = points.cols, height = points.rows;
+  const cv::Point first(Margin(width, column, 0, 1), Margin(height, row, 0, 1));
+  const cv::Point end(width - Margin(width, column, width - 1, -1),
+                      height - Margin(height, row, height - 1, -1));
   return {first, end};
 }
 

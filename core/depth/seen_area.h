@@ -10,7 +10,7 @@ namespace fovea {
 
 class SeenArea {
  public:
-  // `points`: CV_32FC3, NaN = none; `unseen`: RgbdFrame::unseen. Cost: proportional to the image.
+  // `points`: CV_32FC3, NaN = none; `unseen`: RgbdFrame::unseen. Cost: proportional to the margins.
   SeenArea(const cv::Mat& points, const cv::Mat& unseen);
 
   // The image without the rows and columns at its ends of which less than half was measured. At

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/shape/uncertainty.h"
-#include "core/types/helpers.h"
 
 namespace fovea {
 namespace {
@@ -106,28 +105,26 @@ Shape::Kind KindOf(const FittedSolid& fit) {
 }
 
 // One of each kind that it may be.
-std::vector<FittedSolid> FitSolids(const SeenObject& seen, const OrientedBox& start,
-                                   std::initializer_list<Solid::Kind> kinds) {
+std::vector<FittedSolid> FitKinds(const SeenObject& seen, const OrientedBox& start,
+                                  std::initializer_list<Solid::Kind> kinds) {
   std::vector<Solid> starts;
   for (const Solid::Kind kind : kinds) {
     if (MayBe(kind, start.size_m)) starts.push_back(StartOf(kind, start));
   }
-  std::vector<FittedSolid> fits(starts.size());
-  ForEachTogether(starts.size(), [&](std::size_t i) { fits[i] = FitSolid(seen, starts[i]); });
-  return fits;
+  return FitSolids(seen, starts);
 }
 
 // Those that have names, and where none of them explains what was seen well, those that have none.
-std::vector<FittedSolid> FitSolids(const SeenObject& seen, const OrientedBox& start) {
+std::vector<FittedSolid> FitLikelyKinds(const SeenObject& seen, const OrientedBox& start) {
   constexpr float kWell = 0.1F;
   using Kind = Solid::Kind;
-  std::vector<FittedSolid> fits = FitSolids(
+  std::vector<FittedSolid> fits = FitKinds(
       seen, start,
       {Kind::kBox, Kind::kUprightCylinder, Kind::kLyingCylinder, Kind::kSphere, Kind::kFrustum});
   const auto best = std::min_element(fits.begin(), fits.end(),
                                      [](const auto& a, const auto& b) { return a.cost < b.cost; });
   if (best->cost < kWell) return fits;
-  const std::vector<FittedSolid> more = FitSolids(seen, start, {Kind::kOblong, Kind::kBent});
+  const std::vector<FittedSolid> more = FitKinds(seen, start, {Kind::kOblong, Kind::kBent});
   fits.insert(fits.end(), more.begin(), more.end());
   return fits;
 }
@@ -153,7 +150,7 @@ FittedShape FitShape(const DetectedObject& object, const std::vector<OutlinePoin
   start.size_m.z() = frame.FromCamera(top).z();
   FittedShape best;
   float odds = 0;
-  for (const FittedSolid& fit : FitSolids(seen, start)) {
+  for (const FittedSolid& fit : FitLikelyKinds(seen, start)) {
     const float cost = fit.cost + CostOfKind(fit);
     const float squared = std::max(cost, 0.02F) * std::max(cost, 0.02F);
     odds += 1 / (squared * squared);

@@ -7,13 +7,17 @@
 #include <optional>
 
 #include "core/shape/solid_residuals.h"
+#include "core/types/helpers.h"
 
 namespace fovea {
 namespace {
 
 // From wide to narrow: points that are far off pull at first.
-constexpr std::array<float, 3> kScales = {4, 2, 1};
+constexpr float kWide = 4;
+constexpr std::array<float, 2> kNarrower = {2, 1};
 constexpr int kStepsPerScale = 3;
+// What costs so much more than the best after the first steps will not be the best.
+constexpr float kHopeless = 0.1F;
 // Of twelve parts of its rim, as many must be seen.
 constexpr int kMinRimParts = 4;
 constexpr float kPlainlyHollow = 0.5F;  // share below the rim for which no rim need be seen
@@ -77,53 +81,86 @@ float ResidualOf(const SeenObject& seen, const Solid& solid, const SeenArray& re
   return std::sqrt((distances.square() * is_explained).sum() / std::max(is_explained.sum(), 1.0F));
 }
 
-}  // namespace
+class Search {
+ public:
+  Search(const SeenObject& seen, const Solid& start)
+      : seen_(&seen), start_(start), solid_(start), residuals_(seen), at_(residuals_.Of(start)) {}
 
-FittedSolid FitSolid(const SeenObject& seen, const Solid& start) {
-  SolidResiduals residuals(seen);
-  FittedSolid fitted{start};
-  SeenArray at = residuals.Of(start);
-  float damping = 1e-2F;
-  for (const float scale : kScales) {
-    float cost = CostOf(at, fitted.solid, scale);
+  // By some steps, with the residuals of this scale.
+  void Improve(float scale) {
+    float cost = CostOf(at_, solid_, scale);
     std::optional<NormalEquations> equations;  // around the solid as it is
     for (int step = 0; step < kStepsPerScale; ++step) {
-      if (!equations) equations = EquationsAround(residuals, fitted.solid, at, scale);
-      const ParameterVector change = Step(*equations, damping);
-      const Solid moved = change.allFinite() ? Moved(fitted.solid, change) : fitted.solid;
-      SolidResiduals there = residuals;
+      if (!equations) equations = EquationsAround(residuals_, solid_, at_, scale);
+      const ParameterVector change = Step(*equations, damping_);
+      const Solid moved = change.allFinite() ? Moved(solid_, change) : solid_;
+      SolidResiduals there = residuals_;
       SeenArray at_there;
       float cost_there = cost;
-      if (IsNear(moved, start)) {
+      if (IsNear(moved, start_)) {
         at_there = there.Of(moved);
         cost_there = CostOf(at_there, moved, scale);
       }
       if (cost_there < cost) {
-        fitted.solid = moved;
-        residuals = there;
-        at = at_there;
+        solid_ = moved;
+        residuals_ = there;
+        at_ = at_there;
         cost = cost_there;
-        damping /= 4;
+        damping_ /= 4;
         equations.reset();
       } else {
-        damping *= 8;
+        damping_ *= 8;
       }
     }
   }
-  fitted.cost = MeanCost(at, 1);
-  const Solid::Kind kind = fitted.solid.kind;
-  if (kind == Solid::Kind::kFrustum || kind == Solid::Kind::kUprightCylinder) {
-    const float below = IsBelowRim(seen, fitted.solid).sum();
-    const float share = below / std::max(1.0F, IsThroughTop(seen, fitted.solid).sum());
+
+  float Cost() const { return MeanCost(at_, 1); }
+
+  FittedSolid Found() const {
+    FittedSolid found{.solid = solid_, .cost = Cost()};
+    if (solid_.kind == Solid::Kind::kFrustum || solid_.kind == Solid::Kind::kUprightCylinder) {
+      LookInside(found);
+    }
+    found.residual_m = ResidualOf(*seen_, solid_, at_);
+    return found;
+  }
+
+ private:
+  void LookInside(FittedSolid& found) const {
+    const float below = IsBelowRim(*seen_, solid_).sum();
+    const float share = below / std::max(1.0F, IsThroughTop(*seen_, solid_).sum());
     const bool has_rim =
-        SeenRimParts(seen.points, fitted.solid) >= kMinRimParts || share > kPlainlyHollow;
-    if (has_rim && below >= kLeastBelow) fitted.hollow_share = share;
-    if (!has_rim && kind == Solid::Kind::kFrustum) {
-      fitted.cost += below / static_cast<float>(std::max<Eigen::Index>(1, seen.points.size()));
+        SeenRimParts(seen_->points, solid_) >= kMinRimParts || share > kPlainlyHollow;
+    if (has_rim && below >= kLeastBelow) found.hollow_share = share;
+    if (!has_rim && solid_.kind == Solid::Kind::kFrustum) {
+      found.cost += below / static_cast<float>(std::max<Eigen::Index>(1, seen_->points.size()));
     }
   }
-  fitted.residual_m = ResidualOf(seen, fitted.solid, at);
-  return fitted;
+
+  const SeenObject* seen_;
+  Solid start_, solid_;
+  SolidResiduals residuals_;
+  SeenArray at_;  // the residuals of the solid as it is
+  float damping_ = 1e-2F;
+};
+
+}  // namespace
+
+std::vector<FittedSolid> FitSolids(const SeenObject& seen, const std::vector<Solid>& starts) {
+  std::vector<Search> searches;
+  searches.reserve(starts.size());
+  for (const Solid& start : starts) searches.emplace_back(seen, start);
+  ForEachTogether(searches.size(), [&](std::size_t i) { searches[i].Improve(kWide); });
+  float best = 1;
+  for (const Search& search : searches) best = std::min(best, search.Cost());
+  std::vector<FittedSolid> found(searches.size());
+  ForEachTogether(searches.size(), [&](std::size_t i) {
+    if (searches[i].Cost() < best + kHopeless) {
+      for (const float scale : kNarrower) searches[i].Improve(scale);
+    }
+    found[i] = searches[i].Found();
+  });
+  return found;
 }
 
 }  // namespace fovea

@@ -1,7 +1,7 @@
 // The solid of a kind that explains best what was seen of an object.
 #pragma once
 
-#include <Eigen/Core>
+#include <vector>
 
 #include "core/shape/seen_object.h"
 #include "core/shape/solid.h"
@@ -16,10 +16,10 @@ struct FittedSolid {
                            // cylinder: below its rim; 0 where too little is seen of that
 };
 
-// Starts from a solid that is roughly right. Minimises the mean of the robust costs (Geman and
-// McClure 1985) of distances between points and surface, and between surface and the rays that
-// touch it, from wide to narrow, by Levenberg-Marquardt. Takes some 0.1 ms for 160 points and 80
-// rays.
-FittedSolid FitSolid(const SeenObject& seen, const Solid& start);
+// Starts from solids that are roughly right, each of another kind. Minimises the mean of the robust
+// costs (Geman and McClure 1985) of distances between points and surface, and between surface and
+// the rays that touch it, from wide to narrow, by Levenberg-Marquardt. Those that explain much less
+// than the best after the first steps are left as they are then.
+std::vector<FittedSolid> FitSolids(const SeenObject& seen, const std::vector<Solid>& starts);
 
 }  // namespace fovea

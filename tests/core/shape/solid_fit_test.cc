@@ -42,17 +42,17 @@ Solid RoughCup() {
 }
 
 TEST(FitSolid, WhatIsSeenOfAnInsideMakesACupHollowThoughNoRimIsSeen) {
-  const FittedSolid cup = FitSolid(CupWithoutRim(0.0035F), RoughCup());
+  const FittedSolid cup = FitSolids(CupWithoutRim(0.0035F), {RoughCup()}).front();
   EXPECT_GT(cup.hollow_share, 0.5F);
   EXPECT_TRUE(IsHollow(cup));
 }
 
 TEST(FitSolid, TheInsideTellsWhereTheWallIs) {
-  const FittedSolid cup = FitSolid(CupWithoutRim(0.0035F), RoughCup());
+  const FittedSolid cup = FitSolids(CupWithoutRim(0.0035F), {RoughCup()}).front();
   EXPECT_NEAR(cup.solid.radius_m, kRadius_m, 0.0005F);
   EXPECT_LT(cup.cost, 0.1F);
   // An inside that is nowhere near the wall costs more, up to a bound: it may have any shape.
-  const FittedSolid thick = FitSolid(CupWithoutRim(0.015F), RoughCup());
+  const FittedSolid thick = FitSolids(CupWithoutRim(0.015F), {RoughCup()}).front();
   EXPECT_GT(thick.cost, cup.cost + 0.05F);
   EXPECT_LT(thick.cost, 0.34F);
 }
@@ -78,7 +78,7 @@ TEST(FitSolid, AnOblongOfWhichOnlyTheFrontIsSeenIsHardlyLongerThanWide) {
   start.half_length_m = 0.06F;
   start.half_width_m = 0.04F;
   start.height_m = 0.09F;
-  const Solid solid = FitSolid(seen, start).solid;
+  const Solid solid = FitSolids(seen, {start}).front().solid;
   EXPECT_NEAR(solid.half_width_m, kRadius_m, 0.002F);
   EXPECT_LT(solid.half_length_m, 0.05F);
 }
