@@ -8,13 +8,14 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/types/level_axes.h"
+#include "core/types/widest_registers.h"
 
 namespace fovea {
 namespace {
 
 // Twice the area between a side of the octagon and a point that is surely inside, for all that
 // rounding can do.
-constexpr double kInsideM2 = 1e-6;
+constexpr float kInsideM2 = 1e-5F;
 
 // Any frame with `up` as its third axis; columns are its axes.
 Eigen::Matrix3f LevelFrame(const Eigen::Vector3f& up) {
@@ -54,20 +55,23 @@ std::vector<cv::Point2d> Octagon(const std::vector<cv::Point2f>& points) {
 std::vector<cv::Point2f> WithoutInnerPoints(const std::vector<cv::Point2f>& points) {
   const std::vector<cv::Point2d> corners = Octagon(points);
   if (corners.size() < 3) return points;
-  std::vector<cv::Point3d> sides;  // x · p.x + y · p.y + z is twice the area between side and p
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const cv::Point2d side = corners[(i + 1) % corners.size()] - corners[i];
-    sides.emplace_back(-side.y, side.x, -side.cross(corners[i]));
+  // Of the side that it is nearest to.
+  std::vector<float> areas(points.size(), std::numeric_limits<float>::infinity());
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    // x · p.x + y · p.y + z is twice the area between side and p.
+    const cv::Point2d along = corners[(k + 1) % corners.size()] - corners[k];
+    const cv::Point3f side(cv::Point3d(-along.y, along.x, -along.cross(corners[k])));
+    RunInWidestRegisters([&] {
+      for (std::size_t i = 0; i < areas.size(); ++i) {
+        const float area = side.x * points[i].x + side.y * points[i].y + side.z;
+        areas[i] = std::min(areas[i], area);
+      }
+    });
   }
-  const auto is_outer = [&](const cv::Point2f& point) {
-    double area = std::numeric_limits<double>::infinity();
-    for (const cv::Point3d& side : sides) {
-      area = std::min(area, side.x * point.x + side.y * point.y + side.z);
-    }
-    return area < kInsideM2;
-  };
   std::vector<cv::Point2f> outer;
-  std::copy_if(points.begin(), points.end(), std::back_inserter(outer), is_outer);
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    if (areas[i] < kInsideM2) outer.push_back(points[i]);
+  }
   return outer;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <opencv2/imgproc.hpp>
 #include <tuple>
 #include <utility>
@@ -15,14 +17,20 @@ namespace {
 using PixelsOfLabel = std::vector<std::vector<cv::Point>>;
 
 PixelsOfLabel CollectPixels(const cv::Mat& labels) {
-  double max_label = 0;
-  cv::minMaxLoc(labels, nullptr, &max_label);
-  PixelsOfLabel pixels(static_cast<std::size_t>(max_label) + 1);
+  PixelsOfLabel pixels(1);
+  constexpr int kAtOnce = 4;
   for (int row = 0; row < labels.rows; ++row) {
     InterruptionPoint();
     const auto* label = labels.ptr<std::uint16_t>(row);
     for (int col = 0; col < labels.cols; ++col) {
-      if (label[col] != 0) pixels[label[col]].emplace_back(col, row);
+      std::uint64_t next = 0;  // most of an image is background
+      while (col + kAtOnce <= labels.cols &&
+             (std::memcpy(&next, label + col, sizeof(next)), next == 0)) {
+        col += kAtOnce;
+      }
+      if (col == labels.cols || label[col] == 0) continue;
+      if (label[col] >= pixels.size()) pixels.resize(std::size_t{label[col]} + 1);
+      pixels[label[col]].emplace_back(col, row);
     }
   }
   return pixels;
