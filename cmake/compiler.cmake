@@ -9,6 +9,9 @@ endif()
 # No fused multiply-add: the same frame gives the same bits on any machine. Nobody asks errno or
 # traps of arithmetic, so loops need not keep them; no bit changes by that.
 add_compile_options(-ffp-contract=off -fno-math-errno -fno-trapping-math)
+# Eigen would take roots of vectors from estimates (rsqrtps), which differ between makers of
+# processors.
+add_compile_definitions(EIGEN_FAST_MATH=0)
 
 if(FOVEA_SANITIZE)
   add_compile_options(-fsanitize=${FOVEA_SANITIZE} -fno-omit-frame-pointer

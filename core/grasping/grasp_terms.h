@@ -10,7 +10,7 @@
 
 namespace fovea {
 
-inline constexpr std::size_t kNumGraspTerms = 28;
+inline constexpr std::size_t kNumGraspTerms = 29;
 using GraspTerms = std::array<float, kNumGraspTerms>;
 
 // Lengths in centimetres (kCentimetres of a metre), slopes as tangents, shares 0 … 1. The first
@@ -49,6 +49,7 @@ enum JawTerm : std::size_t {
   kTermHandBehindOther,                  // share of the less seen finger; unmeasured counts half
   kTermHandOutside,                      // share of the fingers, outside of the image
   kTermWidth,                            // between the fingers
+  kTermRoom,                             // beside each finger as it moves in
 };
 
 enum SuctionTerm : std::size_t {

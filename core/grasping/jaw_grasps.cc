@@ -145,12 +145,14 @@ void AddGrasp(const Turn& turn, const JawPlace& place, const GraspTerms& of_obje
   t[kTermContactDepth] =
       kCentimetres * std::min({0.025F, contacts[0].above_tip_m.high, contacts[1].above_tip_m.high});
   t[kTermUnseenContacts] = UnseenShare(turn.scene, turn.object.label, turn.grid, contacts);
+  const float opened = OpenedAround(width + 2 * place.room_m, hand.jaw);
   const HandSights sights = LookAtFingers(turn.scene, turn.object.label, turn.grid, turn.turned,
-                                          place, middle, OpenedAround(width, hand.jaw), hand.jaw);
+                                          place, middle, opened, hand.jaw);
   t[kTermHandBehindTarget] = sights.behind_target;
   t[kTermHandBehindOther] = sights.behind_other;
   t[kTermHandOutside] = sights.outside;
   t[kTermWidth] = kCentimetres * width;
+  t[kTermRoom] = kCentimetres * (opened - width) / 2;
   constexpr float kLevel = 0.5F;  // cosine of the approach with the object's upright
   const bool is_level = std::abs(turn.grid.floor_normal.z()) < kLevel;
   Grasp& grasp = scored.grasp;
@@ -162,7 +164,7 @@ void AddGrasp(const Turn& turn, const JawPlace& place, const GraspTerms& of_obje
   grasp.closing = turn.grid.frame.rotation *
                   Eigen::Vector3f(turn.turned.closing.x(), turn.turned.closing.y(), 0);
   grasp.opening_m = width;
-  grasp.pre_grasp_opening_m = OpenedAround(width + 2 * place.room_m, hand.jaw);
+  grasp.pre_grasp_opening_m = opened;
   grasp.clearance_m = std::min({place.clearance_m, place.tip_gap_m, place.palm_gap_m});
   grasp.unseen_contacts = t[kTermUnseenContacts];
   scored.family = FamilyOf(grasp.kind);

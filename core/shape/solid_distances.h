@@ -13,6 +13,12 @@ namespace fovea {
 
 FOVEA_INLINE float Squared(float value) { return value * value; }
 
+// From three faces of a box, of which those that are behind do not count.
+FOVEA_INLINE float Beyond(float u, float v, float w) {
+  return std::sqrt(Squared(std::max(u, 0.0F)) + Squared(std::max(v, 0.0F)) +
+                   Squared(std::max(w, 0.0F)));
+}
+
 // Of what is the product of two shapes, from the distances to both.
 FOVEA_INLINE float DistanceOfProduct(float a, float b) {
   const float beyond = std::sqrt(Squared(std::max(a, 0.0F)) + Squared(std::max(b, 0.0F)));
@@ -56,9 +62,7 @@ class DistanceOfBox {
     const float u = std::abs(places_.Along(x, y)) - half_length_m_;
     const float v = std::abs(places_.Across(x, y)) - half_width_m_;
     const float w = DistanceOfLayer(h, height_m_);
-    const float beyond = std::sqrt(Squared(std::max(u, 0.0F)) + Squared(std::max(v, 0.0F)) +
-                                   Squared(std::max(w, 0.0F)));
-    return beyond + std::min(std::max(std::max(u, v), w), 0.0F);
+    return Beyond(u, v, w) + std::min(std::max(std::max(u, v), w), 0.0F);
   }
 
  private:
@@ -82,11 +86,9 @@ class DistanceOfSeenBox {
     const float along = places_.Along(x, y), across = places_.Across(x, y);
     const float u = std::abs(along) - half_length_m_, v = std::abs(across) - half_width_m_;
     const float w = DistanceOfLayer(h, height_m_);
-    const float beyond = std::sqrt(Squared(std::max(u, 0.0F)) + Squared(std::max(v, 0.0F)) +
-                                   Squared(std::max(w, 0.0F)));
     const float behind = std::max(std::max(lengthwise_.Behind(along), crosswise_.Behind(across)),
                                   upwards_.Behind(h - height_m_ / 2));
-    return beyond + std::min(behind, 0.0F);
+    return Beyond(u, v, w) + std::min(behind, 0.0F);
   }
 
  private:

@@ -70,11 +70,14 @@ const SeenArray& SolidResiduals::AtNearest(const Solid& solid) {
     for (Eigen::Index i = 0; i < num_points; ++i) all_[i] = distances_[i] / seen_->noise_m[i];
   });
   if (has_hollow_) {
-    const SeenArray off =
-        DistancesInside(solid, seen_->points, kWall_m) / (seen_->noise_m + kWallNoise_m);
-    all_.head(num_points) =
-        (is_hollow_ > 0)
-            .select(kHollowResidual * off / (1 + off.square()).sqrt(), all_.head(num_points));
+    const SeenArray inside = DistancesInside(solid, seen_->points, kWall_m);
+    RunInWidestRegisters([&] {
+      for (Eigen::Index i = 0; i < num_points; ++i) {
+        const float off = inside[i] / (seen_->noise_m[i] + kWallNoise_m);
+        const float bounded = kHollowResidual * off / std::sqrt(1 + Squared(off));
+        all_[i] = is_hollow_[i] > 0 ? bounded : all_[i];
+      }
+    });
   }
   SignedDistances(solid, on_rays_, distances_);
   RunInWidestRegisters([&] {

@@ -62,7 +62,7 @@ class FittedGrasp : public ::testing::TestWithParam<GraspFamily> {
       terms[kTermEvenReach] = 2;
     } else {
       terms[kTermOpeningLeft] = terms[kTermClearance] = terms[kTermTipGap] = 2;
-      terms[kTermPalmGap] = 2;
+      terms[kTermPalmGap] = terms[kTermRoom] = 2;
       terms[kTermContactWidth] = 1;
       terms[kTermContactDepth] = 2.5F;
       terms[kTermWidth] = 5;

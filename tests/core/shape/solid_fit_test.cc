@@ -41,13 +41,13 @@ Solid RoughCup() {
   return start;
 }
 
-TEST(FitSolid, WhatIsSeenOfAnInsideMakesACupHollowThoughNoRimIsSeen) {
+TEST(FitSolids, WhatIsSeenOfAnInsideMakesACupHollowThoughNoRimIsSeen) {
   const FittedSolid cup = FitSolids(CupWithoutRim(0.0035F), {RoughCup()}).front();
   EXPECT_GT(cup.hollow_share, 0.5F);
   EXPECT_TRUE(IsHollow(cup));
 }
 
-TEST(FitSolid, TheInsideTellsWhereTheWallIs) {
+TEST(FitSolids, TheInsideTellsWhereTheWallIs) {
   const FittedSolid cup = FitSolids(CupWithoutRim(0.0035F), {RoughCup()}).front();
   EXPECT_NEAR(cup.solid.radius_m, kRadius_m, 0.0005F);
   EXPECT_LT(cup.cost, 0.1F);
@@ -57,7 +57,7 @@ TEST(FitSolid, TheInsideTellsWhereTheWallIs) {
   EXPECT_LT(thick.cost, 0.34F);
 }
 
-TEST(FitSolid, AnOblongOfWhichOnlyTheFrontIsSeenIsHardlyLongerThanWide) {
+TEST(FitSolids, AnOblongOfWhichOnlyTheFrontIsSeenIsHardlyLongerThanWide) {
   constexpr int kAround = 16, kLevels = 6;
   SeenObject seen;  // half of a round front
   seen.points = LevelPoints(Eigen::Index{kAround} * kLevels);
@@ -81,6 +81,18 @@ TEST(FitSolid, AnOblongOfWhichOnlyTheFrontIsSeenIsHardlyLongerThanWide) {
   const Solid solid = FitSolids(seen, {start}).front().solid;
   EXPECT_NEAR(solid.half_width_m, kRadius_m, 0.002F);
   EXPECT_LT(solid.half_length_m, 0.05F);
+}
+
+TEST(FitSolids, ThatExplainMuchLessThanTheBestAreLeftAfterTheFirstSteps) {
+  const SeenObject seen = CupWithoutRim(0.0035F);
+  Solid board;  // a solid that the points are no part of
+  board.half_length_m = board.half_width_m = 0.03F;
+  board.height_m = 0.02F;
+  const FittedSolid alone = FitSolids(seen, {board}).front();
+  const std::vector<FittedSolid> both = FitSolids(seen, {RoughCup(), board});
+  EXPECT_EQ(both[0].cost, FitSolids(seen, {RoughCup()}).front().cost);
+  EXPECT_GT(both[1].cost, both[0].cost + 0.1F);
+  EXPECT_NE(both[1].solid.half_length_m, alone.solid.half_length_m);
 }
 
 }  // namespace

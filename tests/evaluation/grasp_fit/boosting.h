@@ -14,8 +14,8 @@ struct GraspTrial {
 };
 
 struct BoostingOptions {
-  int num_trees = 100;
-  double rate = 0.15;     // of what each tree explains, this share is taken
+  int num_trees = 200;
+  double rate = 0.25;     // of what each tree explains, this share is taken
   double penalty = 3;     // weight of trials, in objects, that a leaf must have to count half
   std::size_t bins = 32;  // quantiles of a term that may be thresholds
 };

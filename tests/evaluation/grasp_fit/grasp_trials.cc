@@ -57,20 +57,18 @@ void TryIn(const GeneratedScene& scene, const std::vector<Gripper>& grippers,
 
 }  // namespace
 
-GraspTrials TryGrasps(const GeneratedFlags& flags, const GraspModel& model) {
+void TryGrasps(const GeneratedFlags& flags, const GraspModel& model, GraspTrials& trials) {
   DetectorOptions options = OptionsOf(flags);
   options.grippers = EvaluationGrippers();
   std::vector<GraspTrials> of_scenes(NumScenes(flags));
   ForEachGeneratedScene(flags, options, [&](std::size_t i, const GeneratedScene& scene) {
     TryIn(scene, options.grippers, model, of_scenes[i]);
   });
-  GraspTrials all;
-  for (GraspTrials& trials : of_scenes) {
+  for (GraspTrials& of_scene : of_scenes) {
     for (std::size_t f = 0; f < kNumGraspFamilies; ++f) {
-      std::move(trials[f].begin(), trials[f].end(), std::back_inserter(all[f]));
+      std::move(of_scene[f].begin(), of_scene[f].end(), std::back_inserter(trials[f]));
     }
   }
-  return all;
 }
 
 GraspModel FitGraspModel(const GraspTrials& trials) {

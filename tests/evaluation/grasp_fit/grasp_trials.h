@@ -12,9 +12,9 @@ namespace fovea::evaluation {
 
 using GraspTrials = std::array<std::vector<GraspTrial>, kNumGraspFamilies>;
 
-// At most 40 candidates of each matched object and gripper: evenly spread over all that were
-// judged, and the twenty that `model` takes for the likeliest, which are what is offered.
-GraspTrials TryGrasps(const GeneratedFlags& flags, const GraspModel& model);
+// Appends at most 40 candidates of each matched object and gripper: evenly spread over all that
+// were judged, and the twenty that `model` takes for the likeliest, which are what is offered.
+void TryGrasps(const GeneratedFlags& flags, const GraspModel& model, GraspTrials& trials);
 
 // The functions fitted to the trials; prints what they are worth.
 GraspModel FitGraspModel(const GraspTrials& trials);
