@@ -36,7 +36,7 @@ double ProbabilityAt(const GraspFunction& function, float first, float second) {
 
 TEST(Boost, FindsHowTwoTermsActTogether) {
   SCOPED_TRACE(kSeedOfTrials);
-  const GraspFunction function = Boost(OneOfTwo());
+  const GraspFunction function = Boost(OneOfTwo(), {.num_trees = 100, .rate = 0.15});
   EXPECT_NEAR(ProbabilityAt(function, 0.25F, 0.75F), 0.9, 0.06);
   EXPECT_NEAR(ProbabilityAt(function, 0.75F, 0.25F), 0.9, 0.06);
   EXPECT_NEAR(ProbabilityAt(function, 0.25F, 0.25F), 0.1, 0.06);
@@ -60,7 +60,7 @@ TEST(Boost, EachTreeMakesTheTrialsLikelier) {
 TEST(Boost, TakesNewtonsStepByHand) {
   const std::vector<GraspTrial> trials = {Trial(0, 0, false), Trial(0, 0, false), Trial(1, 0, true),
                                           Trial(1, 0, true)};
-  const GraspFunction function = Boost(trials, {.num_trees = 1});
+  const GraspFunction function = Boost(trials, {.num_trees = 1, .rate = 0.15});
   EXPECT_EQ(function.bias, 0);
   EXPECT_EQ(function.trees.at(0).Of(trials[0].terms), -43);
   EXPECT_EQ(function.trees.at(0).Of(trials[2].terms), 43);
