@@ -17,7 +17,7 @@ namespace fovea::server {
 class LogRecord {
  public:
   // `event` says what it is about; `title` is how the text begins, often the same.
-  explicit LogRecord(std::string event) : LogRecord(event, event) {}
+  explicit LogRecord(const std::string& event) : LogRecord(event, event) {}
   LogRecord(std::string event, std::string title)
       : event_(std::move(event)), title_(std::move(title)) {}
 
