@@ -14,7 +14,7 @@ namespace fovea {
 namespace {
 
 // Twice the area between a side of the octagon and a point that is surely inside, for all that
-// rounding can do.
+// rounding can do within a metre; what rounding does grows with the square of the size.
 constexpr float kInsideM2 = 1e-5F;
 
 // Any frame with `up` as its third axis; columns are its axes.
@@ -55,6 +55,11 @@ std::vector<cv::Point2d> Octagon(const std::vector<cv::Point2f>& points) {
 std::vector<cv::Point2f> WithoutInnerPoints(const std::vector<cv::Point2f>& points) {
   const std::vector<cv::Point2d> corners = Octagon(points);
   if (corners.size() < 3) return points;
+  double reach_m = 1;
+  for (const cv::Point2d& corner : corners) {
+    reach_m = std::max({reach_m, std::abs(corner.x), std::abs(corner.y)});
+  }
+  const float inside = kInsideM2 * static_cast<float>(reach_m * reach_m);
   // Of the side that it is nearest to.
   std::vector<float> areas(points.size(), std::numeric_limits<float>::infinity());
   for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -70,7 +75,7 @@ std::vector<cv::Point2f> WithoutInnerPoints(const std::vector<cv::Point2f>& poin
   }
   std::vector<cv::Point2f> outer;
   for (std::size_t i = 0; i < areas.size(); ++i) {
-    if (areas[i] < kInsideM2) outer.push_back(points[i]);
+    if (areas[i] < inside) outer.push_back(points[i]);
   }
   return outer;
 }

@@ -41,6 +41,18 @@ TEST(FitOrientedBox, RecoversATurnedBox) {
   }
 }
 
+TEST(FitOrientedBox, LosesNoCornerOfWhatIsHuge) {
+  for (int i = 0; i < 1000; ++i) {
+    const Eigen::AngleAxisf turn(static_cast<float>(i) * 0.00157F, Eigen::Vector3f::UnitY());
+    std::vector<Eigen::Vector3f> points = {turn * Eigen::Vector3f(20, 1, 10)};
+    for (const float x : {-300.0F, 300.0F}) {
+      for (const float z : {-150.0F, 150.0F}) points.emplace_back(turn * Eigen::Vector3f(x, 0, z));
+    }
+    const OrientedBox box = FitOrientedBox(points, kUp, std::nullopt);
+    EXPECT_TRUE(box.size_m.isApprox(Eigen::Vector3f(600, 300, 1), 1e-3F)) << box.size_m;
+  }
+}
+
 TEST(FitOrientedBox, GivesASquareFootprintItsSideAndNotItsDiagonal) {
   const auto points = BoxPoints({0.1F, 0.1F, 0.1F}, 0.6F, {0, 0.5F, 1});
   EXPECT_NEAR(FitOrientedBox(points, kUp, kTable).size_m.x(), 0.1F, 1e-3F);
