@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <opencv2/imgproc.hpp>
 #include <tuple>
 #include <utility>
@@ -18,19 +17,14 @@ using PixelsOfLabel = std::vector<std::vector<cv::Point>>;
 
 PixelsOfLabel CollectPixels(const cv::Mat& labels) {
   PixelsOfLabel pixels(1);
-  constexpr int kAtOnce = 4;
   for (int row = 0; row < labels.rows; ++row) {
     InterruptionPoint();
-    const auto* label = labels.ptr<std::uint16_t>(row);
-    for (int col = 0; col < labels.cols; ++col) {
-      std::uint64_t next = 0;  // most of an image is background
-      while (col + kAtOnce <= labels.cols &&
-             (std::memcpy(&next, label + col, sizeof(next)), next == 0)) {
-        col += kAtOnce;
-      }
-      if (col == labels.cols || label[col] == 0) continue;
-      if (label[col] >= pixels.size()) pixels.resize(std::size_t{label[col]} + 1);
-      pixels[label[col]].emplace_back(col, row);
+    const auto* first = labels.ptr<std::uint16_t>(row);
+    const auto* end = first + labels.cols;
+    for (const auto* at = first; at != end; ++at) {
+      if (*at == 0) continue;
+      if (*at >= pixels.size()) pixels.resize(std::size_t{*at} + 1);
+      pixels[*at].emplace_back(static_cast<int>(at - first), row);
     }
   }
   return pixels;

@@ -30,64 +30,54 @@ FOVEA_INLINE float DistanceOfLayer(float h, float height_m) {
   return std::abs(h - height_m / 2) - height_m / 2;
 }
 
-// A place seen from the middle of a solid, along and across its turn.
-class PlacesAround {
+// A solid, and places seen from its middle, along and across its turn.
+class SolidAround {
  public:
-  explicit PlacesAround(const Solid& solid) : center_(solid.center), along_(solid.along) {}
+  explicit SolidAround(const Solid& solid) : solid_(solid) {}
 
+ protected:
   FOVEA_INLINE float Along(float x, float y) const {
-    return along_.x() * (x - center_.x()) + along_.y() * (y - center_.y());
+    return solid_.along.x() * (x - solid_.center.x()) + solid_.along.y() * (y - solid_.center.y());
   }
   FOVEA_INLINE float Across(float x, float y) const {
-    return along_.x() * (y - center_.y()) - along_.y() * (x - center_.x());
+    return solid_.along.x() * (y - solid_.center.y()) - solid_.along.y() * (x - solid_.center.x());
   }
   FOVEA_INLINE float SquaredFromAxis(float x, float y) const {
-    return Squared(x - center_.x()) + Squared(y - center_.y());
+    return Squared(x - solid_.center.x()) + Squared(y - solid_.center.y());
   }
   FOVEA_INLINE float FromAxis(float x, float y) const { return std::sqrt(SquaredFromAxis(x, y)); }
 
- private:
-  Eigen::Vector2f center_, along_;
+  Solid solid_;
 };
 
-class DistanceOfBox {
+class DistanceOfBox : SolidAround {
  public:
-  explicit DistanceOfBox(const Solid& solid)
-      : places_(solid),
-        half_length_m_(solid.half_length_m),
-        half_width_m_(solid.half_width_m),
-        height_m_(solid.height_m) {}
+  using SolidAround::SolidAround;
 
   FOVEA_INLINE float operator()(float x, float y, float h) const {
-    const float u = std::abs(places_.Along(x, y)) - half_length_m_;
-    const float v = std::abs(places_.Across(x, y)) - half_width_m_;
-    const float w = DistanceOfLayer(h, height_m_);
+    const float u = std::abs(Along(x, y)) - solid_.half_length_m;
+    const float v = std::abs(Across(x, y)) - solid_.half_width_m;
+    const float w = DistanceOfLayer(h, solid_.height_m);
     return Beyond(u, v, w) + std::min(std::max(std::max(u, v), w), 0.0F);
   }
-
- private:
-  PlacesAround places_;
-  float half_length_m_, half_width_m_, height_m_;
 };
 
 // Inside, from the faces that the camera sees.
-class DistanceOfSeenBox {
+class DistanceOfSeenBox : SolidAround {
  public:
   DistanceOfSeenBox(const Solid& solid, const Eigen::Vector3f& camera)
-      : places_(solid),
-        half_length_m_(solid.half_length_m),
-        half_width_m_(solid.half_width_m),
-        height_m_(solid.height_m),
-        lengthwise_(places_.Along(camera.x(), camera.y()), half_length_m_),
-        crosswise_(places_.Across(camera.x(), camera.y()), half_width_m_),
-        upwards_(camera.z() - height_m_ / 2, height_m_ / 2) {}
+      : SolidAround(solid),
+        lengthwise_(Along(camera.x(), camera.y()), solid.half_length_m),
+        crosswise_(Across(camera.x(), camera.y()), solid.half_width_m),
+        upwards_(camera.z() - solid.height_m / 2, solid.height_m / 2) {}
 
   FOVEA_INLINE float operator()(float x, float y, float h) const {
-    const float along = places_.Along(x, y), across = places_.Across(x, y);
-    const float u = std::abs(along) - half_length_m_, v = std::abs(across) - half_width_m_;
-    const float w = DistanceOfLayer(h, height_m_);
+    const float along = Along(x, y), across = Across(x, y);
+    const float u = std::abs(along) - solid_.half_length_m;
+    const float v = std::abs(across) - solid_.half_width_m;
+    const float w = DistanceOfLayer(h, solid_.height_m);
     const float behind = std::max(std::max(lengthwise_.Behind(along), crosswise_.Behind(across)),
-                                  upwards_.Behind(h - height_m_ / 2));
+                                  upwards_.Behind(h - solid_.height_m / 2));
     return Beyond(u, v, w) + std::min(behind, 0.0F);
   }
 
@@ -95,9 +85,7 @@ class DistanceOfSeenBox {
   // Of the faces at -half and half the one that the camera sees.
   struct SeenFace {
     SeenFace(float camera, float half)
-        : sign(std::abs(camera) <= half ? 0.0F
-               : camera > 0             ? 1.0F
-                                        : -1.0F),
+        : sign(std::abs(camera) <= half ? 0.0F : std::copysign(1.0F, camera)),
           half_m(sign == 0 ? 1 : half) {}
 
     // Negative before it; far inside where the camera sees neither.
@@ -106,124 +94,88 @@ class DistanceOfSeenBox {
     float sign, half_m;
   };
 
-  PlacesAround places_;
-  float half_length_m_, half_width_m_, height_m_;
   SeenFace lengthwise_, crosswise_, upwards_;
 };
 
-class DistanceOfUprightCylinder {
+class DistanceOfUprightCylinder : SolidAround {
  public:
-  explicit DistanceOfUprightCylinder(const Solid& solid)
-      : places_(solid), radius_m_(solid.radius_m), height_m_(solid.height_m) {}
+  using SolidAround::SolidAround;
 
   FOVEA_INLINE float FromWall(float x, float y, float /*h*/) const {
-    return places_.FromAxis(x, y) - radius_m_;
+    return FromAxis(x, y) - solid_.radius_m;
   }
   FOVEA_INLINE float operator()(float x, float y, float h) const {
-    return DistanceOfProduct(FromWall(x, y, h), DistanceOfLayer(h, height_m_));
+    return DistanceOfProduct(FromWall(x, y, h), DistanceOfLayer(h, solid_.height_m));
   }
-
- private:
-  PlacesAround places_;
-  float radius_m_, height_m_;
 };
 
 // To first order in how far the wall leans.
-class DistanceOfFrustum {
+class DistanceOfFrustum : SolidAround {
  public:
-  explicit DistanceOfFrustum(const Solid& solid)
-      : places_(solid),
-        bottom_radius_m_(solid.bottom_radius_m),
-        widens_m_(solid.radius_m - solid.bottom_radius_m),
-        bulge_m_(solid.bulge_m),
-        height_m_(solid.height_m) {}
+  using SolidAround::SolidAround;
 
   FOVEA_INLINE float FromWall(float x, float y, float h) const {
-    const float share = std::min(std::max(h, 0.0F), height_m_) / height_m_;
-    const float radius = bottom_radius_m_ + share * (widens_m_ + 4 * bulge_m_ * (1 - share));
-    const float slope = (widens_m_ + 4 * bulge_m_ * (1 - 2 * share)) / height_m_;
-    return (places_.FromAxis(x, y) - radius) / std::sqrt(1 + Squared(slope));
+    const float widens = solid_.radius_m - solid_.bottom_radius_m;
+    const float share = std::min(std::max(h, 0.0F), solid_.height_m) / solid_.height_m;
+    const float radius =
+        solid_.bottom_radius_m + share * (widens + 4 * solid_.bulge_m * (1 - share));
+    const float slope = (widens + 4 * solid_.bulge_m * (1 - 2 * share)) / solid_.height_m;
+    return (FromAxis(x, y) - radius) / std::sqrt(1 + Squared(slope));
   }
   FOVEA_INLINE float operator()(float x, float y, float h) const {
-    return DistanceOfProduct(FromWall(x, y, h), DistanceOfLayer(h, height_m_));
+    return DistanceOfProduct(FromWall(x, y, h), DistanceOfLayer(h, solid_.height_m));
   }
-
- private:
-  PlacesAround places_;
-  float bottom_radius_m_, widens_m_, bulge_m_, height_m_;
 };
 
-class DistanceOfLyingCylinder {
+class DistanceOfLyingCylinder : SolidAround {
  public:
-  explicit DistanceOfLyingCylinder(const Solid& solid)
-      : places_(solid), half_length_m_(solid.half_length_m), radius_m_(solid.radius_m) {}
+  using SolidAround::SolidAround;
 
   FOVEA_INLINE float operator()(float x, float y, float h) const {
-    const float wall =
-        std::sqrt(Squared(places_.Across(x, y)) + Squared(h - radius_m_)) - radius_m_;
-    return DistanceOfProduct(wall, std::abs(places_.Along(x, y)) - half_length_m_);
+    const float from_axis = std::sqrt(Squared(Across(x, y)) + Squared(h - solid_.radius_m));
+    return DistanceOfProduct(from_axis - solid_.radius_m,
+                             std::abs(Along(x, y)) - solid_.half_length_m);
   }
-
- private:
-  PlacesAround places_;
-  float half_length_m_, radius_m_;
 };
 
-class DistanceOfSphere {
+class DistanceOfSphere : SolidAround {
  public:
-  explicit DistanceOfSphere(const Solid& solid) : places_(solid), radius_m_(solid.radius_m) {}
+  using SolidAround::SolidAround;
 
   FOVEA_INLINE float operator()(float x, float y, float h) const {
-    return std::sqrt(places_.SquaredFromAxis(x, y) + Squared(h - radius_m_)) - radius_m_;
+    return std::sqrt(SquaredFromAxis(x, y) + Squared(h - solid_.radius_m)) - solid_.radius_m;
   }
-
- private:
-  PlacesAround places_;
-  float radius_m_;
 };
 
-class DistanceOfOblong {
+class DistanceOfOblong : SolidAround {
  public:
-  explicit DistanceOfOblong(const Solid& solid)
-      : places_(solid),
-        straight_m_(solid.half_length_m - solid.half_width_m),
-        half_width_m_(solid.half_width_m),
-        height_m_(solid.height_m) {}
+  using SolidAround::SolidAround;
 
   FOVEA_INLINE float operator()(float x, float y, float h) const {
-    const float beyond = std::max(std::abs(places_.Along(x, y)) - straight_m_, 0.0F);
-    const float wall = std::sqrt(Squared(beyond) + Squared(places_.Across(x, y))) - half_width_m_;
-    return DistanceOfProduct(wall, DistanceOfLayer(h, height_m_));
+    const float straight = solid_.half_length_m - solid_.half_width_m;
+    const float beyond = std::max(std::abs(Along(x, y)) - straight, 0.0F);
+    const float from_middle = std::sqrt(Squared(beyond) + Squared(Across(x, y)));
+    return DistanceOfProduct(from_middle - solid_.half_width_m,
+                             DistanceOfLayer(h, solid_.height_m));
   }
-
- private:
-  PlacesAround places_;
-  float straight_m_, half_width_m_, height_m_;
 };
 
 // To first order in the bend.
-class DistanceOfBent {
+class DistanceOfBent : SolidAround {
  public:
-  explicit DistanceOfBent(const Solid& solid)
-      : places_(solid),
-        reach_m_(solid.half_length_m - solid.radius_m),
-        bend_m_(solid.bend_m),
-        radius_m_(solid.radius_m) {}
+  using SolidAround::SolidAround;
 
   FOVEA_INLINE float operator()(float x, float y, float h) const {
-    const float along = places_.Along(x, y);
-    const float share = std::min(std::max(along / reach_m_, -1.0F), 1.0F);
-    const float slope = 2 * bend_m_ / reach_m_ * share;
-    const float across = places_.Across(x, y) - bend_m_ * (Squared(share) - 0.5F);
-    const float beyond = along - share * reach_m_;
+    const float reach = solid_.half_length_m - solid_.radius_m;
+    const float along = Along(x, y);
+    const float share = std::min(std::max(along / reach, -1.0F), 1.0F);
+    const float slope = 2 * solid_.bend_m / reach * share;
+    const float across = Across(x, y) - solid_.bend_m * (Squared(share) - 0.5F);
+    const float beyond = along - share * reach;
     return std::sqrt(Squared(beyond) + Squared(across) / (1 + Squared(slope)) +
-                     Squared(h - radius_m_)) -
-           radius_m_;
+                     Squared(h - solid_.radius_m)) -
+           solid_.radius_m;
   }
-
- private:
-  PlacesAround places_;
-  float reach_m_, bend_m_, radius_m_;
 };
 
 // Calls `use` with the distance from this solid, of whichever kind it is.

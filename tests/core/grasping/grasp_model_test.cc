@@ -89,6 +89,7 @@ TEST_P(FittedGrasp, IsLessLikelyWhereLessSpeaksForIt) {
     EXPECT_LT(OddsWith(kTermContactWidth, 0.2F), good);
     EXPECT_LT(OddsWith(kTermContactDepth, 0.4F), good);
     EXPECT_LT(OddsWith(kTermHandBehindOther, 1), good);
+    EXPECT_LT(OddsWith(kTermRoom, 0), good);
   }
 }
 
