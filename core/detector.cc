@@ -13,6 +13,7 @@
 #include "core/object_surroundings.h"
 #include "core/objects/portions.h"
 #include "core/paper/detect_as_paper.h"
+#include "core/pixel_blocks.h"
 #include "core/planning/collision_primitives.h"
 #include "core/planning/height_map.h"
 #include "core/refinement.h"
@@ -95,7 +96,7 @@ std::vector<std::vector<char>> PortionsInTime(const SceneGeometry& scene, const 
 // What has been found in the parts of a scene that were looked at, of which the last one is seen in
 // a trace.
 struct FoundObjects : RefinedScene {
-  explicit FoundObjects(std::size_t num_voxels) { objects.resize(num_voxels, 0); }
+  explicit FoundObjects(std::size_t num_voxels = 0) { objects.resize(num_voxels, 0); }
 
   void Add(std::vector<int> labels_of_part, RefinedScene part) {
     const int num_before = static_cast<int>(confidences.size());
@@ -118,33 +119,36 @@ struct FoundObjects : RefinedScene {
   std::size_t num_segments = 0;
 };
 
-// The first stage of `clock` has begun.
-ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* trace,
-                               TimeBudget& budget, StageClock& clock, Detections& result) {
-  Diagnostics& counts = result.diagnostics;
-
-  // Section 1: the smoothed depth image and the point cloud.
-  const cv::Mat measured = MeasuredDepth(frame.depth_m);
-  const cv::Mat depth =
-      FillDepthHoles(RemoveFlyingPixels(measured, frame.intrinsics.fx_px, frame.intrinsics.fy_px,
-                                        options.flying_pixels),
-                     options.depth_fill);
-  InterruptionPoint();
-  const cv::Mat measured_points = BackProject(depth, frame.intrinsics, options.max_depth_m);
-  InterruptionPoint();
-  counts.num_pixels = measured.total();
-  counts.num_measured = CountMeasured(measured);
-  counts.num_too_far = CountBeyond(measured, options.max_depth_m);
-  counts.num_points = CountMeasured(ChannelZ(measured_points));
-
-  // What the scene consists of, and where something in it stands out: neither needs the other.
+// What is found in a frame of blocks of pixels.
+struct Search {
+  cv::Mat depth;  // CV_32FC1 after hole filling, NaN = none
   SceneGeometry scene;
   Salience salience;
+  std::vector<Seed> seeds;  // that became object hypotheses
+  cv::Mat saliency;         // of both maps
+  FoundObjects found;
+};
+
+// `frame`: in blocks; `camera`: of the pixels of the region of interest. The first stage of `clock`
+// has begun.
+Search SearchInBlocks(const RgbdFrame& frame, const CameraIntrinsics& camera,
+                      const DetectorOptions& options, TimeBudget& budget, StageClock& clock,
+                      Detections& result) {
+  Diagnostics& counts = result.diagnostics;
+  Search search;
+
+  // Section 1: the smoothed depth image and the point cloud.
+  search.depth = FillDepthHoles(frame.depth_m, options.depth_fill);
+  InterruptionPoint();
+  const cv::Mat points = BackProject(search.depth, frame.intrinsics, options.max_depth_m);
+
+  // What the scene consists of, and where something in it stands out: neither needs the other.
+  SceneGeometry& scene = search.scene;
   const auto find_geometry = [&](StageClock& own) {
-    scene = FindGeometry(frame, depth, measured_points, options, own);
+    scene = FindGeometry(frame, search.depth, points, camera, options, own);
   };
   const auto find_salience = [&](StageClock& own) {
-    salience = FindSalience(frame, depth, measured_points, options, own, counts);
+    search.salience = FindSalience(frame, search.depth, points, options, own, counts);
   };
   clock.RunBranches({{"normals", find_geometry}, {"color_saliency", find_salience}});
   result.gravity = scene.gravity;
@@ -153,62 +157,104 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& op
 
   // Section 3: seeds above the supports, and the scene as voxels, labelled by a Markov random
   // field.
-  SalientPositions& salient = salience.positions;
+  SalientPositions& salient = search.salience.positions;
   const std::vector<Seed> above =
       SeedsAbove(scene.supports, salient.seeds, options.support, salient.removed);
   counts.seeds_on_support = salient.seeds.size() - above.size();
-  const std::vector<Seed> seeds =
-      CoverWithSeeds(scene.grid, scene.is_background, above, options.cover);
-  counts.num_seeds = seeds.size();
+  search.seeds = CoverWithSeeds(scene.grid, scene.is_background, above, options.cover);
+  counts.num_seeds = search.seeds.size();
   counts.num_voxels = scene.grid.voxels.size();
-  FoundObjects found(scene.grid.voxels.size());
+  search.found = FoundObjects(scene.grid.voxels.size());
   const auto look_at = [&](const std::vector<char>& is_background) {
     clock.Begin("energy");
-    const PottsEnergy energy =
-        BuildEnergy(scene.grid, scene.points, scene.colors, is_background, seeds, options.mrf);
+    const PottsEnergy energy = BuildEnergy(scene.grid, scene.points, scene.colors, is_background,
+                                           search.seeds, options.mrf);
     clock.Begin("graph_cut");
     const std::vector<int> labels = LabelVoxels(energy, options.mrf);
     clock.Begin("refinement");
     // Section 3.3: segments that look alike are one object.
-    found.Add(labels, Refine({scene.grid, labels, scene.points, scene.lab, scene.colors,
-                              frame.intrinsics, -scene.gravity.direction, scene.supports,
-                              scene.standing, scene.on_wall, frame.unseen},
-                             options));
+    search.found.Add(labels, Refine({scene.grid, labels, scene.points, scene.lab, scene.colors,
+                                     frame.intrinsics, -scene.gravity.direction, scene.supports,
+                                     scene.standing, scene.on_wall, frame.unseen},
+                                    options));
   };
-  const cv::Mat saliency = MeanSaliency(salience.color, salience.depth);
-  for (const std::vector<char>& outside : PortionsInTime(scene, saliency, budget)) {
+  search.saliency = MeanSaliency(search.salience.color, search.salience.depth);
+  for (const std::vector<char>& outside : PortionsInTime(scene, search.saliency, budget)) {
     if (result.incomplete) break;
     result.incomplete = !InTime(budget, [&] { look_at(outside); });
   }
   budget.Lift();
-  counts.num_segments = found.num_segments;
-  counts.num_merged = found.num_merged;
-  counts.segments_implausible = found.rejected.size();
-  result.rejected = found.rejected;
+  counts.num_segments = search.found.num_segments;
+  counts.num_merged = search.found.num_merged;
+  counts.segments_implausible = search.found.rejected.size();
+  return search;
+}
+
+// `depth`: of the pixels, NaN = none.
+Trace TraceOf(Search search, const cv::Mat& depth, const PixelBlocks& blocks,
+              const DetectorOptions& options) {
+  FoundObjects& found = search.found;
+  std::vector<RemovedSeed>& removed = search.salience.positions.removed;
+  for (Seed& seed : search.seeds) seed.pixel = blocks.InPixels(seed.pixel);
+  for (RemovedSeed& seed : removed) seed.pixel = blocks.InPixels(seed.pixel);
+  VoxelGrid& grid = search.scene.grid;
+  grid.voxel_of_pixel = blocks.InPixels(grid.voxel_of_pixel);
+  const std::vector<int> merged =
+      LabelsOfChosen(found.tree, found.tree.LikelyNodes(), found.segments);
+  return {FillFromBlocks(depth, search.depth, blocks),
+          blocks.InPixels(search.salience.color),
+          blocks.InPixels(search.salience.depth),
+          std::move(search.seeds),
+          std::move(removed),
+          options.mrf.data.gamma_per_m2,
+          std::move(grid),
+          std::move(search.scene.colors),
+          std::move(found.labels),
+          std::move(found.segments),
+          merged,
+          std::move(found.tree),
+          std::move(found.evidence),
+          blocks.InPixels(search.scene.standing),
+          {}};
+}
+
+// The first stage of `clock` has begun.
+ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* trace,
+                               TimeBudget& budget, StageClock& clock, Detections& result) {
+  Diagnostics& counts = result.diagnostics;
+  const cv::Mat measured = MeasuredDepth(frame.depth_m);
+  const cv::Mat depth = RemoveFlyingPixels(measured, frame.intrinsics.fx_px, frame.intrinsics.fy_px,
+                                           options.flying_pixels);
+  InterruptionPoint();
+  counts.num_pixels = measured.total();
+  counts.num_measured = CountMeasured(measured);
+  counts.num_too_far = CountBeyond(measured, options.max_depth_m);
+  counts.num_points = CountMeasured(depth) - CountBeyond(depth, options.max_depth_m);
+
+  const PixelBlocks blocks = BlocksOf(frame, options.voxels);
+  Search search = SearchInBlocks(InBlocks(frame, depth, blocks), frame.intrinsics, options, budget,
+                                 clock, result);
   clock.Begin("objects");
 
-  result.labels = LabelsWithin(scene.grid, found.objects, scene.standing | (measured == measured));
-  DescribeObjects(frame, scene.points, saliency, found.confidences, scene.supports, options.objects,
-                  result);
-  clock.Finish();
-  if (trace != nullptr) {
-    *trace = {depth,
-              salience.color,
-              salience.depth,
-              seeds,
-              salient.removed,
-              options.mrf.data.gamma_per_m2,
-              scene.grid,
-              scene.colors,
-              found.labels,
-              found.segments,
-              LabelsOfChosen(found.tree, found.tree.LikelyNodes(), found.segments),
-              found.tree,
-              found.evidence,
-              scene.standing,
-              {}};
+  const SceneGeometry& scene = search.scene;
+  result.rejected = search.found.rejected;
+  for (RejectedObject& rejected : result.rejected) {
+    rejected.bounds_px = blocks.InPixels(rejected.bounds_px);
   }
-  return {scene.points, std::move(scene.supports)};
+  const cv::Mat depth_of_blocks = ChannelZ(scene.points);
+  const cv::Mat points = BackProject(FillFromBlocks(depth, depth_of_blocks, blocks),
+                                     frame.intrinsics, options.max_depth_m);
+  result.labels =
+      LabelsOfPixels(LabelImage(scene.grid, search.found.objects), depth_of_blocks, depth, blocks);
+  const cv::Mat z = ChannelZ(points);
+  const cv::Mat is_seen = (measured == measured) | blocks.InPixels(scene.standing);
+  result.labels.setTo(0, ~is_seen | (z != z));
+  DescribeObjects(frame, points, blocks.InPixels(search.saliency), search.found.confidences,
+                  scene.supports, options.objects, result);
+  clock.Finish();
+  std::vector<Support> supports = scene.supports;
+  if (trace != nullptr) *trace = TraceOf(std::move(search), depth, blocks, options);
+  return {points, std::move(supports)};
 }
 
 void PrepareForPlanning(const ObjectSurroundings& around, const PlanningOptions& options,

@@ -13,19 +13,15 @@ DetectorOptions Paper() {
 
 DetectorOptions Default() {
   DetectorOptions options;
-  // Windows overlap: a quarter of the normals tells as much as all, each of a little more.
-  options.normals.step_px = 2;
-  options.normals.window_radius_px = 4;
-  // A quarter of the resolution, and half of it in depth, finds the same objects at a twentieth and
-  // a third of the cost.
-  options.color_saliency.downscale = 4;
-  options.depth_saliency.downscale = 2;
+  // Pixels are blocks of those of the camera (core/coarse_frame.h). Half of their resolution finds
+  // the same objects.
+  options.color_saliency.downscale = 2;
   // Smaller peaks: covering seeds are added wherever something above the support has none.
   options.seeds.disk_radius_px = 5;
   // Any camera pitch.
   options.gravity.num_starts = 4;
-  options.gravity.normals.step_px = 4;
-  options.gravity.normals.sample_px = 2;
+  options.gravity.normals.window_radius_px = 5;
+  options.gravity.normals.step_px = 2;
   // The surface in the width of the sensor's noise, which grows with the square of the distance.
   options.support.tolerance_m = 0.004;
   options.support.tolerance_per_m = 0.006;

@@ -21,13 +21,14 @@ void AddFlatThings(const std::vector<char>& is_flat_thing, const CameraIntrinsic
 }
 
 // What is background but for walls, and the colours by which flat things are told from it.
-void SetThings(const RgbdFrame& frame, const DetectorOptions& options, SceneGeometry& scene) {
+void SetThings(const CameraIntrinsics& camera, const DetectorOptions& options,
+               SceneGeometry& scene) {
   scene.is_background =
-      FindBackground(scene.grid, scene.supports, options.support, frame.intrinsics, options.region);
+      FindBackground(scene.grid, scene.supports, options.support, camera, options.region);
   scene.colors = ColorsOfVoxels(scene.grid, scene.lab);
   AddFlatThings(FindFlatThings(scene.grid, scene.colors, scene.is_background, scene.supports,
                                options.support, options.flat_things),
-                frame.intrinsics, options.region, scene);
+                camera, options.region, scene);
 }
 
 void AddWalls(const std::vector<char>& on_wall, std::vector<char>& is_background) {
@@ -37,7 +38,8 @@ void AddWalls(const std::vector<char>& on_wall, std::vector<char>& is_background
 }  // namespace
 
 SceneGeometry FindGeometry(const RgbdFrame& frame, const cv::Mat& depth_m, const cv::Mat& points,
-                           const DetectorOptions& options, StageClock& clock) {
+                           const CameraIntrinsics& camera, const DetectorOptions& options,
+                           StageClock& clock) {
   SceneGeometry scene;
   scene.points = points;
   // The wide ones of wide windows, which noise far away tilts less than every pixel's.
@@ -56,7 +58,7 @@ SceneGeometry FindGeometry(const RgbdFrame& frame, const cv::Mat& depth_m, const
 
   RunTogether({[&] { scene.grid = BuildVoxelGrid(scene.points, normals, options.voxels); },
                [&] { scene.lab = LabOf(frame.color_rgb); }});
-  RunTogether({[&] { SetThings(frame, options, scene); },
+  RunTogether({[&] { SetThings(camera, options, scene); },
                [&] {
                  scene.on_wall = FindWalls(scene.grid, -scene.gravity.direction, scene.supports,
                                            options.support, options.walls);

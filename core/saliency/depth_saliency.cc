@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "core/saliency/blocks.h"
+#include "core/types/blocks.h"
 #include "core/saliency/nearness.h"
 #include "core/types/interruption.h"
 

@@ -4,7 +4,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "core/saliency/blocks.h"
+#include "core/types/blocks.h"
 #include "core/types/helpers.h"
 #include "core/types/interruption.h"
 #include "core/types/lab.h"

@@ -1,4 +1,4 @@
-// Saliency at a lower resolution: images in square blocks of pixels. The last row and column of
+// Images at a lower resolution: a value for each square block of pixels. The last row and column of
 // blocks may be cut.
 #pragma once
 
@@ -14,6 +14,10 @@ cv::Mat ReduceByBlocks(const cv::Mat& image, int size_px);
 // The average depth of every block over its pixels that have one. `depth_m`: CV_32FC1; NaN,
 // infinite or not positive = none. Returns CV_32FC1, NaN for blocks without depth.
 cv::Mat ReduceDepthByBlocks(const cv::Mat& depth_m, int size_px);
+
+// The least depth of every block. `depth_m`: CV_32FC1, NaN = none. Returns CV_32FC1, NaN for blocks
+// without depth.
+cv::Mat NearestOfBlocks(const cv::Mat& depth_m, int size_px);
 
 // Undoes the reduction in size: each value becomes a flat block. `size`: of the image.
 cv::Mat EnlargeBlocks(const cv::Mat& map, int size_px, const cv::Size& size);

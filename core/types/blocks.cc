@@ -1,4 +1,4 @@
-#include "core/saliency/blocks.h"
+#include "core/types/blocks.h"
 
 #include <algorithm>
 #include <limits>
@@ -9,7 +9,16 @@
 namespace fovea {
 namespace {
 
+constexpr float kFarthest = std::numeric_limits<float>::infinity();
+
 int NumBlocks(int size, int block) { return (size + block - 1) / block; }
+
+// NaN is never nearer.
+void TakeNearer(const float* depths, std::vector<float>& nearest) {
+  for (std::size_t i = 0; i < nearest.size(); ++i) {
+    nearest[i] = depths[i] < nearest[i] ? depths[i] : nearest[i];
+  }
+}
 
 }  // namespace
 
@@ -43,6 +52,28 @@ cv::Mat ReduceDepthByBlocks(const cv::Mat& depth_m, int size_px) {
     }
     float* mean = reduced.ptr<float>(block_row);
     for (int col = 0; col < cols; ++col) mean[col] = sums[col] / counts[col];  // 0/0 is NaN
+  }
+  return reduced;
+}
+
+cv::Mat NearestOfBlocks(const cv::Mat& depth_m, int size_px) {
+  if (size_px == 1) return depth_m;
+  const int cols = NumBlocks(depth_m.cols, size_px);
+  cv::Mat reduced(NumBlocks(depth_m.rows, size_px), cols, CV_32FC1);
+  std::vector<float> of_columns(depth_m.cols);
+  for (int block_row = 0; block_row < reduced.rows; ++block_row) {
+    std::fill(of_columns.begin(), of_columns.end(), kFarthest);
+    const int end_row = std::min((block_row + 1) * size_px, depth_m.rows);
+    for (int row = block_row * size_px; row < end_row; ++row) {
+      TakeNearer(depth_m.ptr<float>(row), of_columns);
+    }
+    float* nearest = reduced.ptr<float>(block_row);
+    for (int block = 0; block < cols; ++block) {
+      const auto first = of_columns.begin() + block * size_px;
+      const auto end = of_columns.begin() + std::min((block + 1) * size_px, depth_m.cols);
+      const float depth = *std::min_element(first, end);
+      nearest[block] = depth < kFarthest ? depth : std::numeric_limits<float>::quiet_NaN();
+    }
   }
   return reduced;
 }

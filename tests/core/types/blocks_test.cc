@@ -1,4 +1,4 @@
-#include "core/saliency/blocks.h"
+#include "core/types/blocks.h"
 
 #include <gtest/gtest.h>
 

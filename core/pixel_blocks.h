@@ -1,0 +1,44 @@
+// The resolution at which objects are looked for: square blocks of the camera's pixels. Voxels are
+// what the method sees; pixels that are much finer than these take their time and find nothing more
+// (docs/performance.md). Goes beyond the paper.
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+#include "core/segmentation/voxel_grid.h"
+#include "core/types/rgbd_frame.h"
+
+namespace fovea {
+
+struct PixelBlocks {
+  int edge_px = 1;
+  cv::Size image;  // in pixels
+
+  // The pixel in the middle of a block, and the pixels of some blocks.
+  cv::Point InPixels(const cv::Point& block) const;
+  cv::Rect InPixels(const cv::Rect& blocks) const;
+  // What an image of the blocks says of each pixel.
+  cv::Mat InPixels(const cv::Mat& of_blocks) const;
+};
+
+// As large as leaves 2.5 of them to the edge of a voxel (at 1 m, if these do not grow with the
+// distance), but not larger than the image nor smaller than a pixel.
+PixelBlocks BlocksOf(const RgbdFrame& frame, const VoxelOptions& voxels);
+
+// A pixel for each block: of the mean colour and the least depth in it, which at the edge of an
+// object is the object's; unseen where the camera sees nothing of it. `depth_m`: in place of that
+// of `frame`.
+RgbdFrame InBlocks(const RgbdFrame& frame, const cv::Mat& depth_m, const PixelBlocks& blocks);
+
+// A copy of `depth_m` (CV_32FC1, NaN = none) where pixels that have none get that of their block.
+cv::Mat FillFromBlocks(const cv::Mat& depth_m, const cv::Mat& depth_of_blocks,
+                       const PixelBlocks& blocks);
+
+// The label of each pixel: that of its block or, where the surface that this shows is not the
+// pixel's, of the block around it whose surface is the nearest to it; 0 where none is near.
+// `labels` (CV_16UC1) and `depth_of_blocks` (CV_32FC1) are of the blocks, `depth_m` (CV_32FC1, NaN
+// = that of the block) of the pixels. Returns CV_16UC1. Cost: proportional to the image.
+cv::Mat LabelsOfPixels(const cv::Mat& labels, const cv::Mat& depth_of_blocks,
+                       const cv::Mat& depth_m, const PixelBlocks& blocks);
+
+}  // namespace fovea
