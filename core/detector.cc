@@ -50,36 +50,25 @@ bool InTime(TimeBudget& budget, const std::function<void()>& work) {
   }
 }
 
-std::vector<int> LabelClusters(const PottsEnergy& energy, const MrfOptions& options) {
+// In one sweep, which does nearly all that more would.
+std::vector<int> LabelVoxels(const PottsEnergy& energy, const MrfOptions& options) {
   const auto min_weight = static_cast<float>(kMinShareOfCluster * options.lambda);
   const Contraction clusters = Contract(energy, options.cluster_voxels, min_weight);
   return Expand(clusters, MinimizeByAlphaExpansion(clusters.energy, 1));
 }
 
-// The first sweep, which costs the most, is over clusters; later ones are over single voxels.
-std::vector<int> LabelVoxels(const PottsEnergy& energy, const MrfOptions& options) {
-  const std::vector<int> labels = options.cluster_voxels > 1 ? LabelClusters(energy, options)
-                                                             : MinimizeByAlphaExpansion(energy, 1);
-  return ImproveByAlphaExpansion(energy, labels, options.max_sweeps - 1);
-}
-
 struct Salience {
-  cv::Mat color, depth;  // CV_32FC1, frame size
-  SalientPositions positions;
+  cv::Mat color, depth;  // CV_32FC1
 };
 
-// Section 3.1: where something stands out, in colour and in depth, and 3.2: which positions that
-// gives. The first stage of `clock`, "color_saliency", has begun.
-Salience FindSalience(const RgbdFrame& frame, const cv::Mat& depth, const cv::Mat& points,
-                      const DetectorOptions& options, StageClock& clock, Diagnostics& counts) {
+// Section 3.1: where something stands out, in colour and in depth. The first stage of `clock`,
+// "color_saliency", has begun.
+Salience FindSalience(const RgbdFrame& frame, const cv::Mat& depth, const DetectorOptions& options,
+                      StageClock& clock) {
   Salience salience;
   salience.color = StrengthSaliency(frame.color_rgb, options.color_saliency);
   clock.Begin("depth_saliency");
   salience.depth = DepthSaliency(depth, options.depth_saliency);
-  clock.Begin("seeds");
-  salience.positions =
-      FindSalientPositions(salience.color, options.color_saliency.downscale, salience.depth,
-                           options.depth_saliency.downscale, points, options.seeds, counts);
   return salience;
 }
 
@@ -124,6 +113,7 @@ struct Search {
   cv::Mat depth;  // CV_32FC1 after hole filling, NaN = none
   SceneGeometry scene;
   Salience salience;
+  SalientPositions salient;
   std::vector<Seed> seeds;  // that became object hypotheses
   cv::Mat saliency;         // of both maps
   FoundObjects found;
@@ -145,23 +135,25 @@ Search SearchInBlocks(const RgbdFrame& frame, const CameraIntrinsics& camera,
   // What the scene consists of, and where something in it stands out: neither needs the other.
   SceneGeometry& scene = search.scene;
   const auto find_geometry = [&](StageClock& own) {
-    scene = FindGeometry(frame, search.depth, points, camera, options, own);
+    scene = FindGeometry(frame, points, camera, options, own);
   };
   const auto find_salience = [&](StageClock& own) {
-    search.salience = FindSalience(frame, search.depth, points, options, own, counts);
+    search.salience = FindSalience(frame, search.depth, options, own);
   };
   clock.RunBranches({{"normals", find_geometry}, {"color_saliency", find_salience}});
   result.gravity = scene.gravity;
   if (!scene.supports.empty()) result.support = scene.supports.front().surface;
-  clock.Begin("energy");
+  clock.Begin("seeds");
 
-  // Section 3: seeds above the supports, and the scene as voxels, labelled by a Markov random
-  // field.
-  SalientPositions& salient = search.salience.positions;
-  const std::vector<Seed> above =
-      SeedsAbove(scene.supports, salient.seeds, options.support, salient.removed);
-  counts.seeds_on_support = salient.seeds.size() - above.size();
-  search.seeds = CoverWithSeeds(scene.grid, scene.is_background, above, options.cover);
+  // Section 3: seeds all over what stands above a support or, where there is none, at what stands
+  // out; and the scene as voxels, labelled by a Markov random field.
+  if (scene.supports.empty()) {
+    search.salient = FindSalientPositions(search.salience.color, options.color_saliency.downscale,
+                                          search.salience.depth, options.depth_saliency.downscale,
+                                          points, options.seeds, counts);
+  }
+  search.seeds =
+      CoverWithSeeds(scene.grid, scene.is_background, search.salient.seeds, options.cover);
   counts.num_seeds = search.seeds.size();
   counts.num_voxels = scene.grid.voxels.size();
   search.found = FoundObjects(scene.grid.voxels.size());
@@ -194,7 +186,7 @@ Search SearchInBlocks(const RgbdFrame& frame, const CameraIntrinsics& camera,
 Trace TraceOf(Search search, const cv::Mat& depth, const PixelBlocks& blocks,
               const DetectorOptions& options) {
   FoundObjects& found = search.found;
-  std::vector<RemovedSeed>& removed = search.salience.positions.removed;
+  std::vector<RemovedSeed>& removed = search.salient.removed;
   for (Seed& seed : search.seeds) seed.pixel = blocks.InPixels(seed.pixel);
   for (RemovedSeed& seed : removed) seed.pixel = blocks.InPixels(seed.pixel);
   VoxelGrid& grid = search.scene.grid;
@@ -242,13 +234,12 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& op
     rejected.bounds_px = blocks.InPixels(rejected.bounds_px);
   }
   const cv::Mat depth_of_blocks = ChannelZ(scene.points);
-  const cv::Mat points = BackProject(FillFromBlocks(depth, depth_of_blocks, blocks),
-                                     frame.intrinsics, options.max_depth_m);
+  const cv::Mat filled = FillFromBlocks(depth, depth_of_blocks, blocks);
+  const cv::Mat points = BackProject(filled, frame.intrinsics, options.max_depth_m);
   result.labels =
       LabelsOfPixels(LabelImage(scene.grid, search.found.objects), depth_of_blocks, depth, blocks);
-  const cv::Mat z = ChannelZ(points);
   const cv::Mat is_seen = (measured == measured) | blocks.InPixels(scene.standing);
-  result.labels.setTo(0, ~is_seen | (z != z));
+  result.labels.setTo(0, ~(is_seen & (filled <= options.max_depth_m)));
   DescribeObjects(frame, points, blocks.InPixels(search.saliency), search.found.confidences,
                   scene.supports, options.objects, result);
   clock.Finish();

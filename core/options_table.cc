@@ -199,10 +199,9 @@ const std::vector<OptionEntry>& OptionTable() {
                 [](O& o) { return &o.mrf.color_floor; }),
       OfPaper("mrf.min_probability", 1e-30, 0.1, "floor of the probabilities of Eq. 5 and 6",
               [](P& o) { return &o.mrf.data.min_probability; }),
-      OfBoth("mrf.max_sweeps", 1, 100, "of alpha-expansion",
-             [](auto& o) { return &o.mrf.max_sweeps; }),
-      OfDefault("mrf.cluster_voxels", 1, 64,
-                "that the first sweep labels together; 1: each alone; paper: 1",
+      OfPaper("mrf.max_sweeps", 1, 100, "of alpha-expansion",
+              [](P& o) { return &o.mrf.max_sweeps; }),
+      OfDefault("mrf.cluster_voxels", 1, 64, "that are labelled together; 1: each alone; paper: 1",
                 [](O& o) { return &o.mrf.cluster_voxels; }),
 
       OfPaper("color_merge.min_correlation", -1, 1, "that joins neighbours; 1: never; paper: 0.5",

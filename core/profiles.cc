@@ -15,8 +15,10 @@ DetectorOptions Default() {
   DetectorOptions options;
   // Pixels are blocks of those of the camera (core/coarse_frame.h). Half of their resolution finds
   // the same objects.
-  options.color_saliency.downscale = 2;
-  // Smaller peaks: covering seeds are added wherever something above the support has none.
+  options.color_saliency.downscale = 4;
+  options.depth_saliency.downscale = 2;
+  // Smaller peaks, for seeds where no surface is found: elsewhere they lie all over what is above
+  // it.
   options.seeds.disk_radius_px = 5;
   // Any camera pitch.
   options.gravity.num_starts = 4;

@@ -7,54 +7,54 @@ const ObjectModel& FittedObjectModel() {
   constexpr double kNone = TermFunction::kNoKnot;
   static const ObjectModel model{
       // clang-format off
-      .bias = -1.3257,
+      .bias = -1.4778,
       .functions = {{
-          {{-10.322, -7.3751, -5.2141, -4.2338, -3.469}, {0.89517, 0.53604, 1.8888, -1.5438, 1.274, -2.1591}},  // its visible area
-          {{-5.1914, -2.8319, -2.0107, -1.5658, -1.0455}, {1.0779, 0.2978, -1.5269, -1.2103, -1.6117, -2.6486}},  // its largest extent
-          {{-3.8615, -2.7667, -1.8993, -1.3203, kNone}, {0.29212, -0.14672, -1.1438, 0.40511, 2.11, 0}},  // its height
-          {{-1.8113, -0.88004, -0.47862, -0.20157, -0.05914}, {0.94867, -0.50389, 0.41139, 2.1723, -6.7913, 6.2073}},  // how slender it is
-          {{-1.1324, -0.59798, -0.25446, 0.048485, 0.893}, {0.15838, 0.038778, 1.8006, -2.1106, -1.5511, 2.4662}},  // how much of its extent is solid
-          {{0.747, 1.0315, 1.3815, 1.915, 2.4863}, {-0.10019, -2.3985, -1.9621, 1.4528, 1.2097, 1.5495}},  // its distance
-          {{1, kNone, kNone, kNone, kNone}, {-2.7026, 0, 0, 0, 0, 0}},  // how much of it lies under a support
-          {{0.056911, 1, kNone, kNone, kNone}, {-3.4575, 3.7158, 0, 0, 0, 0}},  // how much of it is no higher than its support
-          {{0.032864, 0.4, 0.98921, kNone, kNone}, {5.4711, -2.0922, -4.1092, 7.4613, 0, 0}},  // how much of it faces up
-          {{0.82353, kNone, kNone, kNone, kNone}, {-3.6456, -13.768, 0, 0, 0, 0}},  // how much of its upper border is hidden or goes on
-          {{kNone, kNone, kNone, kNone, kNone}, {0.86999, 0, 0, 0, 0, 0}},  // it goes on above
-          {{0.17068, kNone, kNone, kNone, kNone}, {-5.1909, 9.8719, 0, 0, 0, 0}},  // how much of it ends with the image
-          {{kNone, kNone, kNone, kNone, kNone}, {-1.8913, 0, 0, 0, 0, 0}},  // it ends with the image
-          {{0.0032573, 0.13578, kNone, kNone, kNone}, {-2.2232, -5.6836, 6.0675, 0, 0, 0}},  // beyond much of its border nothing is measured
-          {{0.25, 0.42, 0.55597, 0.73028, kNone}, {5.4252, -10.212, -1.8058, 5.6724, -6.1715, 0}},  // what is farther away beyond its border
-          {{0.13115, kNone, kNone, kNone, kNone}, {-7.2962, 1.8159, 0, 0, 0, 0}},  // what is in front of it
-          {{0.11947, 0.33333, 0.5, kNone, kNone}, {-1.1173, -3.0176, -2.4075, 8.5073, 0, 0}},  // another segment is in front of it
-          {{0.005, kNone, kNone, kNone, kNone}, {0.63151, 0.36729, 0, 0, 0, 0}},  // what rises beside it
-          {{0.041667, 0.14286, 0.35714, kNone, kNone}, {2.1295, -2.891, -1.8614, 1.8078, 0, 0}},  // what is level with it
-          {{0.010453, 0.125, 0.26471, 0.5, 0.71667}, {-1.8584, -1.6083, -2.2305, 3.2752, -12.986, -4.3275}},  // another segment touches it
-          {{0.31034, 0.8, 1, kNone, kNone}, {1.0225, 0.56022, -5.9447, 0, 0, 0}},  // whether it stands on something
-          {{kNone, kNone, kNone, kNone, kNone}, {-0.81987, 0, 0, 0, 0, 0}},  // it is a single segment
-          {{1.0986, 1.7918, kNone, kNone, kNone}, {-0.72353, -0.3994, 1.4031, 0, 0, 0}},  // how many segments it consists of
-          {{0, 5.9482, 6, kNone, kNone}, {-0.0927, 0.043524, -12.487, 0, 0, 0}},  // how well its parts belong together
-          {{2.596, 5.9483, 6, kNone, kNone}, {-0.62606, -0.17428, -35.238, 0, 0, 0}},  // how well it belongs to something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {0.48221, 0, 0, 0, 0, 0}},  // its parts belong together and nothing else does
-          {{2.4849, 3.4565, 4.0444, kNone, kNone}, {1.895, -1.047, 0.17768, 1.741, 0, 0}},  // how its colour differs from the background
-          {{0.17647, 0.35948, 0.53365, kNone, kNone}, {-8.3514, 4.0533, 2.3644, 1.852, 0, 0}},  // how much of its border touches the background
-          {{kNone, kNone, kNone, kNone, kNone}, {-0.72716, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-0.53013, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-2.8704, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-3.6517, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-0.66042, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {0.98279, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-2.3915, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-0.0050621, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-1.3637, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {0.084167, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-2.0258, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {1.0259, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-0.19117, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-1.073, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {8.9439, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-0.96008, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{-10.117, -7.7321, -5.2965, -4.2601, -3.4993}, {0.97852, 0.60258, 1.6606, -1.0059, 0.67659, -1.2811}},  // its visible area
+          {{-3.1106, -2.0819, -1.5923, -1.0758, kNone}, {0.74443, 0.23112, -3.3444, 0.21262, -3.5363, 0}},  // its largest extent
+          {{-4.1235, -2.8774, -1.9426, -1.3508, kNone}, {0.43965, -0.64255, -0.73457, 0.058387, 1.0298, 0}},  // its height
+          {{-2.535, -0.95261, -0.51818, -0.22262, -0.069367}, {0.69319, -0.079471, 0.20619, 1.545, -3.7756, 5.0244}},  // how slender it is
+          {{-0.94877, -0.45873, -0.15153, 0.27972, 1.3525}, {0.13877, 0.37179, 1.5234, -2.5856, 2.1352, -0.6196}},  // how much of its extent is solid
+          {{0.718, 0.967, 1.2764, 1.8268, 2.3918}, {-0.44807, -0.89457, -2.9127, 0.84025, 0.77517, 5.4226}},  // its distance
+          {{1, kNone, kNone, kNone, kNone}, {-1.0475, 0, 0, 0, 0, 0}},  // how much of it lies under a support
+          {{0.072961, 1, kNone, kNone, kNone}, {-2.5962, 2.3242, 0, 0, 0, 0}},  // how much of it is no higher than its support
+          {{0.027149, 0.41799, 1, kNone, kNone}, {4.6396, -1.5518, -4.5067, 0, 0, 0}},  // how much of it faces up
+          {{0.76923, kNone, kNone, kNone, kNone}, {-4.9083, 1.188, 0, 0, 0, 0}},  // how much of its upper border is hidden or goes on
+          {{kNone, kNone, kNone, kNone, kNone}, {0.80055, 0, 0, 0, 0, 0}},  // it goes on above
+          {{0.13542, kNone, kNone, kNone, kNone}, {-2.3593, 0.79047, 0, 0, 0, 0}},  // how much of it ends with the image
+          {{kNone, kNone, kNone, kNone, kNone}, {-1.6643, 0, 0, 0, 0, 0}},  // it ends with the image
+          {{0.11765, kNone, kNone, kNone, kNone}, {-9.6477, 8.6273, 0, 0, 0, 0}},  // beyond much of its border nothing is measured
+          {{0.25, 0.41667, 0.55263, 0.73333, kNone}, {3.7805, -6.2649, -2.8231, 4.5071, -5.3717, 0}},  // what is farther away beyond its border
+          {{0.097403, kNone, kNone, kNone, kNone}, {-7.0052, 1.4311, 0, 0, 0, 0}},  // what is in front of it
+          {{0.125, 0.33333, 0.5, kNone, kNone}, {-2.1925, -0.80271, -1.7385, 4.5085, 0, 0}},  // another segment is in front of it
+          {{kNone, kNone, kNone, kNone, kNone}, {5.3703, 0, 0, 0, 0, 0}},  // what rises beside it
+          {{0.042636, 0.15, 0.33333, kNone, kNone}, {5.85, -10.495, 6.4883, -0.77686, 0, 0}},  // what is level with it
+          {{0.016854, 0.14815, 0.29348, 0.5, 0.72368}, {-2.8499, -1.4087, 2.8564, -5.9603, -12.261, -1.5982}},  // another segment touches it
+          {{0.31429, 0.80769, 1, kNone, kNone}, {0.91318, -0.31754, -0.6698, 0, 0, 0}},  // whether it stands on something
+          {{kNone, kNone, kNone, kNone, kNone}, {-0.44176, 0, 0, 0, 0, 0}},  // it is a single segment
+          {{0.69315, 1.0986, 1.9459, kNone, kNone}, {-0.25483, 0.095275, -1.1026, 1.4704, 0, 0}},  // how many segments it consists of
+          {{0, 6, kNone, kNone, kNone}, {-0.075741, 0.014494, 0, 0, 0, 0}},  // how well its parts belong together
+          {{-3.888, 3.7354, 6, kNone, kNone}, {-0.572, 0.065766, -0.046993, 0, 0, 0}},  // how well it belongs to something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {0.47757, 0, 0, 0, 0, 0}},  // its parts belong together and nothing else does
+          {{2.4849, 3.299, 3.8942, kNone, kNone}, {1.7108, -1.0352, 0.88597, 0.036071, 0, 0}},  // how its colour differs from the background
+          {{0.18098, 0.37037, 0.5, kNone, kNone}, {-4.9204, -0.60753, 2.0199, 1.7746, 0, 0}},  // how much of its border touches the background
+          {{kNone, kNone, kNone, kNone, kNone}, {0.18474, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-1.2907, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-1.1609, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {1.528, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-0.37256, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {0.60338, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-2.3407, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-0.010658, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-1.5573, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {0.094153, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-1.547, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {0.065076, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-0.2215, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {0.068249, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {7.5275, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-0.31995, 0, 0, 0, 0, 0}},  // how it meets something next to it
       }},
-      .usual = {3.622, -2.988, -1.407, -0.6501, 0.2746, -1.071, -0.002872, -0.06233, 0.7407, -0.02907, 0.006723, -0.01085, -0.05637, -0.1428, -0.2437, -0.01472, -0.2491, 0.0006838, -0.01624, -0.2916, 0.4931, -0.2602, -0.5706, -0.1722, 2.237, 0.3504, 5.73, -1.407, -0.2482, -0.04261, -0.6095, -0.2059, 1.129, 0.4412, -0.4684, 0.0245, -0.05559, -0.1514, -0.1573, 0.1591, 0.06121, 0.4245, 0.1674, -0.02335}
+      .usual = {3.826, -2.208, -2.531, -0.07794, 0.3322, -1.194, -0.004371, -0.0634, 0.6206, -0.03681, 0.005349, -0.008357, -0.04695, -0.1354, -0.1616, -0.01389, -0.2471, 0.004471, 0.05769, -0.2626, 0.3743, -0.1241, -0.3693, -0.1197, 1.943, 0.3258, 5.129, -1.089, 0.06815, -0.1184, -0.2887, 0.09348, 0.7244, 0.3014, -0.6071, 0.03999, -0.0799, -0.1961, -0.1267, 0.0121, 0.08215, -0.03039, 0.1474, -0.007666}
       // clang-format on
   };
   return model;

@@ -14,19 +14,6 @@ bool MayBeObject(const std::vector<Support>& supports, const Eigen::Vector3f& po
 
 }  // namespace
 
-std::vector<Seed> SeedsAbove(const std::vector<Support>& supports, const std::vector<Seed>& seeds,
-                             const SupportOptions& options, std::vector<RemovedSeed>& removed) {
-  std::vector<Seed> above;
-  for (const Seed& seed : seeds) {
-    if (MayBeObject(supports, seed.position, options)) {
-      above.push_back(seed);
-    } else {
-      removed.push_back({seed.pixel, seed.source, RemovedSeed::Reason::kOnSupport});
-    }
-  }
-  return above;
-}
-
 std::vector<char> FindBackground(const VoxelGrid& grid, const std::vector<Support>& supports,
                                  const SupportOptions& options, const CameraIntrinsics& intrinsics,
                                  const RegionOptions& region) {

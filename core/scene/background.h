@@ -12,11 +12,6 @@
 
 namespace fovea {
 
-// The seeds above a support, or all where there is none; the others are appended to `removed`. The
-// paper removes seeds on the support surface; what lies below it cannot stand on it either.
-std::vector<Seed> SeedsAbove(const std::vector<Support>& supports, const std::vector<Seed>& seeds,
-                             const SupportOptions& options, std::vector<RemovedSeed>& removed);
-
 // One entry a voxel: 1 where it stands on no support (if there is one) or lies outside the region.
 std::vector<char> FindBackground(const VoxelGrid& grid, const std::vector<Support>& supports,
                                  const SupportOptions& options, const CameraIntrinsics& intrinsics,

@@ -105,13 +105,6 @@ class Expansion {
   BinaryMinimizer minimizer_;
 };
 
-// Whether each label is some node's.
-std::vector<char> FindOwners(const Labelling& labelling, std::size_t num_labels) {
-  std::vector<char> owns(num_labels, 0);
-  for (const int label : labelling.labels) owns[label] = 1;
-  return owns;
-}
-
 // Expands one label after the other.
 class Sweeps {
  public:
@@ -121,14 +114,11 @@ class Sweeps {
         current_(std::move(start)),
         expansion_(energy, links_, current_) {}
 
-  // All labels, or those that some node has; whether that changed anything.
-  bool Run(bool only_owners) {
-    const std::size_t num_labels = energy_.choices.size();
-    const std::vector<char> is_expanded =
-        only_owners ? FindOwners(current_, num_labels) : std::vector<char>(num_labels, 1);
+  // Whether one over all labels changed anything.
+  bool Run() {
     bool changed = false;
-    for (int alpha = 0; alpha < static_cast<int>(num_labels); ++alpha) {
-      if (is_expanded[alpha]) changed |= Expand(alpha);
+    for (int alpha = 0; alpha < static_cast<int>(energy_.choices.size()); ++alpha) {
+      changed |= Expand(alpha);
     }
     return changed;
   }
@@ -156,15 +146,7 @@ class Sweeps {
 
 std::vector<int> MinimizeByAlphaExpansion(const PottsEnergy& energy, int max_sweeps) {
   Sweeps sweeps(energy, CheapestLabels(energy));
-  for (int n = 0; n < max_sweeps && sweeps.Run(/*only_owners=*/false); ++n) {
-  }
-  return sweeps.Labels();
-}
-
-std::vector<int> ImproveByAlphaExpansion(const PottsEnergy& energy, const std::vector<int>& labels,
-                                         int max_sweeps) {
-  Sweeps sweeps(energy, {labels, CostsOf(energy, labels)});
-  for (int n = 0; n < max_sweeps && sweeps.Run(/*only_owners=*/true); ++n) {
+  for (int n = 0; n < max_sweeps && sweeps.Run(); ++n) {
   }
   return sweeps.Labels();
 }

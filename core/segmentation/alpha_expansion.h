@@ -14,9 +14,4 @@ namespace fovea {
 // grows with the number of choices.
 std::vector<int> MinimizeByAlphaExpansion(const PottsEnergy& energy, int max_sweeps);
 
-// The same from `labels`, one entry a node, and only over labels that some node has: others hardly
-// come back, and after a first sweep most labels are others. Never a higher energy than before.
-std::vector<int> ImproveByAlphaExpansion(const PottsEnergy& energy, const std::vector<int>& labels,
-                                         int max_sweeps);
-
 }  // namespace fovea

@@ -27,9 +27,8 @@ struct MrfOptions {
   // The share of the weight that is left between voxels of quite different colours. 1: only shape
   // counts.
   double color_floor = 0.35;
-  int max_sweeps = 2;  // of alpha-expansion
-  // In the first sweep neighbouring voxels are labelled together, up to this many at a time, where
-  // cutting between them costs much; 1: every voxel by itself.
+  // Neighbouring voxels are labelled together, up to this many at a time, where cutting between
+  // them costs much; 1: every voxel by itself.
   int cluster_voxels = 16;
 };
 

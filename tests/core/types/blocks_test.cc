@@ -30,6 +30,17 @@ TEST(Blocks, AverageTheDepthThatIsThere) {
   EXPECT_FLOAT_EQ(reduced.at<float>(1, 1), 7);
 }
 
+TEST(Blocks, ShowTheNearestDepthThatIsThere) {
+  const cv::Mat depth_m = (cv::Mat_<float>(3, 3) << 4, kNone, kNone,  //
+                           3, 5, kNone, 2, kNone, 7);
+  const cv::Mat reduced = NearestOfBlocks(depth_m, 2);
+  ASSERT_EQ(reduced.size(), cv::Size(2, 2));
+  EXPECT_FLOAT_EQ(reduced.at<float>(0, 0), 3);
+  EXPECT_TRUE(std::isnan(reduced.at<float>(0, 1)));
+  EXPECT_FLOAT_EQ(reduced.at<float>(1, 0), 2);
+  EXPECT_FLOAT_EQ(reduced.at<float>(1, 1), 7);
+}
+
 TEST(Blocks, EnlargeToTheSizeOfTheImage) {
   const cv::Mat map = (cv::Mat_<float>(1, 2) << 1, 2);
   const cv::Mat enlarged = EnlargeBlocks(map, 2, {3, 1});
@@ -40,6 +51,7 @@ TEST(Blocks, EnlargeToTheSizeOfTheImage) {
 TEST(Blocks, OfOnePixelChangeNothing) {
   const cv::Mat depth_m = (cv::Mat_<float>(1, 2) << 1, 2);
   EXPECT_EQ(ReduceDepthByBlocks(depth_m, 1).data, depth_m.data);
+  EXPECT_EQ(NearestOfBlocks(depth_m, 1).data, depth_m.data);
   EXPECT_EQ(ReduceByBlocks(depth_m, 1).data, depth_m.data);
   EXPECT_EQ(EnlargeBlocks(depth_m, 1, depth_m.size()).data, depth_m.data);
 }
