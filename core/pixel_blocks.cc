@@ -73,8 +73,10 @@ RgbdFrame InBlocks(const RgbdFrame& frame, const cv::Mat& depth_m, const PixelBl
 cv::Mat FillFromBlocks(const cv::Mat& depth_m, const cv::Mat& depth_of_blocks,
                        const PixelBlocks& blocks) {
   InterruptionPoint();
+  const cv::Mat is_none =
+      ~(depth_m == depth_m);  // unlike != in OpenCV, whose vectors call NaN equal
   cv::Mat filled = depth_m.clone();
-  blocks.InPixels(depth_of_blocks).copyTo(filled, depth_m != depth_m);
+  blocks.InPixels(depth_of_blocks).copyTo(filled, is_none);
   return filled;
 }
 

@@ -90,7 +90,7 @@ void AddDecided(Page& page, const cv::Mat& color, const cv::Mat& filled,
                 const FrameSettings& settings, const v1::Detections& detections) {
   const v1::Trace& trace = detections.trace();
   page.Add("06_seeds.png", SeedPicture(color, trace),
-           "Salient positions: which became seeds, and why others did not (Fig. 1 a).");
+           "Seeds, and salient positions that did not become one, by why (Fig. 1 a).");
   page.Add("07_hypotheses.png", HypothesesPicture(color, filled, settings.intrinsics, trace),
            "Object hypotheses: the probability of Eq. 5 around the first seeds (Fig. 3).");
   page.Add("08_hypothesis_labels.png", LabelsPicture(color, trace.hypotheses()),
@@ -122,14 +122,23 @@ std::string Rejected(const v1::Detections& detections) {
   return text;
 }
 
+// Salient positions are asked for by the paper, and where no surface was found.
+std::string Seeds(const v1::Diagnostics& d) {
+  if (d.seeds_from_color() + d.seeds_from_depth() == 0) {
+    return fmt::format("{} seeds", d.num_seeds());
+  }
+  return fmt::format(
+      "{} salient positions in colour, {} in depth: {} without depth, {} on the support, {} seeds",
+      d.seeds_from_color(), d.seeds_from_depth(), d.seeds_without_depth(), d.seeds_on_support(),
+      d.num_seeds());
+}
+
 std::string Summary(const v1::Detections& detections) {
   const v1::Diagnostics& d = detections.diagnostics();
   std::string text = fmt::format(
       "profile {}\n{} pixels, {} with depth, {} points\n"
-      "{} salient positions in colour, {} in depth: {} without depth, {} on the support, {} seeds\n"
-      "{} voxels, {} segments, {} joined to another, {} no objects, {} too small\n{}\n",
-      detections.profile(), d.num_pixels(), d.num_measured(), d.num_points(), d.seeds_from_color(),
-      d.seeds_from_depth(), d.seeds_without_depth(), d.seeds_on_support(), d.num_seeds(),
+      "{}\n{} voxels, {} segments, {} joined to another, {} no objects, {} too small\n{}\n",
+      detections.profile(), d.num_pixels(), d.num_measured(), d.num_points(), Seeds(d),
       d.num_voxels(), d.num_segments(), d.num_merged(), d.segments_implausible(),
       d.segments_too_small(), NumObjects(detections.objects_size()));
   for (const std::string& message : d.messages()) text += message + "\n";

@@ -81,7 +81,7 @@ TEST(Options, ValuesOutOfRangeAreNamedWithTheirRange) {
                   testing::AllOf(HasSubstr("mrf.alpha"), HasSubstr("2"), HasSubstr("to 1"))));
   EXPECT_THROW(SetOption(options, "mrf.alpha", std::numeric_limits<double>::quiet_NaN()),
                std::invalid_argument);
-  EXPECT_THAT([&] { SetOption(options, "mrf.max_sweeps", 1.5); },
+  EXPECT_THAT([&] { SetOption(options, "mrf.cluster_voxels", 1.5); },
               ThrowsMessage<std::invalid_argument>(HasSubstr("whole number")));
   EXPECT_THAT([&] { SetOption(options, "mrf.beta", 1); },
               ThrowsMessage<std::invalid_argument>(HasSubstr("mrf.beta")));

@@ -70,12 +70,17 @@ TEST(PixelBlocks, GiveTheirPixelsBack) {
 }
 
 TEST(FillFromBlocks, LeavesWhatPixelsHave) {
-  const cv::Mat depth_m = (cv::Mat_<float>(1, 4) << 1, kNone, kNone, kNone);
-  const cv::Mat of_blocks = (cv::Mat_<float>(1, 2) << 2, kNone);
+  // As wide as the widest registers and wider: OpenCV compares NaN there in a way of its own.
+  constexpr int kCols = 70;
+  cv::Mat depth_m(1, kCols, CV_32FC1, cv::Scalar(kNone));
+  cv::Mat of_blocks(1, kCols / 2, CV_32FC1, cv::Scalar(2.0F));
+  depth_m.at<float>(0) = 1;
+  of_blocks.at<float>(1) = kNone;
   const cv::Mat filled = FillFromBlocks(depth_m, of_blocks, {2, depth_m.size()});
   EXPECT_EQ(filled.at<float>(0), 1);
   EXPECT_EQ(filled.at<float>(1), 2);
   EXPECT_TRUE(std::isnan(filled.at<float>(2)));
+  for (int col = 4; col < kCols; ++col) EXPECT_EQ(filled.at<float>(col), 2) << col;
   EXPECT_TRUE(std::isnan(depth_m.at<float>(1)));  // is not changed
 }
 

@@ -67,7 +67,7 @@ TEST(OptionPolicy, FixesOptionsForEveryProfile) {
     EXPECT_EQ(OptionValues(server::FromProto(options, policy)).at("mrf.lambda"), 7) << profile;
   }
   EXPECT_FALSE(StatusWith(policy, "mrf.lambda", 8).ok());
-  EXPECT_TRUE(StatusWith(policy, "mrf.max_sweeps", 3).ok());
+  EXPECT_TRUE(StatusWith(policy, "mrf.cluster_voxels", 3).ok());
 }
 
 TEST(OptionPolicy, FixesWhatOneProfileAloneReads) {
