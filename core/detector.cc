@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <opencv2/core.hpp>
 #include <utility>
 
@@ -210,6 +211,13 @@ Trace TraceOf(Search search, const cv::Mat& depth, const PixelBlocks& blocks,
           {}};
 }
 
+// NaN elsewhere.
+cv::Mat DepthWhere(const cv::Mat& mask, const cv::Mat& depth) {
+  cv::Mat result(depth.size(), CV_32FC1, cv::Scalar(std::numeric_limits<float>::quiet_NaN()));
+  depth.copyTo(result, mask);
+  return result;
+}
+
 // The first stage of `clock` has begun.
 ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* trace,
                                TimeBudget& budget, StageClock& clock, Detections& result) {
@@ -233,13 +241,13 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& op
   for (RejectedObject& rejected : result.rejected) {
     rejected.bounds_px = blocks.InPixels(rejected.bounds_px);
   }
+  // Pixels show what was measured there, and what stands in for what cannot be.
   const cv::Mat depth_of_blocks = ChannelZ(scene.points);
-  const cv::Mat filled = FillFromBlocks(depth, depth_of_blocks, blocks);
-  const cv::Mat points = BackProject(filled, frame.intrinsics, options.max_depth_m);
+  const cv::Mat shown = FillFromBlocks(depth, DepthWhere(scene.standing, depth_of_blocks), blocks);
+  const cv::Mat points = BackProject(shown, frame.intrinsics, options.max_depth_m);
   result.labels =
       LabelsOfPixels(LabelImage(scene.grid, search.found.objects), depth_of_blocks, depth, blocks);
-  const cv::Mat is_seen = (measured == measured) | blocks.InPixels(scene.standing);
-  result.labels.setTo(0, ~(is_seen & (filled <= options.max_depth_m)));
+  result.labels.setTo(0, ~(shown <= options.max_depth_m));
   DescribeObjects(frame, points, blocks.InPixels(search.saliency), search.found.confidences,
                   scene.supports, options.objects, result);
   clock.Finish();

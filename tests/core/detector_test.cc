@@ -260,7 +260,7 @@ std::vector<float> DepthsAtRims(const scenes::LabelledFrame& truth, double max_a
   return found;
 }
 
-TEST(Detect, PutsFlyingPixelsOnASurface) {
+TEST(Detect, LeavesFlyingPixelsOut) {
   const auto truth = scenes::MakeFrame(scenes::RandomScene("tabletop", 1, {320, 240}),
                                        scenes::SensorKind::kIdeal, 1);
   EXPECT_THAT(DepthsAtRims(truth, 80), SizeIs(0));
