@@ -136,7 +136,7 @@ Search SearchInBlocks(const RgbdFrame& frame, const CameraIntrinsics& camera,
   // What the scene consists of, and where something in it stands out: neither needs the other.
   SceneGeometry& scene = search.scene;
   const auto find_geometry = [&](StageClock& own) {
-    scene = FindGeometry(frame, points, camera, options, own);
+    scene = FindGeometry(frame, search.depth, points, camera, options, own);
   };
   const auto find_salience = [&](StageClock& own) {
     search.salience = FindSalience(frame, search.depth, options, own);
@@ -183,15 +183,13 @@ Search SearchInBlocks(const RgbdFrame& frame, const CameraIntrinsics& camera,
   return search;
 }
 
-// `depth`: of the pixels, NaN = none.
+// Of a search whose voxels have their pixels. `depth`: of these, NaN = none.
 Trace TraceOf(Search search, const cv::Mat& depth, const PixelBlocks& blocks,
               const DetectorOptions& options) {
   FoundObjects& found = search.found;
   std::vector<RemovedSeed>& removed = search.salient.removed;
   for (Seed& seed : search.seeds) seed.pixel = blocks.InPixels(seed.pixel);
   for (RemovedSeed& seed : removed) seed.pixel = blocks.InPixels(seed.pixel);
-  VoxelGrid& grid = search.scene.grid;
-  grid.voxel_of_pixel = blocks.InPixels(grid.voxel_of_pixel);
   const std::vector<int> merged =
       LabelsOfChosen(found.tree, found.tree.LikelyNodes(), found.segments);
   return {FillFromBlocks(depth, search.depth, blocks),
@@ -200,7 +198,7 @@ Trace TraceOf(Search search, const cv::Mat& depth, const PixelBlocks& blocks,
           std::move(search.seeds),
           std::move(removed),
           options.mrf.data.gamma_per_m2,
-          std::move(grid),
+          std::move(search.scene.grid),
           std::move(search.scene.colors),
           std::move(found.labels),
           std::move(found.segments),
@@ -236,7 +234,7 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& op
                                  clock, result);
   clock.Begin("objects");
 
-  const SceneGeometry& scene = search.scene;
+  SceneGeometry& scene = search.scene;
   result.rejected = search.found.rejected;
   for (RejectedObject& rejected : result.rejected) {
     rejected.bounds_px = blocks.InPixels(rejected.bounds_px);
@@ -245,13 +243,13 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& op
   const cv::Mat depth_of_blocks = ChannelZ(scene.points);
   const cv::Mat shown = FillFromBlocks(depth, DepthWhere(scene.standing, depth_of_blocks), blocks);
   const cv::Mat points = BackProject(shown, frame.intrinsics, options.max_depth_m);
-  result.labels =
-      LabelsOfPixels(LabelImage(scene.grid, search.found.objects), depth_of_blocks, depth, blocks);
-  result.labels.setTo(0, ~(shown <= options.max_depth_m));
+  scene.grid.voxel_of_pixel =
+      VoxelsOfPixels(scene.grid.voxel_of_pixel, depth_of_blocks, depth, blocks);
+  result.labels = LabelsWithin(scene.grid, search.found.objects, shown <= options.max_depth_m);
   DescribeObjects(frame, points, blocks.InPixels(search.saliency), search.found.confidences,
                   scene.supports, options.objects, result);
   clock.Finish();
-  std::vector<Support> supports = scene.supports;
+  std::vector<Support> supports = std::move(scene.supports);
   if (trace != nullptr) *trace = TraceOf(std::move(search), depth, blocks, options);
   return {points, std::move(supports)};
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <opencv2/core.hpp>
 
 #include "core/types/blocks.h"
@@ -20,22 +19,22 @@ CameraIntrinsics InBlocks(const CameraIntrinsics& camera, int edge_px) {
           (camera.cy_px + 0.5) / edge_px - 0.5};
 }
 
-// Of the blocks around one, that of the surface nearest to a depth.
-std::uint16_t LabelAround(const cv::Mat& labels, const cv::Mat& depth_of_blocks,
-                          const cv::Point& block, float depth) {
+// Of the blocks around one, that of the surface nearest to a depth; -1: none is near.
+int VoxelAround(const cv::Mat& voxel_of_block, const cv::Mat& depth_of_blocks,
+                const cv::Point& block, float depth) {
   const cv::Rect around =
-      cv::Rect(block - cv::Point(1, 1), cv::Size(3, 3)) & cv::Rect({}, labels.size());
-  std::uint16_t label = 0;
+      cv::Rect(block - cv::Point(1, 1), cv::Size(3, 3)) & cv::Rect({}, voxel_of_block.size());
+  int voxel = -1;
   float least = kMaxStep * depth;
   for (int row = around.y; row < around.br().y; ++row) {
     for (int col = around.x; col < around.br().x; ++col) {
       const float step = std::abs(depth_of_blocks.at<float>(row, col) - depth);
       if (!(step < least)) continue;
       least = step;
-      label = labels.at<std::uint16_t>(row, col);
+      voxel = voxel_of_block.at<int>(row, col);
     }
   }
-  return label;
+  return voxel;
 }
 
 }  // namespace
@@ -80,21 +79,22 @@ cv::Mat FillFromBlocks(const cv::Mat& depth_m, const cv::Mat& depth_of_blocks,
   return filled;
 }
 
-cv::Mat LabelsOfPixels(const cv::Mat& labels, const cv::Mat& depth_of_blocks,
+cv::Mat VoxelsOfPixels(const cv::Mat& voxel_of_block, const cv::Mat& depth_of_blocks,
                        const cv::Mat& depth_m, const PixelBlocks& blocks) {
-  cv::Mat result(depth_m.size(), CV_16UC1);
+  cv::Mat result(depth_m.size(), CV_32SC1);
   for (int row = 0; row < result.rows; ++row) {
     InterruptionPoint();
-    const cv::Point first(0, row / blocks.edge_px);
-    const float* own_depth = depth_of_blocks.ptr<float>(first.y);
-    const auto* own_label = labels.ptr<std::uint16_t>(first.y);
+    const int block_row = row / blocks.edge_px;
+    const float* own_depth = depth_of_blocks.ptr<float>(block_row);
+    const int* own_voxel = voxel_of_block.ptr<int>(block_row);
     const float* depth = depth_m.ptr<float>(row);
-    auto* label = result.ptr<std::uint16_t>(row);
+    int* voxel = result.ptr<int>(row);
     for (int col = 0; col < result.cols; ++col) {
-      const cv::Point block(col / blocks.edge_px, first.y);
-      const bool is_beside = std::abs(depth[col] - own_depth[block.x]) > kMaxStep * depth[col];
-      label[col] =
-          is_beside ? LabelAround(labels, depth_of_blocks, block, depth[col]) : own_label[block.x];
+      const int block = col / blocks.edge_px;
+      const bool is_beside = std::abs(depth[col] - own_depth[block]) > kMaxStep * depth[col];
+      voxel[col] =
+          is_beside ? VoxelAround(voxel_of_block, depth_of_blocks, {block, block_row}, depth[col])
+                    : own_voxel[block];
     }
   }
   return result;

@@ -34,11 +34,12 @@ RgbdFrame InBlocks(const RgbdFrame& frame, const cv::Mat& depth_m, const PixelBl
 cv::Mat FillFromBlocks(const cv::Mat& depth_m, const cv::Mat& depth_of_blocks,
                        const PixelBlocks& blocks);
 
-// The label of each pixel: that of its block or, where the surface that this shows is not the
-// pixel's, of the block around it whose surface is the nearest to it; 0 where none is near.
-// `labels` (CV_16UC1) and `depth_of_blocks` (CV_32FC1) are of the blocks, `depth_m` (CV_32FC1, NaN
-// = that of the block) of the pixels. Returns CV_16UC1. Cost: proportional to the image.
-cv::Mat LabelsOfPixels(const cv::Mat& labels, const cv::Mat& depth_of_blocks,
+// The voxel of each pixel: that of its block or, where the surface that this shows is not the
+// pixel's, of the block around it whose surface is the nearest to it; -1 where none is near.
+// `voxel_of_block` (CV_32SC1) and `depth_of_blocks` (CV_32FC1) are of the blocks, `depth_m`
+// (CV_32FC1, NaN = that of the block) of the pixels. Returns CV_32SC1. Cost: proportional to the
+// image.
+cv::Mat VoxelsOfPixels(const cv::Mat& voxel_of_block, const cv::Mat& depth_of_blocks,
                        const cv::Mat& depth_m, const PixelBlocks& blocks);
 
 }  // namespace fovea

@@ -37,7 +37,7 @@ void AddWalls(const std::vector<char>& on_wall, std::vector<char>& is_background
 
 }  // namespace
 
-SceneGeometry FindGeometry(const RgbdFrame& frame, const cv::Mat& points,
+SceneGeometry FindGeometry(const RgbdFrame& frame, const cv::Mat& depth_m, const cv::Mat& points,
                            const CameraIntrinsics& camera, const DetectorOptions& options,
                            StageClock& clock) {
   SceneGeometry scene;
@@ -52,7 +52,7 @@ SceneGeometry FindGeometry(const RgbdFrame& frame, const cv::Mat& points,
   scene.gravity = FindGravity(frame.gravity, wide_normals.vectors, options.gravity);
   scene.supports = FindSupports(points, wide_normals, scene.gravity.direction, options.support);
   // What cannot be measured leaves a hole in its support.
-  scene.standing = StandInForMissing(frame.depth_m, scene.supports, frame.intrinsics,
+  scene.standing = StandInForMissing(depth_m, scene.supports, frame.intrinsics,
                                      options.support.max_height_m, scene.points, normals);
   clock.Begin("voxels");
 

@@ -27,9 +27,9 @@ struct SceneGeometry {
   std::vector<char> on_wall;
 };
 
-// `points`: as of BackProject, not changed, with small holes filled; `camera`: in whose
-// pixels the region of interest is given. The first stage of `clock`, "normals", has begun.
-SceneGeometry FindGeometry(const RgbdFrame& frame, const cv::Mat& points,
+// `depth_m`: with small holes filled; `points`: its, as of BackProject, not changed; `camera`: in
+// whose pixels the region of interest is given. The first stage of `clock`, "normals", has begun.
+SceneGeometry FindGeometry(const RgbdFrame& frame, const cv::Mat& depth_m, const cv::Mat& points,
                            const CameraIntrinsics& camera, const DetectorOptions& options,
                            StageClock& clock);
 

@@ -84,25 +84,24 @@ TEST(FillFromBlocks, LeavesWhatPixelsHave) {
   EXPECT_TRUE(std::isnan(depth_m.at<float>(1)));  // is not changed
 }
 
-TEST(LabelsOfPixels, FollowTheSurfaceThatAPixelShows) {
-  // A thing at 1 m, whose last block also shows the wall behind it at 2 m, and something else.
+TEST(VoxelsOfPixels, FollowTheSurfaceThatAPixelShows) {
+  // A thing at 1 m, whose last block also shows the wall behind it at 2 m.
   const cv::Mat depth_m = (cv::Mat_<float>(1, 6) << 1, 1, 1, 2, 2, 1.5F);
-  const cv::Mat of_blocks = (cv::Mat_<float>(1, 3) << 1, 1, 1.5F);
   const cv::Mat wall_beside = (cv::Mat_<float>(1, 3) << 1, 1, 2);
-  const cv::Mat labels = (cv::Mat_<std::uint16_t>(1, 3) << 7, 7, 4);
+  const cv::Mat nothing_beside = (cv::Mat_<float>(1, 3) << 1, 1, 1.5F);
+  const cv::Mat voxels = (cv::Mat_<int>(1, 3) << 7, 8, 4);
   const PixelBlocks blocks{2, depth_m.size()};
-  const cv::Mat expected = (cv::Mat_<std::uint16_t>(1, 6) << 7, 7, 7, 4, 4, 0);
-  EXPECT_EQ(cv::norm(LabelsOfPixels(labels, wall_beside, depth_m, blocks), expected, cv::NORM_INF),
+  const cv::Mat expected = (cv::Mat_<int>(1, 6) << 7, 7, 8, 4, 4, -1);
+  EXPECT_EQ(cv::norm(VoxelsOfPixels(voxels, wall_beside, depth_m, blocks), expected, cv::NORM_INF),
             0);
-  // Nothing around shows it.
-  EXPECT_EQ(LabelsOfPixels(labels, of_blocks, depth_m, blocks).at<std::uint16_t>(3), 0);
+  EXPECT_EQ(VoxelsOfPixels(voxels, nothing_beside, depth_m, blocks).at<int>(3), -1);
 }
 
-TEST(LabelsOfPixels, WithoutDepthAreThoseOfTheBlock) {
+TEST(VoxelsOfPixels, WithoutDepthAreThoseOfTheBlock) {
   const cv::Mat depth_m(2, 2, CV_32FC1, cv::Scalar(kNone));
-  const cv::Mat of_blocks(1, 1, CV_32FC1, cv::Scalar(1.0F)), label(1, 1, CV_16UC1, cv::Scalar(3));
-  const cv::Mat labels = LabelsOfPixels(label, of_blocks, depth_m, {2, depth_m.size()});
-  EXPECT_EQ(cv::countNonZero(labels == 3), 4);
+  const cv::Mat of_blocks(1, 1, CV_32FC1, cv::Scalar(1.0F)), voxel(1, 1, CV_32SC1, cv::Scalar(3));
+  const cv::Mat voxels = VoxelsOfPixels(voxel, of_blocks, depth_m, {2, depth_m.size()});
+  EXPECT_EQ(cv::countNonZero(voxels == 3), 4);
 }
 
 }  // namespace
