@@ -256,11 +256,13 @@ def test_traces_the_steps(client: fovea.Client, scene: Scene, profile: str) -> N
     assert 0 < trace.hypotheses.max() <= len(trace.seeds)
     assert 0 < trace.segments.max() <= found.diagnostics.num_segments
     assert trace.merged.max() <= trace.segments.max()
-    # Each object consists of whole segments where depth was measured.
+    # Each object consists of whole segments where depth was measured, but for flying pixels.
     labels = found.label_image()
     for segment in np.unique(trace.segments[labels > 0]):
         of_segment = labels[(trace.segments == segment) & (scene.depth > 0)]
-        assert segment > 0 and (of_segment == of_segment[0]).all()
+        own = of_segment.max()
+        assert segment > 0 and set(of_segment) <= {0, own}
+        assert (of_segment == own).mean() > 0.9
 
 
 def test_tells_what_it_rejected(client: fovea.Client, scene: Scene) -> None:
