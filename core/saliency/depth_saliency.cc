@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "core/types/blocks.h"
 #include "core/saliency/nearness.h"
+#include "core/types/blocks.h"
 #include "core/types/interruption.h"
 
 namespace fovea {
