@@ -69,8 +69,8 @@ cv::Mat NearestOfBlocks(const cv::Mat& depth_m, int size_px) {
     }
     float* nearest = reduced.ptr<float>(block_row);
     for (int block = 0; block < cols; ++block) {
-      const int end = std::min((block + 1) * size_px, depth_m.cols);
-      const float depth = *std::min_element(&of_columns[block * size_px], of_columns.data() + end);
+      const int first = block * size_px, end = std::min(first + size_px, depth_m.cols);
+      const float depth = *std::min_element(of_columns.begin() + first, of_columns.begin() + end);
       nearest[block] = depth < kFarthest ? depth : std::numeric_limits<float>::quiet_NaN();
     }
   }
