@@ -1,6 +1,5 @@
 #include "core/detector.h"
 
-#include <algorithm>
 #include <functional>
 #include <limits>
 #include <opencv2/core.hpp>
@@ -12,21 +11,14 @@
 #include "core/explanation.h"
 #include "core/grasping/plan_grasps.h"
 #include "core/object_surroundings.h"
-#include "core/objects/portions.h"
 #include "core/paper/detect_as_paper.h"
 #include "core/pixel_blocks.h"
 #include "core/planning/collision_primitives.h"
 #include "core/planning/height_map.h"
-#include "core/refinement.h"
 #include "core/relations/blocked_by.h"
 #include "core/relations/free_places.h"
 #include "core/relations/leans_on.h"
-#include "core/saliency/mean_saliency.h"
-#include "core/scene/background.h"
-#include "core/scene_geometry.h"
-#include "core/seeds/salient_positions.h"
-#include "core/segmentation/alpha_expansion.h"
-#include "core/segmentation/contraction.h"
+#include "core/search.h"
 #include "core/segmentation/labels.h"
 #include "core/stage_clock.h"
 #include "core/types/interruption.h"
@@ -34,154 +26,6 @@
 
 namespace fovea {
 namespace {
-
-// Of lambda: cutting between voxels of one cluster costs at least as much.
-constexpr double kMinShareOfCluster = 0.6;
-
-// Returns false where the budget ended before the work did, and lifts it for what is left to do.
-// Throws Cancelled where the caller wants no more.
-bool InTime(TimeBudget& budget, const std::function<void()>& work) {
-  try {
-    work();
-    return true;
-  } catch (const Cancelled&) {
-    if (budget.IsStopped()) throw;
-    budget.Lift();
-    return false;
-  }
-}
-
-// In one sweep, which does nearly all that more would.
-std::vector<int> LabelVoxels(const PottsEnergy& energy, const MrfOptions& options) {
-  const auto min_weight = static_cast<float>(kMinShareOfCluster * options.lambda);
-  const Contraction clusters = Contract(energy, options.cluster_voxels, min_weight);
-  return Expand(clusters, MinimizeByAlphaExpansion(clusters.energy, 1));
-}
-
-struct Salience {
-  cv::Mat color, depth;  // CV_32FC1
-};
-
-// Section 3.1: where something stands out, in colour and in depth. The first stage of `clock`,
-// "color_saliency", has begun.
-Salience FindSalience(const RgbdFrame& frame, const cv::Mat& depth, const DetectorOptions& options,
-                      StageClock& clock) {
-  Salience salience;
-  salience.color = StrengthSaliency(frame.color_rgb, options.color_saliency);
-  clock.Begin("depth_saliency");
-  salience.depth = DepthSaliency(depth, options.depth_saliency);
-  return salience;
-}
-
-// What is not to be looked at, each time (portions.h). Portions cost more than the whole.
-std::vector<std::vector<char>> PortionsInTime(const SceneGeometry& scene, const cv::Mat& saliency,
-                                              const TimeBudget& budget) {
-  // The rest takes up to twice the time of what comes before it; in noise more.
-  constexpr double kAmple = 2.5;
-  constexpr int kNumPortions = 4;
-  if (budget.HasMoreLeftThan(kAmple)) return {scene.is_background};
-  return SalientPortions(scene.grid, scene.is_background, saliency, kNumPortions);
-}
-
-// What has been found in the parts of a scene that were looked at, of which the last one is seen in
-// a trace.
-struct FoundObjects : RefinedScene {
-  explicit FoundObjects(std::size_t num_voxels = 0) { objects.resize(num_voxels, 0); }
-
-  void Add(std::vector<int> labels_of_part, RefinedScene part) {
-    const int num_before = static_cast<int>(confidences.size());
-    for (std::size_t v = 0; v < objects.size(); ++v) {
-      if (part.objects[v] > 0) objects[v] = num_before + part.objects[v];
-    }
-    confidences.insert(confidences.end(), part.confidences.begin(), part.confidences.end());
-    rejected.insert(rejected.end(), part.rejected.begin(), part.rejected.end());
-    std::stable_sort(rejected.begin(), rejected.end(),
-                     [](const auto& a, const auto& b) { return a.probability > b.probability; });
-    num_segments += part.tree.num_segments;
-    num_merged += part.num_merged;
-    labels = std::move(labels_of_part);
-    segments = std::move(part.segments);
-    tree = std::move(part.tree);
-    evidence = std::move(part.evidence);
-  }
-
-  std::vector<int> labels;
-  std::size_t num_segments = 0;
-};
-
-// What is found in a frame of blocks of pixels.
-struct Search {
-  cv::Mat depth;  // CV_32FC1 after hole filling, NaN = none
-  SceneGeometry scene;
-  Salience salience;
-  SalientPositions salient;
-  std::vector<Seed> seeds;  // that became object hypotheses
-  cv::Mat saliency;         // of both maps
-  FoundObjects found;
-};
-
-// `frame`: in blocks; `camera`: of the pixels of the region of interest. The first stage of `clock`
-// has begun.
-Search SearchInBlocks(const RgbdFrame& frame, const CameraIntrinsics& camera,
-                      const DetectorOptions& options, TimeBudget& budget, StageClock& clock,
-                      Detections& result) {
-  Diagnostics& counts = result.diagnostics;
-  Search search;
-
-  // Section 1: the smoothed depth image and the point cloud.
-  search.depth = FillDepthHoles(frame.depth_m, options.depth_fill);
-  InterruptionPoint();
-  const cv::Mat points = BackProject(search.depth, frame.intrinsics, options.max_depth_m);
-
-  // What the scene consists of, and where something in it stands out: neither needs the other.
-  SceneGeometry& scene = search.scene;
-  const auto find_geometry = [&](StageClock& own) {
-    scene = FindGeometry(frame, search.depth, points, camera, options, own);
-  };
-  const auto find_salience = [&](StageClock& own) {
-    search.salience = FindSalience(frame, search.depth, options, own);
-  };
-  clock.RunBranches({{"normals", find_geometry}, {"color_saliency", find_salience}});
-  result.gravity = scene.gravity;
-  if (!scene.supports.empty()) result.support = scene.supports.front().surface;
-  clock.Begin("seeds");
-
-  // Section 3: seeds all over what stands above a support or, where there is none, at what stands
-  // out; and the scene as voxels, labelled by a Markov random field.
-  if (scene.supports.empty()) {
-    search.salient = FindSalientPositions(search.salience.color, options.color_saliency.downscale,
-                                          search.salience.depth, options.depth_saliency.downscale,
-                                          points, options.seeds, counts);
-  }
-  search.seeds =
-      CoverWithSeeds(scene.grid, scene.is_background, search.salient.seeds, options.cover);
-  counts.num_seeds = search.seeds.size();
-  counts.num_voxels = scene.grid.voxels.size();
-  search.found = FoundObjects(scene.grid.voxels.size());
-  const auto look_at = [&](const std::vector<char>& is_background) {
-    clock.Begin("energy");
-    const PottsEnergy energy = BuildEnergy(scene.grid, scene.points, scene.colors, is_background,
-                                           search.seeds, options.mrf);
-    clock.Begin("graph_cut");
-    const std::vector<int> labels = LabelVoxels(energy, options.mrf);
-    clock.Begin("refinement");
-    // Section 3.3: segments that look alike are one object.
-    search.found.Add(labels, Refine({scene.grid, labels, scene.points, scene.lab, scene.colors,
-                                     frame.intrinsics, -scene.gravity.direction, scene.supports,
-                                     scene.standing, scene.on_wall, frame.unseen},
-                                    options));
-  };
-  search.saliency = MeanSaliency(search.salience.color, search.salience.depth);
-  for (const std::vector<char>& outside : PortionsInTime(scene, search.saliency, budget)) {
-    if (result.incomplete) break;
-    result.incomplete = !InTime(budget, [&] { look_at(outside); });
-  }
-  budget.Lift();
-  counts.num_segments = search.found.num_segments;
-  counts.num_merged = search.found.num_merged;
-  counts.segments_implausible = search.found.rejected.size();
-  return search;
-}
 
 // Of a search whose voxels have their pixels. `depth`: of these, NaN = none.
 Trace TraceOf(Search search, const cv::Mat& depth, const PixelBlocks& blocks,
@@ -315,7 +159,7 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   const InterruptionScope interruption([&] { return budget.WantsStop(); });
   StageClock clock("depth");
   try {
-    const bool in_time = InTime(budget, [&] {
+    const bool in_time = budget.Suffices([&] {
       const ObjectSurroundings around =
           options.paper ? paper::FindObjects(frame, *options.paper, trace, clock, result)
                         : FindObjects(frame, options, trace, budget, clock, result);

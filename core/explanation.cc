@@ -34,8 +34,9 @@ std::string DepthLoss(const Diagnostics& d) {
 std::string SeedLoss(const Diagnostics& d) {
   if (d.num_seeds > 0) return "";
   const std::size_t found = d.seeds_from_color + d.seeds_from_depth;
-  if (found == 0)
+  if (found == 0) {
     return "nothing stands out in colour or depth or above a surface, so there are no seeds";
+  }
   return fmt::format(
       "none of the {} salient positions became a seed: {} lie where there is no depth up to "
       "max_depth_m, {} on, below or beside the support surface or too high above it",

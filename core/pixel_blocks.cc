@@ -11,8 +11,6 @@ namespace fovea {
 namespace {
 
 constexpr double kBlocksPerVoxel = 2.5;
-// What is one surface, as a share of its distance: the edge of a voxel of `default`.
-constexpr float kMaxStep = 0.01F;
 
 CameraIntrinsics InBlocks(const CameraIntrinsics& camera, int edge_px) {
   return {camera.fx_px / edge_px, camera.fy_px / edge_px, (camera.cx_px + 0.5) / edge_px - 0.5,
@@ -21,11 +19,11 @@ CameraIntrinsics InBlocks(const CameraIntrinsics& camera, int edge_px) {
 
 // Of the blocks around one, that of the surface nearest to a depth; -1: none is near.
 int VoxelAround(const cv::Mat& voxel_of_block, const cv::Mat& depth_of_blocks,
-                const cv::Point& block, float depth) {
+                const cv::Point& block, float depth, float max_step) {
   const cv::Rect around =
       cv::Rect(block - cv::Point(1, 1), cv::Size(3, 3)) & cv::Rect({}, voxel_of_block.size());
   int voxel = -1;
-  float least = kMaxStep * depth;
+  float least = max_step * depth;
   for (int row = around.y; row < around.br().y; ++row) {
     for (int col = around.x; col < around.br().x; ++col) {
       const float step = std::abs(depth_of_blocks.at<float>(row, col) - depth);
@@ -56,7 +54,8 @@ PixelBlocks BlocksOf(const RgbdFrame& frame, const VoxelOptions& voxels) {
   const cv::Size size = frame.depth_m.size();
   const double voxel_px = voxels.size_m * std::min(frame.intrinsics.fx_px, frame.intrinsics.fy_px);
   const double largest = std::min(size.width, size.height);
-  return {static_cast<int>(std::clamp(voxel_px / kBlocksPerVoxel, 1.0, largest)), size};
+  return {static_cast<int>(std::clamp(voxel_px / kBlocksPerVoxel, 1.0, largest)), size,
+          static_cast<float>(voxels.size_m)};
 }
 
 RgbdFrame InBlocks(const RgbdFrame& frame, const cv::Mat& depth_m, const PixelBlocks& blocks) {
@@ -91,10 +90,10 @@ cv::Mat VoxelsOfPixels(const cv::Mat& voxel_of_block, const cv::Mat& depth_of_bl
     int* voxel = result.ptr<int>(row);
     for (int col = 0; col < result.cols; ++col) {
       const int block = col / blocks.edge_px;
-      const bool is_beside = std::abs(depth[col] - own_depth[block]) > kMaxStep * depth[col];
-      voxel[col] =
-          is_beside ? VoxelAround(voxel_of_block, depth_of_blocks, {block, block_row}, depth[col])
-                    : own_voxel[block];
+      const bool is_beside = std::abs(depth[col] - own_depth[block]) > blocks.max_step * depth[col];
+      voxel[col] = is_beside ? VoxelAround(voxel_of_block, depth_of_blocks, {block, block_row},
+                                           depth[col], blocks.max_step)
+                             : own_voxel[block];
     }
   }
   return result;

@@ -13,6 +13,8 @@ namespace fovea {
 struct PixelBlocks {
   int edge_px = 1;
   cv::Size image;  // in pixels
+  // What is one surface: the edge of a voxel, as a share of its distance.
+  float max_step = 0.01F;
 
   // The pixel in the middle of a block, and the pixels of some blocks.
   cv::Point InPixels(const cv::Point& block) const;

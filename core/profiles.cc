@@ -13,8 +13,8 @@ DetectorOptions Paper() {
 
 DetectorOptions Default() {
   DetectorOptions options;
-  // Pixels are blocks of those of the camera (core/coarse_frame.h). Half of their resolution finds
-  // the same objects.
+  // Here pixels are blocks of those of the camera (core/pixel_blocks.h). Saliency tells what to
+  // look at first, and needs few of them.
   options.color_saliency.downscale = 4;
   options.depth_saliency.downscale = 2;
   // Smaller peaks, for seeds where no surface is found: elsewhere they lie all over what is above

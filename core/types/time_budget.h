@@ -5,6 +5,8 @@
 #include <functional>
 #include <utility>
 
+#include "core/types/cancelled.h"
+
 namespace fovea {
 
 class TimeBudget {
@@ -27,9 +29,19 @@ class TimeBudget {
     const Clock::time_point now = Clock::now();
     return !is_limited_ || end_ - now > times * (now - begin_);
   }
+  // Works; whether that ended before the budget did, which is lifted otherwise, for what is left to
+  // do. Throws Cancelled where the caller wants no more.
+  bool Suffices(const std::function<void()>& work) {
+    try {
+      work();
+      return true;
+    } catch (const Cancelled&) {
+      if (is_stopped_) throw;  // by the caller
+      Lift();
+      return false;
+    }
+  }
   bool HasEnded() const { return is_limited_ && Clock::now() >= end_; }
-  // By the caller, not by the end of the budget.
-  bool IsStopped() const { return is_stopped_; }
   // For what is left to do once it has ended.
   void Lift() { is_limited_ = false; }
 

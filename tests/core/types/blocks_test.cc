@@ -1,8 +1,8 @@
 #include "core/types/blocks.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 #include <opencv2/core.hpp>
 
@@ -19,26 +19,25 @@ TEST(Blocks, AverageColorsAndRepeatTheBorder) {
   EXPECT_EQ(reduced.at<uchar>(1), 50);
 }
 
+// NaN = none.
+void ExpectDepths(const cv::Mat& found, const cv::Mat& expected) {
+  ASSERT_EQ(found.size(), expected.size());
+  for (int i = 0; i < static_cast<int>(found.total()); ++i) {
+    EXPECT_THAT(found.at<float>(i / found.cols, i % found.cols),
+                testing::NanSensitiveFloatEq(expected.at<float>(i / found.cols, i % found.cols)));
+  }
+}
+
 TEST(Blocks, AverageTheDepthThatIsThere) {
   const cv::Mat depth_m = (cv::Mat_<float>(3, 4) << 1, kNone, kNone, 0,  //
                            2, 3, -1, std::numeric_limits<float>::infinity(), 4, 5, 7, kNone);
-  const cv::Mat reduced = ReduceDepthByBlocks(depth_m, 2);
-  ASSERT_EQ(reduced.size(), cv::Size(2, 2));
-  EXPECT_FLOAT_EQ(reduced.at<float>(0, 0), 2);
-  EXPECT_TRUE(std::isnan(reduced.at<float>(0, 1)));
-  EXPECT_FLOAT_EQ(reduced.at<float>(1, 0), 4.5F);
-  EXPECT_FLOAT_EQ(reduced.at<float>(1, 1), 7);
+  ExpectDepths(ReduceDepthByBlocks(depth_m, 2), (cv::Mat_<float>(2, 2) << 2, kNone, 4.5F, 7));
 }
 
 TEST(Blocks, ShowTheNearestDepthThatIsThere) {
   const cv::Mat depth_m = (cv::Mat_<float>(3, 3) << 4, kNone, kNone,  //
                            3, 5, kNone, 2, kNone, 7);
-  const cv::Mat reduced = NearestOfBlocks(depth_m, 2);
-  ASSERT_EQ(reduced.size(), cv::Size(2, 2));
-  EXPECT_FLOAT_EQ(reduced.at<float>(0, 0), 3);
-  EXPECT_TRUE(std::isnan(reduced.at<float>(0, 1)));
-  EXPECT_FLOAT_EQ(reduced.at<float>(1, 0), 2);
-  EXPECT_FLOAT_EQ(reduced.at<float>(1, 1), 7);
+  ExpectDepths(NearestOfBlocks(depth_m, 2), (cv::Mat_<float>(2, 2) << 3, kNone, 2, 7));
 }
 
 TEST(Blocks, EnlargeToTheSizeOfTheImage) {
