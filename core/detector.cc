@@ -1,7 +1,6 @@
 #include "core/detector.h"
 
 #include <functional>
-#include <limits>
 #include <opencv2/core.hpp>
 #include <utility>
 
@@ -27,7 +26,7 @@
 namespace fovea {
 namespace {
 
-// Of a search whose voxels have their pixels. `depth`: of these, NaN = none.
+// `depth`: of the pixels, NaN = none.
 Trace TraceOf(Search search, const cv::Mat& depth, const PixelBlocks& blocks,
               const DetectorOptions& options) {
   FoundObjects& found = search.found;
@@ -36,7 +35,8 @@ Trace TraceOf(Search search, const cv::Mat& depth, const PixelBlocks& blocks,
   for (RemovedSeed& seed : removed) seed.pixel = blocks.InPixels(seed.pixel);
   const std::vector<int> merged =
       LabelsOfChosen(found.tree, found.tree.LikelyNodes(), found.segments);
-  return {FillFromBlocks(depth, search.depth, blocks),
+  search.scene.grid.voxel_of_pixel = blocks.InPixels(search.scene.grid.voxel_of_pixel);
+  return {FillFromBlocks(depth, search.depth, search.depth == search.depth, blocks),
           blocks.InPixels(search.salience.color),
           blocks.InPixels(search.salience.depth),
           std::move(search.seeds),
@@ -53,13 +53,6 @@ Trace TraceOf(Search search, const cv::Mat& depth, const PixelBlocks& blocks,
           {}};
 }
 
-// NaN elsewhere.
-cv::Mat DepthWhere(const cv::Mat& mask, const cv::Mat& depth) {
-  cv::Mat result(depth.size(), CV_32FC1, cv::Scalar(std::numeric_limits<float>::quiet_NaN()));
-  depth.copyTo(result, mask);
-  return result;
-}
-
 // The first stage of `clock` has begun.
 ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* trace,
                                TimeBudget& budget, StageClock& clock, Detections& result) {
@@ -70,8 +63,8 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& op
   InterruptionPoint();
   counts.num_pixels = measured.total();
   counts.num_measured = CountMeasured(measured);
-  counts.num_too_far = CountBeyond(measured, options.max_depth_m);
-  counts.num_points = CountMeasured(depth) - CountBeyond(depth, options.max_depth_m);
+  counts.num_too_far = counts.num_measured - CountUpTo(measured, options.max_depth_m);
+  counts.num_points = CountUpTo(depth, options.max_depth_m);
 
   const PixelBlocks blocks = BlocksOf(frame, options.voxels);
   Search search = SearchInBlocks(InBlocks(frame, depth, blocks), frame.intrinsics, options, budget,
@@ -85,11 +78,10 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& op
   }
   // Pixels show what was measured there, and what stands in for what cannot be.
   const cv::Mat depth_of_blocks = ChannelZ(scene.points);
-  const cv::Mat shown = FillFromBlocks(depth, DepthWhere(scene.standing, depth_of_blocks), blocks);
+  const cv::Mat shown = FillFromBlocks(depth, depth_of_blocks, scene.standing, blocks);
   const cv::Mat points = BackProject(shown, frame.intrinsics, options.max_depth_m);
-  scene.grid.voxel_of_pixel =
-      VoxelsOfPixels(scene.grid.voxel_of_pixel, depth_of_blocks, depth, blocks);
-  result.labels = LabelsWithin(scene.grid, search.found.objects, shown <= options.max_depth_m);
+  result.labels = LabelsOfPixels(LabelImage(scene.grid, search.found.objects), depth_of_blocks,
+                                 shown, options.max_depth_m, blocks);
   DescribeObjects(frame, points, blocks.InPixels(search.saliency), search.found.confidences,
                   scene.supports, options.objects, result);
   clock.Finish();

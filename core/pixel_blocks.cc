@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <opencv2/core.hpp>
+#include <vector>
 
 #include "core/types/blocks.h"
 #include "core/types/interruption.h"
@@ -17,22 +19,34 @@ CameraIntrinsics InBlocks(const CameraIntrinsics& camera, int edge_px) {
           (camera.cy_px + 0.5) / edge_px - 0.5};
 }
 
-// Of the blocks around one, that of the surface nearest to a depth; -1: none is near.
-int VoxelAround(const cv::Mat& voxel_of_block, const cv::Mat& depth_of_blocks,
-                const cv::Point& block, float depth, float max_step) {
-  const cv::Rect around =
-      cv::Rect(block - cv::Point(1, 1), cv::Size(3, 3)) & cv::Rect({}, voxel_of_block.size());
-  int voxel = -1;
+cv::Rect Around(const cv::Point& block, const cv::Size& image) {
+  return cv::Rect(block - cv::Point(1, 1), cv::Size(3, 3)) & cv::Rect({}, image);
+}
+
+bool IsAnyLabelled(const cv::Mat& labels, const cv::Rect& blocks) {
+  for (int row = blocks.y; row < blocks.br().y; ++row) {
+    const auto* label = labels.ptr<std::uint16_t>(row);
+    if (std::any_of(label + blocks.x, label + blocks.br().x, [](auto l) { return l != 0; })) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// That of the surface nearest to a depth; 0: none is near.
+std::uint16_t LabelAround(const cv::Mat& labels, const cv::Mat& depth_of_blocks,
+                          const cv::Rect& blocks, float depth, float max_step) {
+  std::uint16_t label = 0;
   float least = max_step * depth;
-  for (int row = around.y; row < around.br().y; ++row) {
-    for (int col = around.x; col < around.br().x; ++col) {
+  for (int row = blocks.y; row < blocks.br().y; ++row) {
+    for (int col = blocks.x; col < blocks.br().x; ++col) {
       const float step = std::abs(depth_of_blocks.at<float>(row, col) - depth);
       if (!(step < least)) continue;
       least = step;
-      voxel = voxel_of_block.at<int>(row, col);
+      label = labels.at<std::uint16_t>(row, col);
     }
   }
-  return voxel;
+  return label;
 }
 
 }  // namespace
@@ -68,35 +82,54 @@ RgbdFrame InBlocks(const RgbdFrame& frame, const cv::Mat& depth_m, const PixelBl
           frame.gravity, unseen};
 }
 
-cv::Mat FillFromBlocks(const cv::Mat& depth_m, const cv::Mat& depth_of_blocks,
+cv::Rect PixelBlocks::PixelsOf(const cv::Point& block) const {
+  return InPixels(cv::Rect(block, cv::Size(1, 1)));
+}
+
+cv::Mat FillFromBlocks(const cv::Mat& depth_m, const cv::Mat& depth_of_blocks, const cv::Mat& which,
                        const PixelBlocks& blocks) {
   InterruptionPoint();
-  const cv::Mat is_none =
-      ~(depth_m == depth_m);  // unlike != in OpenCV, whose vectors call NaN equal
+  std::vector<cv::Point> filling;
+  cv::findNonZero(which, filling);
+  if (filling.empty()) return depth_m;
   cv::Mat filled = depth_m.clone();
-  blocks.InPixels(depth_of_blocks).copyTo(filled, is_none);
+  for (const cv::Point& block : filling) {
+    const float depth = depth_of_blocks.at<float>(block);
+    const cv::Rect pixels = blocks.PixelsOf(block);
+    for (int row = pixels.y; row < pixels.br().y; ++row) {
+      float* first = filled.ptr<float>(row) + pixels.x;
+      std::replace_if(first, first + pixels.width, [](float d) { return std::isnan(d); }, depth);
+    }
+  }
   return filled;
 }
 
-cv::Mat VoxelsOfPixels(const cv::Mat& voxel_of_block, const cv::Mat& depth_of_blocks,
-                       const cv::Mat& depth_m, const PixelBlocks& blocks) {
-  cv::Mat result(depth_m.size(), CV_32SC1);
-  for (int row = 0; row < result.rows; ++row) {
+cv::Mat LabelsOfPixels(const cv::Mat& label_of_block, const cv::Mat& depth_of_blocks,
+                       const cv::Mat& depth_m, double max_depth_m, const PixelBlocks& blocks) {
+  const auto limit = static_cast<float>(max_depth_m);
+  cv::Mat labels = cv::Mat::zeros(depth_m.size(), CV_16UC1);
+  for (cv::Point block; block.y < label_of_block.rows; ++block.y) {
     InterruptionPoint();
-    const int block_row = row / blocks.edge_px;
-    const float* own_depth = depth_of_blocks.ptr<float>(block_row);
-    const int* own_voxel = voxel_of_block.ptr<int>(block_row);
-    const float* depth = depth_m.ptr<float>(row);
-    int* voxel = result.ptr<int>(row);
-    for (int col = 0; col < result.cols; ++col) {
-      const int block = col / blocks.edge_px;
-      const bool is_beside = std::abs(depth[col] - own_depth[block]) > blocks.max_step * depth[col];
-      voxel[col] = is_beside ? VoxelAround(voxel_of_block, depth_of_blocks, {block, block_row},
-                                           depth[col], blocks.max_step)
-                             : own_voxel[block];
+    for (block.x = 0; block.x < label_of_block.cols; ++block.x) {
+      const cv::Rect around = Around(block, label_of_block.size());
+      if (!IsAnyLabelled(label_of_block, around)) continue;
+      const auto own_label = label_of_block.at<std::uint16_t>(block);
+      const float own_depth = depth_of_blocks.at<float>(block);
+      const cv::Rect pixels = blocks.PixelsOf(block);
+      for (int row = pixels.y; row < pixels.br().y; ++row) {
+        const float* depth = depth_m.ptr<float>(row);
+        auto* label = labels.ptr<std::uint16_t>(row);
+        for (int col = pixels.x; col < pixels.br().x; ++col) {
+          if (!(depth[col] <= limit)) continue;
+          const bool is_own = std::abs(depth[col] - own_depth) <= blocks.max_step * depth[col];
+          label[col] = is_own ? own_label
+                              : LabelAround(label_of_block, depth_of_blocks, around, depth[col],
+                                            blocks.max_step);
+        }
+      }
     }
   }
-  return result;
+  return labels;
 }
 
 }  // namespace fovea

@@ -19,6 +19,7 @@ struct PixelBlocks {
   // The pixel in the middle of a block, and the pixels of some blocks.
   cv::Point InPixels(const cv::Point& block) const;
   cv::Rect InPixels(const cv::Rect& blocks) const;
+  cv::Rect PixelsOf(const cv::Point& block) const;
   // What an image of the blocks says of each pixel.
   cv::Mat InPixels(const cv::Mat& of_blocks) const;
 };
@@ -32,16 +33,17 @@ PixelBlocks BlocksOf(const RgbdFrame& frame, const VoxelOptions& voxels);
 // of `frame`.
 RgbdFrame InBlocks(const RgbdFrame& frame, const cv::Mat& depth_m, const PixelBlocks& blocks);
 
-// A copy of `depth_m` (CV_32FC1, NaN = none) where pixels that have none get that of their block.
-cv::Mat FillFromBlocks(const cv::Mat& depth_m, const cv::Mat& depth_of_blocks,
+// `depth_m` (CV_32FC1, NaN = none) where pixels that have none get that of their block, of those
+// blocks that are not 0 in `which` (CV_8UC1). Not a copy where there are none.
+cv::Mat FillFromBlocks(const cv::Mat& depth_m, const cv::Mat& depth_of_blocks, const cv::Mat& which,
                        const PixelBlocks& blocks);
 
-// The voxel of each pixel: that of its block or, where the surface that this shows is not the
-// pixel's, of the block around it whose surface is the nearest to it; -1 where none is near.
-// `voxel_of_block` (CV_32SC1) and `depth_of_blocks` (CV_32FC1) are of the blocks, `depth_m`
-// (CV_32FC1, NaN = that of the block) of the pixels. Returns CV_32SC1. Cost: proportional to the
-// image.
-cv::Mat VoxelsOfPixels(const cv::Mat& voxel_of_block, const cv::Mat& depth_of_blocks,
-                       const cv::Mat& depth_m, const PixelBlocks& blocks);
+// The label of each pixel: that of its block or, where the surface that this shows is not the
+// pixel's, of the block around it whose surface is the nearest to it; 0 where none is near or the
+// pixel has no depth up to `max_depth_m`. `label_of_block` (CV_16UC1) and `depth_of_blocks`
+// (CV_32FC1) are of the blocks, `depth_m` (CV_32FC1, NaN = none) of the pixels. Returns CV_16UC1.
+// Cost: proportional to what is labelled.
+cv::Mat LabelsOfPixels(const cv::Mat& label_of_block, const cv::Mat& depth_of_blocks,
+                       const cv::Mat& depth_m, double max_depth_m, const PixelBlocks& blocks);
 
 }  // namespace fovea

@@ -3,22 +3,42 @@
 #include <limits>
 #include <opencv2/core.hpp>
 
+#include "core/types/widest_registers.h"
+
 namespace fovea {
 
 cv::Mat MeasuredDepth(const cv::Mat& depth_m) {
-  constexpr double kNearest_m = 1e-3, kFarthest_m = 1e4;
-  cv::Mat clean = depth_m.clone();
-  const cv::Mat reliable = (depth_m >= kNearest_m) & (depth_m <= kFarthest_m);
-  clean.setTo(std::numeric_limits<float>::quiet_NaN(), ~reliable);
+  constexpr float kNearest_m = 1e-3F, kFarthest_m = 1e4F;
+  cv::Mat clean(depth_m.size(), CV_32FC1);
+  for (int row = 0; row < depth_m.rows; ++row) {
+    const float* depth = depth_m.ptr<float>(row);
+    float* out = clean.ptr<float>(row);
+    RunInWidestRegisters([&] {
+      for (int col = 0; col < depth_m.cols; ++col) {
+        const bool is_reliable = (depth[col] >= kNearest_m) & (depth[col] <= kFarthest_m);
+        out[col] = is_reliable ? depth[col] : std::numeric_limits<float>::quiet_NaN();
+      }
+    });
+  }
   return clean;
 }
 
-std::size_t CountMeasured(const cv::Mat& depth_m) {
-  return static_cast<std::size_t>(cv::countNonZero(depth_m == depth_m));  // false for NaN
+std::size_t CountUpTo(const cv::Mat& depth_m, double limit_m) {
+  const auto limit = static_cast<float>(limit_m);
+  std::size_t count = 0;
+  for (int row = 0; row < depth_m.rows; ++row) {
+    const float* depth = depth_m.ptr<float>(row);
+    int in_row = 0;
+    RunInWidestRegisters([&] {
+      for (int col = 0; col < depth_m.cols; ++col) in_row += depth[col] <= limit ? 1 : 0;
+    });
+    count += static_cast<std::size_t>(in_row);
+  }
+  return count;
 }
 
-std::size_t CountBeyond(const cv::Mat& depth_m, double limit_m) {
-  return static_cast<std::size_t>(cv::countNonZero(depth_m > static_cast<float>(limit_m)));
+std::size_t CountMeasured(const cv::Mat& depth_m) {
+  return CountUpTo(depth_m, std::numeric_limits<double>::infinity());
 }
 
 cv::Mat ChannelZ(const cv::Mat& points) {

@@ -13,8 +13,8 @@ cv::Mat MeasuredDepth(const cv::Mat& depth_m);
 // Number of values that are not NaN. `depth_m`: CV_32FC1.
 std::size_t CountMeasured(const cv::Mat& depth_m);
 
-// Number of values beyond `limit_m`.
-std::size_t CountBeyond(const cv::Mat& depth_m, double limit_m);
+// Number of them up to `limit_m`.
+std::size_t CountUpTo(const cv::Mat& depth_m, double limit_m);
 
 // The z coordinates of CV_32FC3 points.
 cv::Mat ChannelZ(const cv::Mat& points);

@@ -25,7 +25,7 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const PaperOptions& optio
   const cv::Mat points = BackProject(depth, frame.intrinsics, options.max_depth_m);
   counts.num_pixels = measured.total();
   counts.num_measured = CountMeasured(measured);
-  counts.num_too_far = CountBeyond(measured, options.max_depth_m);
+  counts.num_too_far = counts.num_measured - CountUpTo(measured, options.max_depth_m);
   counts.num_points = CountMeasured(ChannelZ(points));
 
   // Section 3.1: where something stands out, in colour and in depth. Neither needs the other, nor

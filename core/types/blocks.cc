@@ -1,6 +1,7 @@
 #include "core/types/blocks.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
@@ -17,6 +18,21 @@ int NumBlocks(int size, int block) { return (size + block - 1) / block; }
 void TakeNearer(const float* depths, std::vector<float>& nearest) {
   for (std::size_t i = 0; i < nearest.size(); ++i) {
     nearest[i] = depths[i] < nearest[i] ? depths[i] : nearest[i];
+  }
+}
+
+template <typename T>
+void Enlarge(const cv::Mat& map, int size_px, cv::Mat& enlarged) {
+  for (int row = 0; row < enlarged.rows; row += size_px) {
+    const T* value = map.ptr<T>(row / size_px);
+    T* first = enlarged.ptr<T>(row);
+    for (int col = 0; col < enlarged.cols; col += size_px, ++value) {
+      std::fill_n(first + col, std::min(size_px, enlarged.cols - col), *value);
+    }
+    const int end_row = std::min(row + size_px, enlarged.rows);
+    for (int copy = row + 1; copy < end_row; ++copy) {
+      std::copy_n(first, enlarged.cols, enlarged.ptr<T>(copy));
+    }
   }
 }
 
@@ -79,9 +95,19 @@ cv::Mat NearestOfBlocks(const cv::Mat& depth_m, int size_px) {
 
 cv::Mat EnlargeBlocks(const cv::Mat& map, int size_px, const cv::Size& size) {
   if (size_px == 1) return map;
-  cv::Mat enlarged;
-  cv::resize(map, enlarged, map.size() * size_px, 0, 0, cv::INTER_NEAREST);
-  return enlarged(cv::Rect({0, 0}, size)).clone();
+  cv::Mat enlarged(size, map.type());
+  switch (map.type()) {
+    case CV_8UC1:
+      Enlarge<std::uint8_t>(map, size_px, enlarged);
+      break;
+    case CV_32SC1:
+      Enlarge<std::int32_t>(map, size_px, enlarged);
+      break;
+    default:
+      CV_Assert(map.type() == CV_32FC1);
+      Enlarge<float>(map, size_px, enlarged);
+  }
+  return enlarged;
 }
 
 }  // namespace fovea

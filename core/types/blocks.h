@@ -19,7 +19,8 @@ cv::Mat ReduceDepthByBlocks(const cv::Mat& depth_m, int size_px);
 // without depth.
 cv::Mat NearestOfBlocks(const cv::Mat& depth_m, int size_px);
 
-// Undoes the reduction in size: each value becomes a flat block. `size`: of the image.
+// Undoes the reduction in size: each value becomes a flat block. `map`: CV_8UC1,
+// CV_32SC1 or CV_32FC1; `size`: of the image.
 cv::Mat EnlargeBlocks(const cv::Mat& map, int size_px, const cv::Size& size);
 
 }  // namespace fovea

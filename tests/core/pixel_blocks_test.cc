@@ -76,7 +76,8 @@ TEST(FillFromBlocks, LeavesWhatPixelsHave) {
   cv::Mat of_blocks(1, kCols / 2, CV_32FC1, cv::Scalar(2.0F));
   depth_m.at<float>(0) = 1;
   of_blocks.at<float>(1) = kNone;
-  const cv::Mat filled = FillFromBlocks(depth_m, of_blocks, {2, depth_m.size()});
+  const cv::Mat filled =
+      FillFromBlocks(depth_m, of_blocks, of_blocks == of_blocks, {2, depth_m.size()});
   EXPECT_EQ(filled.at<float>(0), 1);
   EXPECT_EQ(filled.at<float>(1), 2);
   EXPECT_TRUE(std::isnan(filled.at<float>(2)));
@@ -84,24 +85,44 @@ TEST(FillFromBlocks, LeavesWhatPixelsHave) {
   EXPECT_TRUE(std::isnan(depth_m.at<float>(1)));  // is not changed
 }
 
-TEST(VoxelsOfPixels, FollowTheSurfaceThatAPixelShows) {
+TEST(FillFromBlocks, FillsTheseBlocksAlone) {
+  const cv::Mat depth_m(2, 4, CV_32FC1, cv::Scalar(kNone));
+  const cv::Mat of_blocks = (cv::Mat_<float>(1, 2) << 1, 2);
+  const cv::Mat which = (cv::Mat_<std::uint8_t>(1, 2) << 0, 255);
+  const cv::Mat filled = FillFromBlocks(depth_m, of_blocks, which, {2, depth_m.size()});
+  EXPECT_EQ(cv::countNonZero(filled == 2), 4);
+  EXPECT_TRUE(std::isnan(filled.at<float>(1, 1)));
+}
+
+TEST(LabelsOfPixels, FollowTheSurfaceThatAPixelShows) {
   // A thing at 1 m, whose last block also shows the wall behind it at 2 m.
   const cv::Mat depth_m = (cv::Mat_<float>(1, 6) << 1, 1, 1, 2, 2, 1.5F);
   const cv::Mat wall_beside = (cv::Mat_<float>(1, 3) << 1, 1, 2);
   const cv::Mat nothing_beside = (cv::Mat_<float>(1, 3) << 1, 1, 1.5F);
-  const cv::Mat voxels = (cv::Mat_<int>(1, 3) << 7, 8, 4);
+  const cv::Mat of_blocks = (cv::Mat_<std::uint16_t>(1, 3) << 7, 8, 4);
   const PixelBlocks blocks{2, depth_m.size()};
-  const cv::Mat expected = (cv::Mat_<int>(1, 6) << 7, 7, 8, 4, 4, -1);
-  EXPECT_EQ(cv::norm(VoxelsOfPixels(voxels, wall_beside, depth_m, blocks), expected, cv::NORM_INF),
-            0);
-  EXPECT_EQ(VoxelsOfPixels(voxels, nothing_beside, depth_m, blocks).at<int>(3), -1);
+  const cv::Mat expected = (cv::Mat_<std::uint16_t>(1, 6) << 7, 7, 8, 4, 4, 0);
+  const cv::Mat labels = LabelsOfPixels(of_blocks, wall_beside, depth_m, 10, blocks);
+  EXPECT_EQ(cv::norm(labels, expected, cv::NORM_INF), 0);
+  const cv::Mat cut = LabelsOfPixels(of_blocks, nothing_beside, depth_m, 10, blocks);
+  EXPECT_EQ(cut.at<std::uint16_t>(3), 0);
 }
 
-TEST(VoxelsOfPixels, WithoutDepthAreThoseOfTheBlock) {
-  const cv::Mat depth_m(2, 2, CV_32FC1, cv::Scalar(kNone));
-  const cv::Mat of_blocks(1, 1, CV_32FC1, cv::Scalar(1.0F)), voxel(1, 1, CV_32SC1, cv::Scalar(3));
-  const cv::Mat voxels = VoxelsOfPixels(voxel, of_blocks, depth_m, {2, depth_m.size()});
-  EXPECT_EQ(cv::countNonZero(voxels == 3), 4);
+TEST(LabelsOfPixels, AreThoseOfThingsBesideTheBlockToo) {
+  const cv::Mat depth_m = (cv::Mat_<float>(1, 4) << 1, 1, 1, 2);
+  const cv::Mat of_depth = (cv::Mat_<float>(1, 2) << 1, 1.5F);
+  const cv::Mat of_blocks = (cv::Mat_<std::uint16_t>(1, 2) << 3, 0);
+  const cv::Mat labels = LabelsOfPixels(of_blocks, of_depth, depth_m, 10, {2, depth_m.size()});
+  EXPECT_EQ(labels.at<std::uint16_t>(2), 3);
+  EXPECT_EQ(labels.at<std::uint16_t>(3), 0);
+}
+
+TEST(LabelsOfPixels, WithoutDepthInReachAreNone) {
+  const cv::Mat depth_m = (cv::Mat_<float>(2, 2) << 1, kNone, 3, 1);
+  const cv::Mat of_depth(1, 1, CV_32FC1, cv::Scalar(1.0F));
+  const cv::Mat of_block(1, 1, CV_16UC1, cv::Scalar(3));
+  const cv::Mat labels = LabelsOfPixels(of_block, of_depth, depth_m, 2, {2, depth_m.size()});
+  EXPECT_EQ(cv::countNonZero(labels == 3), 2);
 }
 
 }  // namespace
