@@ -23,7 +23,7 @@ DetectorOptions Default() {
   // Any camera pitch.
   options.gravity.num_starts = 4;
   options.gravity.normals.window_radius_px = 5;
-  options.gravity.normals.step_px = 2;
+  options.gravity.normals.step_px = 3;
   // The surface in the width of the sensor's noise, which grows with the square of the distance.
   options.support.tolerance_m = 0.004;
   options.support.tolerance_per_m = 0.006;
