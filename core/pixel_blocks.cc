@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 #include <vector>
 
 #include "core/types/blocks.h"
@@ -19,23 +19,11 @@ CameraIntrinsics InBlocks(const CameraIntrinsics& camera, int edge_px) {
           (camera.cy_px + 0.5) / edge_px - 0.5};
 }
 
-cv::Rect Around(const cv::Point& block, const cv::Size& image) {
-  return cv::Rect(block - cv::Point(1, 1), cv::Size(3, 3)) & cv::Rect({}, image);
-}
-
-bool IsAnyLabelled(const cv::Mat& labels, const cv::Rect& blocks) {
-  for (int row = blocks.y; row < blocks.br().y; ++row) {
-    const auto* label = labels.ptr<std::uint16_t>(row);
-    if (std::any_of(label + blocks.x, label + blocks.br().x, [](auto l) { return l != 0; })) {
-      return true;
-    }
-  }
-  return false;
-}
-
-// That of the surface nearest to a depth; 0: none is near.
-std::uint16_t LabelAround(const cv::Mat& labels, const cv::Mat& depth_of_blocks,
-                          const cv::Rect& blocks, float depth, float max_step) {
+// Of the blocks around one, that of the surface nearest to a depth; 0: none is near.
+std::uint16_t LabelAround(const cv::Point& block, const cv::Mat& labels,
+                          const cv::Mat& depth_of_blocks, float depth, float max_step) {
+  const cv::Rect blocks =
+      cv::Rect(block - cv::Point(1, 1), cv::Size(3, 3)) & cv::Rect({}, labels.size());
   std::uint16_t label = 0;
   float least = max_step * depth;
   for (int row = blocks.y; row < blocks.br().y; ++row) {
@@ -98,7 +86,8 @@ cv::Mat FillFromBlocks(const cv::Mat& depth_m, const cv::Mat& depth_of_blocks, c
     const cv::Rect pixels = blocks.PixelsOf(block);
     for (int row = pixels.y; row < pixels.br().y; ++row) {
       float* first = filled.ptr<float>(row) + pixels.x;
-      std::replace_if(first, first + pixels.width, [](float d) { return std::isnan(d); }, depth);
+      std::replace_if(
+          first, first + pixels.width, [](float d) { return std::isnan(d); }, depth);
     }
   }
   return filled;
@@ -108,11 +97,12 @@ cv::Mat LabelsOfPixels(const cv::Mat& label_of_block, const cv::Mat& depth_of_bl
                        const cv::Mat& depth_m, double max_depth_m, const PixelBlocks& blocks) {
   const auto limit = static_cast<float>(max_depth_m);
   cv::Mat labels = cv::Mat::zeros(depth_m.size(), CV_16UC1);
+  cv::Mat any_around;
+  cv::dilate(label_of_block, any_around, cv::Mat::ones(3, 3, CV_8UC1));
   for (cv::Point block; block.y < label_of_block.rows; ++block.y) {
     InterruptionPoint();
     for (block.x = 0; block.x < label_of_block.cols; ++block.x) {
-      const cv::Rect around = Around(block, label_of_block.size());
-      if (!IsAnyLabelled(label_of_block, around)) continue;
+      if (any_around.at<std::uint16_t>(block) == 0) continue;
       const auto own_label = label_of_block.at<std::uint16_t>(block);
       const float own_depth = depth_of_blocks.at<float>(block);
       const cv::Rect pixels = blocks.PixelsOf(block);
@@ -123,7 +113,7 @@ cv::Mat LabelsOfPixels(const cv::Mat& label_of_block, const cv::Mat& depth_of_bl
           if (!(depth[col] <= limit)) continue;
           const bool is_own = std::abs(depth[col] - own_depth) <= blocks.max_step * depth[col];
           label[col] = is_own ? own_label
-                              : LabelAround(label_of_block, depth_of_blocks, around, depth[col],
+                              : LabelAround(block, label_of_block, depth_of_blocks, depth[col],
                                             blocks.max_step);
         }
       }

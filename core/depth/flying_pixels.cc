@@ -6,12 +6,13 @@
 
 #include "core/types/interruption.h"
 #include "core/types/pixels.h"
+#include "core/types/widest_registers.h"
 
 namespace fovea {
 namespace {
 
 // True where depth rises, or falls, by more than `step` on both sides; false next to NaN.
-bool IsOnRamp(float before, float here, float after, float step) {
+FOVEA_INLINE bool IsOnRamp(float before, float here, float after, float step) {
   const float rise = here - before, go_on = after - here;
   return ((rise > step) & (go_on > step)) | ((rise < -step) & (go_on < -step));
 }
@@ -20,10 +21,12 @@ bool IsOnRamp(float before, float here, float after, float step) {
 // to a neighbour as a share of the depth.
 void RemoveRamps(const float* before, const float* here, const float* after, int count, float slope,
                  float* out) {
-  for (int i = 0; i < count; ++i) {
-    const bool is_flying = IsOnRamp(before[i], here[i], after[i], slope * here[i]);
-    out[i] = is_flying ? std::numeric_limits<float>::quiet_NaN() : out[i];
-  }
+  RunInWidestRegisters([=] {
+    for (int i = 0; i < count; ++i) {
+      const bool is_flying = IsOnRamp(before[i], here[i], after[i], slope * here[i]);
+      out[i] = is_flying ? std::numeric_limits<float>::quiet_NaN() : out[i];
+    }
+  });
 }
 
 }  // namespace

@@ -13,8 +13,8 @@ cv::Mat MeasuredDepth(const cv::Mat& depth_m) {
   for (int row = 0; row < depth_m.rows; ++row) {
     const float* depth = depth_m.ptr<float>(row);
     float* out = clean.ptr<float>(row);
-    RunInWidestRegisters([&] {
-      for (int col = 0; col < depth_m.cols; ++col) {
+    RunInWidestRegisters([=, cols = depth_m.cols] {
+      for (int col = 0; col < cols; ++col) {
         const bool is_reliable = (depth[col] >= kNearest_m) & (depth[col] <= kFarthest_m);
         out[col] = is_reliable ? depth[col] : std::numeric_limits<float>::quiet_NaN();
       }
@@ -28,11 +28,11 @@ std::size_t CountUpTo(const cv::Mat& depth_m, double limit_m) {
   std::size_t count = 0;
   for (int row = 0; row < depth_m.rows; ++row) {
     const float* depth = depth_m.ptr<float>(row);
-    int in_row = 0;
-    RunInWidestRegisters([&] {
-      for (int col = 0; col < depth_m.cols; ++col) in_row += depth[col] <= limit ? 1 : 0;
+    RunInWidestRegisters([&, cols = depth_m.cols] {
+      int in_row = 0;
+      for (int col = 0; col < cols; ++col) in_row += depth[col] <= limit ? 1 : 0;
+      count += static_cast<std::size_t>(in_row);
     });
-    count += static_cast<std::size_t>(in_row);
   }
   return count;
 }

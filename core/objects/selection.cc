@@ -16,15 +16,23 @@ namespace {
 using PixelsOfLabel = std::vector<std::vector<cv::Point>>;
 
 PixelsOfLabel CollectPixels(const cv::Mat& labels) {
-  PixelsOfLabel pixels(1);
+  std::vector<std::size_t> counts(1);
+  for (int row = 0; row < labels.rows; ++row) {
+    InterruptionPoint();
+    const auto* label = labels.ptr<std::uint16_t>(row);
+    for (int col = 0; col < labels.cols; ++col) {
+      if (label[col] >= counts.size()) counts.resize(std::size_t{label[col]} + 1);
+      ++counts[label[col]];
+    }
+  }
+  PixelsOfLabel pixels(counts.size());
+  for (std::size_t label = 1; label < counts.size(); ++label) pixels[label].reserve(counts[label]);
   for (int row = 0; row < labels.rows; ++row) {
     InterruptionPoint();
     const auto* first = labels.ptr<std::uint16_t>(row);
     const auto* end = first + labels.cols;
     for (const auto* at = first; at != end; ++at) {
-      if (*at == 0) continue;
-      if (*at >= pixels.size()) pixels.resize(std::size_t{*at} + 1);
-      pixels[*at].emplace_back(static_cast<int>(at - first), row);
+      if (*at != 0) pixels[*at].emplace_back(static_cast<int>(at - first), row);
     }
   }
   return pixels;

@@ -1,11 +1,10 @@
 #include "core/scene/standing_out.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 
+#include "core/segmentation/cell_index.h"
 #include "core/types/interruption.h"
 
 namespace fovea {
@@ -35,7 +34,8 @@ std::vector<Eigen::Vector3d> UsualColors(const VoxelGrid& grid, const std::vecto
     Eigen::Vector3d color = Eigen::Vector3d::Zero();
     double area = 0;
   };
-  std::map<std::array<int, 3>, Sum> bins;
+  CellIndex index;
+  std::vector<Sum> bins;
   double total = 0;
   LongLoop loop;
   for (const int v : on) {
@@ -44,13 +44,16 @@ std::vector<Eigen::Vector3d> UsualColors(const VoxelGrid& grid, const std::vecto
     const Eigen::Vector3i bin = (color / kBin).array().floor().cast<int>();
     const double z = grid.voxels[v].mean.z();
     const double area = grid.voxels[v].num_points * z * z;
-    Sum& sum = bins[{bin.x(), bin.y(), bin.z()}];
+    const auto number =
+        static_cast<std::size_t>(index.FindOrAdd(bin, static_cast<int>(bins.size())));
+    if (number == bins.size()) bins.emplace_back();
+    Sum& sum = bins[number];
     sum.color += area * color;
     sum.area += area;
     total += area;
   }
   std::vector<Eigen::Vector3d> usual;
-  for (const auto& [bin, sum] : bins) {
+  for (const Sum& sum : bins) {
     if (sum.area >= kUsualShare * total) usual.emplace_back(sum.color / sum.area);
   }
   return usual;
@@ -59,7 +62,7 @@ std::vector<Eigen::Vector3d> UsualColors(const VoxelGrid& grid, const std::vecto
 bool IsOther(const Eigen::Vector3d& color, const std::vector<Eigen::Vector3d>& usual,
              double min_contrast) {
   return !usual.empty() && std::all_of(usual.begin(), usual.end(), [&](const auto& one) {
-    return (color - one).norm() > min_contrast;
+    return (color - one).squaredNorm() > min_contrast * min_contrast;
   });
 }
 

@@ -128,7 +128,7 @@ int FindOrAdd(const Eigen::Vector3i& cell, int above, CellIndex& index, VoxelGri
 // Adds each point to its voxel; means and normals are sums until Finish.
 CellIndex CollectVoxels(const cv::Mat& points, const NormalMap& normals,
                         const VoxelOptions& options, VoxelGrid& grid) {
-  CellIndex index(points.total() / 64);
+  CellIndex index(points.total() / 16);
   RowCells cells(points.cols, options);
   for (int row = 0; row < points.rows; ++row) {
     InterruptionPoint();
@@ -162,6 +162,7 @@ std::vector<VoxelEdge> FindNeighbors(const std::vector<Voxel>& voxels, const Cel
                                      int axes) {
   const std::vector<Eigen::Vector3i> offsets = HalfNeighborhood(axes);
   std::vector<VoxelEdge> pairs;
+  pairs.reserve(voxels.size() * offsets.size());
   LongLoop loop;
   for (int i = 0; i < static_cast<int>(voxels.size()); ++i) {
     loop.Turn();
@@ -176,6 +177,7 @@ std::vector<VoxelEdge> FindNeighbors(const std::vector<Voxel>& voxels, const Cel
 void SmoothNormals(VoxelGrid& grid) {
   InterruptionPoint();
   std::vector<Eigen::Vector3f> sums;
+  sums.reserve(grid.voxels.size());
   for (const Voxel& voxel : grid.voxels) sums.push_back(voxel.normal);
   LongLoop loop;
   for (const VoxelEdge& edge : grid.edges) {
