@@ -16,37 +16,47 @@ namespace {
 constexpr double kMinLevelShare = 0.07;  // of all normals
 constexpr double kMinScoreShare = 0.72;
 
-std::vector<Eigen::Vector3d> ValidNormals(const cv::Mat& normals) {
-  std::vector<Eigen::Vector3d> valid;
-  valid.reserve(normals.total());
+// A column a normal that there is.
+struct Normals {
+  Eigen::ArrayXd x, y, z;
+
+  Eigen::Index Count() const { return x.size(); }
+  Eigen::ArrayXd Along(const Eigen::Vector3d& way) const {
+    return way.x() * x + way.y() * y + way.z() * z;
+  }
+};
+
+Normals ValidNormals(const cv::Mat& normals) {
+  const auto most = static_cast<Eigen::Index>(normals.total());
+  Normals valid{Eigen::ArrayXd(most), Eigen::ArrayXd(most), Eigen::ArrayXd(most)};
+  Eigen::Index count = 0;
   for (int row = 0; row < normals.rows; ++row) {
     InterruptionPoint();
+    const cv::Vec3f* normal = normals.ptr<cv::Vec3f>(row);
     for (int col = 0; col < normals.cols; ++col) {
-      const cv::Vec3f& n = normals.at<cv::Vec3f>(row, col);
-      if (!std::isnan(n[0])) valid.emplace_back(n[0], n[1], n[2]);
+      if (std::isnan(normal[col][0])) continue;
+      valid.x[count] = normal[col][0];
+      valid.y[count] = normal[col][1];
+      valid.z[count++] = normal[col][2];
     }
   }
+  for (Eigen::ArrayXd* axis : {&valid.x, &valid.y, &valid.z}) axis->conservativeResize(count);
   return valid;
 }
 
-Eigen::Vector3d Refine(const std::vector<Eigen::Vector3d>& normals, const Eigen::Vector3d& down,
-                       double angle_rad) {
+Eigen::Vector3d Refine(const Normals& normals, const Eigen::Vector3d& down, double angle_rad) {
   const double level = std::cos(angle_rad), upright = std::sin(angle_rad);
-  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
-  LongLoop loop;
-  for (const Eigen::Vector3d& n : normals) {
-    loop.Turn();
-    const double c = std::abs(n.dot(down));
-    if (!(c > level || c < upright)) continue;
-    const double sign = c > level ? -1 : 1;  // floors want to be parallel, walls orthogonal
-    const Eigen::Vector3d signed_n = sign * n;
-    xx += signed_n.x() * n.x();
-    xy += signed_n.x() * n.y();
-    xz += signed_n.x() * n.z();
-    yy += signed_n.y() * n.y();
-    yz += signed_n.y() * n.z();
-    zz += signed_n.z() * n.z();
-  }
+  InterruptionPoint();
+  // Floors want to be parallel, walls orthogonal.
+  const Eigen::ArrayXd sign = normals.Along(down).unaryExpr([=](double along) {
+    const double c = std::abs(along);
+    const double otherwise = c < upright ? 1 : 0;
+    return c > level ? -1 : otherwise;
+  });
+  const Eigen::ArrayXd x = sign * normals.x, y = sign * normals.y;
+  const double xx = (x * normals.x).sum(), xy = (x * normals.y).sum(), xz = (x * normals.z).sum(),
+               yy = (y * normals.y).sum(), yz = (y * normals.z).sum(),
+               zz = (sign * normals.z * normals.z).sum();
   Eigen::Matrix3d scatter;
   scatter << xx, xy, xz, xy, yy, yz, xz, yz, zz;
   if (scatter.isZero()) return down;
@@ -58,7 +68,7 @@ Eigen::Vector3d Refine(const std::vector<Eigen::Vector3d>& normals, const Eigen:
 // Remembers its answers: different starts soon meet.
 class Refinement {
  public:
-  explicit Refinement(const std::vector<Eigen::Vector3d>& normals) : normals_(normals) {}
+  explicit Refinement(const Normals& normals) : normals_(normals) {}
 
   Eigen::Vector3d Of(const Eigen::Vector3d& down, double angle_rad) {
     const auto known = std::find_if(steps_.begin(), steps_.end(), [&](const Step& step) {
@@ -75,7 +85,7 @@ class Refinement {
     double angle_rad;
     Eigen::Vector3d to;
   };
-  const std::vector<Eigen::Vector3d>& normals_;
+  const Normals& normals_;
   std::vector<Step> steps_;
 };
 
@@ -98,24 +108,19 @@ struct Explained {
   double Score() const { return level + 0.5 * upright; }
 };
 
-Explained Explain(const std::vector<Eigen::Vector3d>& normals, const Eigen::Vector3d& down) {
+Explained Explain(const Normals& normals, const Eigen::Vector3d& down) {
   const double gate = 10 * std::numbers::pi / 180;
   const double level = std::cos(gate), upright = std::sin(gate);
-  Explained explained;
-  LongLoop loop;
-  for (const Eigen::Vector3d& n : normals) {
-    loop.Turn();
-    const double c = n.dot(down);
-    if (c < -level) ++explained.level;
-    if (std::abs(c) < upright) ++explained.upright;
-  }
-  return explained;
+  InterruptionPoint();
+  const Eigen::ArrayXd along = normals.Along(down);
+  return {static_cast<double>((along < -level).count()),
+          static_cast<double>((along.abs() < upright).count())};
 }
 
 }  // namespace
 
 Eigen::Vector3f EstimateGravity(const cv::Mat& normals, const GravityOptions& options) {
-  const std::vector<Eigen::Vector3d> valid = ValidNormals(normals);
+  const Normals valid = ValidNormals(normals);
   Refinement refinement(valid);
   std::vector<Eigen::Vector3d> directions;  // by rising pitch of the start
   std::vector<Explained> explained;
@@ -132,7 +137,7 @@ Eigen::Vector3f EstimateGravity(const cv::Mat& normals, const GravityOptions& op
   // level surface is seen as well, so the least pitch that explains one and not much less than the
   // best is right.
   for (std::size_t i = 0; i < directions.size(); ++i) {
-    if (explained[i].level < kMinLevelShare * static_cast<double>(valid.size())) continue;
+    if (explained[i].level < kMinLevelShare * static_cast<double>(valid.Count())) continue;
     if (explained[i].Score() >= kMinScoreShare * best_score) return directions[i].cast<float>();
   }
   const auto best = std::max_element(

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <queue>
 #include <utility>
@@ -22,16 +23,23 @@ constexpr float kUnreached = std::numeric_limits<float>::infinity();
 
 using Neighbors = Adjacency<int>;  // voxels
 
+std::vector<VoxelEdge> EdgesOfForeground(const VoxelGrid& grid,
+                                         const std::vector<char>& is_background) {
+  std::vector<VoxelEdge> edges;
+  InterruptionPoint();
+  std::copy_if(grid.edges.begin(), grid.edges.end(), std::back_inserter(edges),
+               [&](const VoxelEdge& edge) {
+                 return is_background[edge.a] == 0 && is_background[edge.b] == 0;
+               });
+  return edges;
+}
+
 // Distance of every voxel to the nearest source along the surface, kept up to date as sources are
 // added.
 class SurfaceDistance {
  public:
-  SurfaceDistance(const VoxelGrid& grid, const Neighbors& neighbors,
-                  const std::vector<char>& is_background)
-      : grid_(grid),
-        neighbors_(neighbors),
-        is_background_(is_background),
-        distance_(grid.voxels.size(), kUnreached) {}
+  SurfaceDistance(const VoxelGrid& grid, const Neighbors& neighbors)
+      : grid_(grid), neighbors_(neighbors), distance_(grid.voxels.size(), kUnreached) {}
 
   float Of(int voxel) const { return distance_[voxel]; }
 
@@ -45,7 +53,6 @@ class SurfaceDistance {
       queue_.pop();
       if (distance > distance_[voxel]) continue;
       for (const int neighbor : neighbors_.Of(voxel)) {
-        if (is_background_[neighbor]) continue;
         const float step = (grid_.voxels[neighbor].mean - grid_.voxels[voxel].mean).norm();
         if (distance + step >= distance_[neighbor]) continue;
         distance_[neighbor] = distance + step;
@@ -59,7 +66,6 @@ class SurfaceDistance {
 
   const VoxelGrid& grid_;
   const Neighbors& neighbors_;
-  const std::vector<char>& is_background_;
   std::vector<float> distance_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;  // empty between calls
 };
@@ -118,36 +124,23 @@ std::vector<int> VoxelsToAdd(const VoxelGrid& grid, const std::vector<char>& is_
   return added;
 }
 
-// A pixel of every voxel: the first in row-major order.
-std::vector<cv::Point> PixelsOfVoxels(const VoxelGrid& grid) {
-  InterruptionPoint();
-  std::vector<cv::Point> pixels(grid.voxels.size(), {-1, -1});
-  for (int row = 0; row < grid.voxel_of_pixel.rows; ++row) {
-    const int* voxel = grid.voxel_of_pixel.ptr<int>(row);
-    for (int col = 0; col < grid.voxel_of_pixel.cols; ++col) {
-      if (voxel[col] >= 0 && pixels[voxel[col]].x < 0) pixels[voxel[col]] = {col, row};
-    }
-  }
-  return pixels;
-}
-
 }  // namespace
 
 std::vector<Seed> CoverWithSeeds(const VoxelGrid& grid, const std::vector<char>& is_background,
                                  const std::vector<Seed>& seeds, const CoverOptions& options) {
   if (options.spacing_m <= 0) return seeds;
-  const Neighbors neighbors(grid.voxels.size(), grid.edges,
+  const Neighbors neighbors(grid.voxels.size(), EdgesOfForeground(grid, is_background),
                             [](const VoxelEdge& /*edge*/, int voxel) { return voxel; });
   InterruptionPoint();
-  SurfaceDistance distance(grid, neighbors, is_background);
+  SurfaceDistance distance(grid, neighbors);
   for (const Seed& seed : seeds) {
     const int voxel = grid.voxel_of_pixel.at<int>(seed.pixel);
     if (voxel >= 0 && !is_background[voxel]) distance.AddSource(voxel);
   }
-  const std::vector<cv::Point> pixels = PixelsOfVoxels(grid);
   std::vector<Seed> covering = seeds;
   for (const int voxel : VoxelsToAdd(grid, is_background, distance, options)) {
-    covering.push_back({pixels[voxel], grid.voxels[voxel].mean, Seed::Source::kUnexplainedRegion});
+    covering.push_back(
+        {grid.voxels[voxel].first_px, grid.voxels[voxel].mean, Seed::Source::kUnexplainedRegion});
   }
   return covering;
 }

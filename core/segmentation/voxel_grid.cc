@@ -117,11 +117,12 @@ void AddNormals(const NormalMap& normals, int row, int first, int end, Voxel& vo
 }
 
 // The voxel of a cell: mostly that of the pixel above.
-int FindOrAdd(const Eigen::Vector3i& cell, int above, CellIndex& index, VoxelGrid& grid) {
+int FindOrAdd(const Eigen::Vector3i& cell, const cv::Point& pixel, int above, CellIndex& index,
+              VoxelGrid& grid) {
   if (above >= 0 && grid.voxels[above].cell == cell) return above;
   const int next = static_cast<int>(grid.voxels.size());
   const int voxel = index.FindOrAdd(cell, next);
-  if (voxel == next) grid.voxels.push_back({.cell = cell});
+  if (voxel == next) grid.voxels.push_back({.cell = cell, .first_px = pixel});
   return voxel;
 }
 
@@ -139,7 +140,7 @@ CellIndex CollectVoxels(const cv::Mat& points, const NormalMap& normals,
     for (int first = 0, end = 1; first < points.cols; first = end++) {
       if (std::isnan(point[first][2])) continue;
       while (end < points.cols && !std::isnan(point[end][2]) && cells.AreOne(first, end)) ++end;
-      const int voxel = FindOrAdd(cells.At(first), above[first], index, grid);
+      const int voxel = FindOrAdd(cells.At(first), {first, row}, above[first], index, grid);
       AddPoints(point, first, end, grid.voxels[voxel]);
       AddNormals(normals, row, first, end, grid.voxels[voxel]);
       std::fill(voxel_of_pixel + first, voxel_of_pixel + end, voxel);

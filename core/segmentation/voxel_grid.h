@@ -27,6 +27,7 @@ struct Voxel {
   Eigen::Vector3f mean = Eigen::Vector3f::Zero();    // of its points, camera frame, metres
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();  // unit, towards the camera; zero = none
   int num_points = 0;
+  cv::Point first_px = {-1, -1};  // of its pixels, in row-major order
 };
 
 struct VoxelEdge {
