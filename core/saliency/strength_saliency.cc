@@ -66,9 +66,8 @@ cv::Mat StrengthSaliency(const cv::Mat& color_rgb, const StrengthSaliencyOptions
     Accumulate(strength, saliency);
   }
   InterruptionPoint();
-  saliency = EnlargeBlocks(saliency, options.downscale, color_rgb.size());
   NormalizeL2(saliency);
-  return saliency;
+  return EnlargeBlocks(saliency, options.downscale, color_rgb.size());
 }
 
 }  // namespace fovea

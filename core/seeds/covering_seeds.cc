@@ -26,6 +26,7 @@ using Neighbors = Adjacency<int>;  // voxels
 std::vector<VoxelEdge> EdgesOfForeground(const VoxelGrid& grid,
                                          const std::vector<char>& is_background) {
   std::vector<VoxelEdge> edges;
+  edges.reserve(grid.edges.size());
   InterruptionPoint();
   std::copy_if(grid.edges.begin(), grid.edges.end(), std::back_inserter(edges),
                [&](const VoxelEdge& edge) {

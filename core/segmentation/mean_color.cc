@@ -58,12 +58,14 @@ const ColorTable& Table() {
 
 bool IsGrey(const cv::Mat& lab) {
   const ColorTable& table = Table();
+  const double enough = kColorfulShare * static_cast<double>(lab.total());
   std::size_t num_colorful = 0;
   for (int row = 0; row < lab.rows; ++row) {
+    if (static_cast<double>(num_colorful) >= enough) return false;
     const cv::Vec3b* pixel = lab.ptr<cv::Vec3b>(row);
     for (int col = 0; col < lab.cols; ++col) num_colorful += table.IsColorful(pixel[col]) ? 1 : 0;
   }
-  return static_cast<double>(num_colorful) < kColorfulShare * static_cast<double>(lab.total());
+  return static_cast<double>(num_colorful) < enough;
 }
 
 // Adds the pixels first … end - 1 of a row to a voxel's.

@@ -59,11 +59,12 @@ cv::Mat ReduceDepthByBlocks(const cv::Mat& depth_m, int size_px) {
     const int end_row = std::min((block_row + 1) * size_px, depth_m.rows);
     for (int row = block_row * size_px; row < end_row; ++row) {
       const float* depth = depth_m.ptr<float>(row);
-      for (int col = 0; col < depth_m.cols; ++col) {
-        const bool is_measured =
-            (depth[col] > 0) & (depth[col] < std::numeric_limits<float>::infinity());
-        sums[col / size_px] += is_measured ? depth[col] : 0.0F;
-        counts[col / size_px] += is_measured ? 1.0F : 0.0F;
+      for (int block = 0, col = 0; block < cols; ++block) {
+        for (const int end = std::min(col + size_px, depth_m.cols); col < end; ++col) {
+          const bool is_measured = (depth[col] > 0) & (depth[col] < kFarthest);
+          sums[block] += is_measured ? depth[col] : 0.0F;
+          counts[block] += is_measured ? 1.0F : 0.0F;
+        }
       }
     }
     float* mean = reduced.ptr<float>(block_row);
