@@ -15,26 +15,35 @@ namespace {
 
 using PixelsOfLabel = std::vector<std::vector<cv::Point>>;
 
-PixelsOfLabel CollectPixels(const cv::Mat& labels) {
-  std::vector<std::size_t> counts(1);
+// Calls visit(label, pixel) wherever there is one. Most of an image is none.
+template <typename Visit>
+void ForEachLabelled(const cv::Mat& labels, Visit visit) {
+  constexpr int kTogether = 16;
   for (int row = 0; row < labels.rows; ++row) {
     InterruptionPoint();
     const auto* label = labels.ptr<std::uint16_t>(row);
-    for (int col = 0; col < labels.cols; ++col) {
-      if (label[col] >= counts.size()) counts.resize(std::size_t{label[col]} + 1);
-      ++counts[label[col]];
+    for (int first = 0; first < labels.cols; first += kTogether) {
+      const int end = std::min(first + kTogether, labels.cols);
+      unsigned any = 0;
+      for (int col = first; col < end; ++col) any |= label[col];
+      if (any == 0) continue;
+      for (int col = first; col < end; ++col) {
+        if (label[col] != 0) visit(label[col], cv::Point(col, row));
+      }
     }
   }
+}
+
+PixelsOfLabel CollectPixels(const cv::Mat& labels) {
+  std::vector<std::size_t> counts(1);
+  ForEachLabelled(labels, [&](std::size_t label, const cv::Point& /*pixel*/) {
+    if (label >= counts.size()) counts.resize(label + 1);
+    ++counts[label];
+  });
   PixelsOfLabel pixels(counts.size());
   for (std::size_t label = 1; label < counts.size(); ++label) pixels[label].reserve(counts[label]);
-  for (int row = 0; row < labels.rows; ++row) {
-    InterruptionPoint();
-    const auto* first = labels.ptr<std::uint16_t>(row);
-    const auto* end = first + labels.cols;
-    for (const auto* at = first; at != end; ++at) {
-      if (*at != 0) pixels[*at].emplace_back(static_cast<int>(at - first), row);
-    }
-  }
+  ForEachLabelled(
+      labels, [&](std::size_t label, const cv::Point& pixel) { pixels[label].push_back(pixel); });
   return pixels;
 }
 
