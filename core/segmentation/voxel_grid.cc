@@ -108,14 +108,11 @@ void AddPoints(const cv::Vec3f* points, int first, int end, Voxel& voxel) {
   voxel.num_points += end - first;
 }
 
-// Adds the normals of those pixels, if they have any.
-void AddNormals(const NormalMap& normals, int row, int first, int end, Voxel& voxel) {
-  const int step = normals.step_px;
-  if (row % step != 0) return;
-  const cv::Vec3f* normal = normals.vectors.ptr<cv::Vec3f>(row / step);
+// Adds the normals of those pixels, where they have any; `normals`: of every step-th of the row.
+void AddNormals(const cv::Vec3f* normals, int step, int first, int end, Voxel& voxel) {
   Eigen::Vector3f sum = voxel.normal;
-  for (int i = (first + step - 1) / step; i * step < end; ++i) {
-    const cv::Vec3f& n = normal[i];
+  for (int i = step == 1 ? first : (first + step - 1) / step; i * step < end; ++i) {
+    const cv::Vec3f& n = normals[i];
     if (!std::isnan(n[0])) sum += Eigen::Vector3f(n[0], n[1], n[2]);
   }
   voxel.normal = sum;
@@ -140,6 +137,9 @@ CellIndex CollectVoxels(const cv::Mat& points, const NormalMap& normals,
     InterruptionPoint();
     const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
     int* voxel_of_pixel = grid.voxel_of_pixel.ptr<int>(row);
+    const int step = normals.step_px;
+    const auto* normals_of_row =
+        row % step == 0 ? normals.vectors.ptr<cv::Vec3f>(row / step) : nullptr;
     const int* above = grid.voxel_of_pixel.ptr<int>(std::max(row - 1, 0));
     RunInWidestRegisters([&] { cells.Set(point); });
     for (int first = 0, end = 1; first < points.cols; first = end++) {
@@ -147,7 +147,9 @@ CellIndex CollectVoxels(const cv::Mat& points, const NormalMap& normals,
       while (end < points.cols && !std::isnan(point[end][2]) && cells.AreOne(first, end)) ++end;
       const int voxel = FindOrAdd(cells.At(first), {first, row}, above[first], index, grid);
       AddPoints(point, first, end, grid.voxels[voxel]);
-      AddNormals(normals, row, first, end, grid.voxels[voxel]);
+      if (normals_of_row != nullptr) {
+        AddNormals(normals_of_row, step, first, end, grid.voxels[voxel]);
+      }
       std::fill(voxel_of_pixel + first, voxel_of_pixel + end, voxel);
     }
   }
