@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
+#include <vector>
 
 #include "core/types/interruption.h"
 
@@ -52,14 +53,14 @@ cv::Mat FillOnce(const cv::Mat& depth, float bin) {
   cv::Mat near_measured;
   cv::dilate(measured, near_measured,
              cv::Mat::ones(2 * kWindowRadius + 1, 2 * kWindowRadius + 1, CV_8UC1));
+  std::vector<cv::Point> holes;
+  cv::findNonZero(near_measured != measured, holes);
   cv::Mat filled = depth.clone();
-  for (int row = 0; row < depth.rows; ++row) {
-    InterruptionPoint();
-    for (int col = 0; col < depth.cols; ++col) {
-      if (measured.at<uchar>(row, col) || !near_measured.at<uchar>(row, col)) continue;
-      Neighborhood around = MeasuredAround(depth, row, col);
-      filled.at<float>(row, col) = Mode(around, bin);
-    }
+  LongLoop loop;
+  for (const cv::Point& hole : holes) {
+    loop.Turn();
+    Neighborhood around = MeasuredAround(depth, hole.y, hole.x);
+    filled.at<float>(hole) = Mode(around, bin);
   }
   return filled;
 }

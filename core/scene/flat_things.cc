@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -22,14 +23,22 @@ constexpr int kGap = 2, kRing = 4;    // voxels between a thing and what is arou
 
 using Voxels = std::vector<char>;  // one entry a voxel, 1 = in the set
 
-// Adds the neighbours, of `within` only if it is given.
-void Grow(const VoxelGrid& grid, const Voxels* within, Voxels& set) {
+// Adds the neighbours along these edges.
+void Grow(const std::vector<VoxelEdge>& edges, Voxels& set) {
   const Voxels before = set;
   InterruptionPoint();
-  for (const VoxelEdge& edge : grid.edges) {
-    if (before[edge.a] != 0 && (within == nullptr || (*within)[edge.b] != 0)) set[edge.b] = 1;
-    if (before[edge.b] != 0 && (within == nullptr || (*within)[edge.a] != 0)) set[edge.a] = 1;
+  for (const VoxelEdge& edge : edges) {
+    set[edge.a] |= before[edge.b];
+    set[edge.b] |= before[edge.a];
   }
+}
+
+std::vector<VoxelEdge> EdgesWithin(const VoxelGrid& grid, const Voxels& set) {
+  std::vector<VoxelEdge> within;
+  InterruptionPoint();
+  std::copy_if(grid.edges.begin(), grid.edges.end(), std::back_inserter(within),
+               [&](const VoxelEdge& edge) { return set[edge.a] != 0 && set[edge.b] != 0; });
+  return within;
 }
 
 // Of what stands out, what is neither the edge of an object nor thinner than a few voxels.
@@ -38,18 +47,19 @@ Voxels WithoutEdges(const VoxelGrid& grid, const Voxels& is_background, const Vo
   Voxels near_objects(count);
   std::transform(is_background.begin(), is_background.end(), near_objects.begin(),
                  [](char background) { return background == 0 ? 1 : 0; });
-  for (int i = 0; i < kReach; ++i) Grow(grid, nullptr, near_objects);
-  std::vector<int> num_neighbors(count, 0);
-  for (const VoxelEdge& edge : grid.edges) {
-    num_neighbors[edge.a] += stands_out[edge.b];
-    num_neighbors[edge.b] += stands_out[edge.a];
+  for (int i = 0; i < kReach; ++i) Grow(grid.edges, near_objects);
+  const std::vector<VoxelEdge> edges = EdgesWithin(grid, stands_out);
+  std::vector<int> num_neighbors(count, 0);  // that stand out too
+  for (const VoxelEdge& edge : edges) {
+    ++num_neighbors[edge.a];
+    ++num_neighbors[edge.b];
   }
   Voxels things(count, 0);
   for (std::size_t v = 0; v < count; ++v) {
     const bool is_midst = stands_out[v] != 0 && num_neighbors[v] >= kMinNeighbors;
     things[v] = is_midst && near_objects[v] == 0 ? 1 : 0;
   }
-  for (int i = 0; i <= kReach; ++i) Grow(grid, &stands_out, things);
+  for (int i = 0; i <= kReach; ++i) Grow(edges, things);
   return things;
 }
 
