@@ -16,6 +16,13 @@ namespace {
 // Of lambda: cutting between voxels of one cluster costs at least as much.
 constexpr double kMinShareOfCluster = 0.6;
 
+// Where no support is found all that is seen may be an object: in larger pieces.
+CoverOptions CoverOf(const SceneGeometry& scene, CoverOptions options) {
+  constexpr double kWider = 1.5;
+  if (scene.supports.empty()) options.spacing_m *= kWider;
+  return options;
+}
+
 // In one sweep, which does nearly all that more would.
 std::vector<int> LabelVoxels(const PottsEnergy& energy, const MrfOptions& options) {
   const auto min_weight = static_cast<float>(kMinShareOfCluster * options.lambda);
@@ -95,8 +102,8 @@ Search SearchInBlocks(const RgbdFrame& frame, const CameraIntrinsics& camera,
                                           search.salience.depth, options.depth_saliency.downscale,
                                           points, options.seeds, counts);
   }
-  search.seeds =
-      CoverWithSeeds(scene.grid, scene.is_background, search.salient.seeds, options.cover);
+  search.seeds = CoverWithSeeds(scene.grid, scene.is_background, search.salient.seeds,
+                                CoverOf(scene, options.cover));
   counts.num_seeds = search.seeds.size();
   counts.num_voxels = scene.grid.voxels.size();
   search.found.objects.resize(scene.grid.voxels.size(), 0);

@@ -1,5 +1,6 @@
 #include "core/paper/surface_energy.h"
 
+#include "core/paper/background_costs.h"
 #include "core/types/interruption.h"
 
 namespace fovea::paper {
@@ -17,7 +18,10 @@ PottsEnergy BuildSurfaceEnergy(const VoxelGrid& grid, const cv::Mat& points,
                                const SurfaceEnergyOptions& options) {
   PottsEnergy energy;
   energy.num_nodes = static_cast<int>(grid.voxels.size());
-  energy.choices = DataTerm(grid, points, is_background, on_support, seeds, options.data);
+  energy.choices = DataTerm(grid, points, is_background, seeds, options.data);
+  const std::vector<float> costs =
+      BackgroundCosts(grid, points, is_background, on_support, seeds, options.data);
+  for (PottsEnergy::Choice& choice : energy.choices[0]) choice.cost = costs[choice.node];
   LongLoop loop;
   for (const VoxelEdge& edge : grid.edges) {
     loop.Turn();

@@ -21,17 +21,19 @@ struct DataTermOptions {
   double reach_m = 100;
 };
 
+// Eq. 6 where the nearest seed is this far: -ln(alpha (1 - p)), with p of Eq. 5; square metres.
+float BackgroundCost(float squared_distance, const DataTermOptions& options);
+
 // The choices of a PottsEnergy over the voxels of `grid` and what each costs: label 0 is the
-// background, label k the hypothesis of seeds[k - 1], −ln p on average over the voxel's points.
+// background, label k the hypothesis of seeds[k - 1], −ln p on average over the voxel's points; for
+// the background (Eq. 6) as if all of them were as far from the nearest seed as they are on average
+// (point by point: core/paper/background_costs.h).
 //
-// Voxels with `is_background` set (one entry a voxel) can only be background. Points where
-// `on_support` (CV_8UC1 of the image's size, or empty for none) is not 0 are background with a
-// probability of one (section 3.2), which leaves the hypotheses what Eq. 5 says of them.
-// `points`: CV_32FC3, the image that the grid was built from. Throws TooComplex if there are more
-// choices of voxel and hypothesis than memory should hold (2^25).
+// Voxels with `is_background` set (one entry a voxel) can only be background. `points`: CV_32FC3,
+// the image that the grid was built from. Throws TooComplex if there are more choices of voxel and
+// hypothesis than memory should hold (2^25).
 std::vector<std::vector<PottsEnergy::Choice>> DataTerm(const VoxelGrid& grid, const cv::Mat& points,
                                                        const std::vector<char>& is_background,
-                                                       const cv::Mat& on_support,
                                                        const std::vector<Seed>& seeds,
                                                        const DataTermOptions& options = {});
 

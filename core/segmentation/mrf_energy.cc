@@ -33,7 +33,7 @@ PottsEnergy BuildEnergy(const VoxelGrid& grid, const cv::Mat& points,
                         const MrfOptions& options) {
   PottsEnergy energy;
   energy.num_nodes = static_cast<int>(grid.voxels.size());
-  energy.choices = DataTerm(grid, points, is_background, {}, seeds, options.data);
+  energy.choices = DataTerm(grid, points, is_background, seeds, options.data);
   LongLoop loop;
   for (const VoxelEdge& edge : grid.edges) {
     loop.Turn();

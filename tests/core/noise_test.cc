@@ -61,7 +61,7 @@ TEST(Noise, CanBeStoppedInEachStage) {
   const DetectorOptions options = OptionsOfProfile("default");
   constexpr int kRows = 120;
   cv::Mat depth, points, color_saliency, depth_saliency;
-  ExpectToStop("depth", 2 * kRows, [&] {
+  ExpectToStop("depth", kRows, [&] {
     depth = FillDepthHoles(RemoveFlyingPixels(frame.depth_m, 130, 130, options.flying_pixels),
                            options.depth_fill);
     points = BackProject(depth, frame.intrinsics, options.max_depth_m);
@@ -103,7 +103,7 @@ TEST(Noise, CanBeStoppedInEachStage) {
   });
   const std::vector<char> is_background(grid.voxels.size(), 0);
   PottsEnergy energy;
-  ExpectToStop("energy", 4 * kRows, [&] {
+  ExpectToStop("energy", kRows + static_cast<int>(seeds.size()), [&] {
     energy = BuildEnergy(grid, points, colors, is_background, seeds, options.mrf);
   });
   std::vector<int> labels;
@@ -142,7 +142,7 @@ TEST(Noise, WithMoreHypothesesThanMemoryShouldHoldIsRefused) {
                                 Seed{{}, Eigen::Vector3f(0, 0, 2)});
   EXPECT_THAT(
       [&] {
-        DataTerm(grid, points, std::vector<char>(grid.voxels.size(), 0), {}, seeds,
+        DataTerm(grid, points, std::vector<char>(grid.voxels.size(), 0), seeds,
                  {.gamma_per_m2 = 0.1});
       },
       ThrowsMessage<TooComplex>(HasSubstr("raise mrf.gamma_per_m2")));

@@ -1,4 +1,4 @@
-#include "core/segmentation/point_statistics.h"
+#include "core/paper/background_costs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,27 +6,13 @@
 #include <limits>
 #include <span>
 
+#include "core/segmentation/foreground.h"
 #include "core/segmentation/neighborhoods.h"
+#include "core/segmentation/points_of_voxels.h"
 #include "core/types/interruption.h"
 
-namespace fovea {
+namespace fovea::paper {
 namespace {
-
-// Calls visit(voxel, point, pixel) for every point of a voxel that is not background.
-template <typename Visit>
-void ForEachPoint(const VoxelGrid& grid, const cv::Mat& points,
-                  const std::vector<char>& is_background, Visit visit) {
-  for (int row = 0; row < points.rows; ++row) {
-    InterruptionPoint();
-    const int* voxel_of_pixel = grid.voxel_of_pixel.ptr<int>(row);
-    const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
-    for (int col = 0; col < points.cols; ++col) {
-      const int v = voxel_of_pixel[col];
-      if (v < 0 || is_background[v]) continue;
-      visit(v, Eigen::Vector3f(point[col][0], point[col][1], point[col][2]), cv::Point(col, row));
-    }
-  }
-}
 
 // Some seeds for each voxel, in one list.
 class SeedsOfVoxels {
@@ -84,13 +70,6 @@ SeedsOfVoxels FindNearSeeds(const VoxelGrid& grid, const Foreground& foreground,
   return near_seeds;
 }
 
-// Eq. 6: −ln(α · min_c(1 − p(c|x))). The minimum is at the nearest seed.
-float BackgroundCost(float squared_distance, const DataTermOptions& options) {
-  const double p_object = std::exp(-options.gamma_per_m2 * squared_distance);
-  return static_cast<float>(
-      -std::log(options.alpha * std::max(1 - p_object, options.min_probability)));
-}
-
 // From where on Eq. 5 leaves nothing of Eq. 6: less than half of the last bit of one.
 float BackgroundReach(const DataTermOptions& options) {
   return static_cast<float>(std::sqrt(38 / options.gamma_per_m2));
@@ -98,31 +77,28 @@ float BackgroundReach(const DataTermOptions& options) {
 
 }  // namespace
 
-PointStatistics CollectStatistics(const VoxelGrid& grid, const cv::Mat& points,
-                                  const std::vector<char>& is_background,
-                                  const Foreground& foreground, const cv::Mat& on_support,
-                                  const std::vector<Seed>& seeds, const DataTermOptions& options) {
-  const std::size_t num_voxels = grid.voxels.size();
-  PointStatistics statistics{std::vector<float>(num_voxels), std::vector<float>(num_voxels)};
-  std::vector<float> squared_radius(num_voxels);
-  const auto share = [&](int v) { return 1.0F / static_cast<float>(grid.voxels[v].num_points); };
+std::vector<float> BackgroundCosts(const VoxelGrid& grid, const cv::Mat& points,
+                                   const std::vector<char>& is_background,
+                                   const cv::Mat& on_support, const std::vector<Seed>& seeds,
+                                   const DataTermOptions& options) {
+  std::vector<float> squared_radius(grid.voxels.size()), costs(grid.voxels.size());
   ForEachPoint(grid, points, is_background, [&](int v, const Eigen::Vector3f& x, cv::Point) {
     const float squared_distance = (x - grid.voxels[v].mean).squaredNorm();
-    statistics.variance[v] += share(v) * squared_distance;
     squared_radius[v] = std::max(squared_radius[v], squared_distance);
   });
 
-  const SeedsOfVoxels near_seeds =
-      FindNearSeeds(grid, foreground, squared_radius, seeds, BackgroundReach(options));
+  const SeedsOfVoxels near_seeds = FindNearSeeds(grid, CollectForeground(grid, is_background),
+                                                 squared_radius, seeds, BackgroundReach(options));
   ForEachPoint(grid, points, is_background, [&](int v, const Eigen::Vector3f& x, cv::Point at) {
     if (!on_support.empty() && on_support.at<std::uint8_t>(at) != 0) return;  // -ln 1
     float nearest = std::numeric_limits<float>::infinity();
     for (const Eigen::Vector3f& seed : near_seeds.Of(v)) {
       nearest = std::min(nearest, (x - seed).squaredNorm());
     }
-    statistics.background_cost[v] += share(v) * BackgroundCost(nearest, options);
+    const float share = 1.0F / static_cast<float>(grid.voxels[v].num_points);
+    costs[v] += share * BackgroundCost(nearest, options);
   });
-  return statistics;
+  return costs;
 }
 
-}  // namespace fovea
+}  // namespace fovea::paper
