@@ -25,7 +25,8 @@ struct StrengthSaliencyOptions {
 cv::Mat PropagateStrength(const cv::Mat& channel, int scale);
 
 // Algorithm 1: the sum of 1 − S over the scales and the CIELAB channels (8 bits each), divided by
-// its L2 norm (unchanged where that is 0). With `downscale` that of the reduced image, in flat blocks.
+// its L2 norm (unchanged where that is 0). With `downscale` that of the reduced image, in flat
+// blocks.
 //
 // `color_rgb`: CV_8UC3, R first, not empty. Returns CV_32FC1 of its size, larger = more salient.
 cv::Mat StrengthSaliency(const cv::Mat& color_rgb, const StrengthSaliencyOptions& options = {});
