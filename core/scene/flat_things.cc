@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <utility>
 
@@ -33,14 +32,6 @@ void Grow(const std::vector<VoxelEdge>& edges, Voxels& set) {
   }
 }
 
-std::vector<VoxelEdge> EdgesWithin(const VoxelGrid& grid, const Voxels& set) {
-  std::vector<VoxelEdge> within;
-  InterruptionPoint();
-  std::copy_if(grid.edges.begin(), grid.edges.end(), std::back_inserter(within),
-               [&](const VoxelEdge& edge) { return set[edge.a] != 0 && set[edge.b] != 0; });
-  return within;
-}
-
 // Of what stands out, what is neither the edge of an object nor thinner than a few voxels.
 Voxels WithoutEdges(const VoxelGrid& grid, const Voxels& is_background, const Voxels& stands_out) {
   const std::size_t count = grid.voxels.size();
@@ -48,7 +39,7 @@ Voxels WithoutEdges(const VoxelGrid& grid, const Voxels& is_background, const Vo
   std::transform(is_background.begin(), is_background.end(), near_objects.begin(),
                  [](char background) { return background == 0 ? 1 : 0; });
   for (int i = 0; i < kReach; ++i) Grow(grid.edges, near_objects);
-  const std::vector<VoxelEdge> edges = EdgesWithin(grid, stands_out);
+  const std::vector<VoxelEdge> edges = EdgesWithin(grid, stands_out, 1);
   std::vector<int> num_neighbors(count, 0);  // that stand out too
   for (const VoxelEdge& edge : edges) {
     ++num_neighbors[edge.a];

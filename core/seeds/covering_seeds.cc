@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <queue>
 #include <utility>
@@ -22,18 +21,6 @@ constexpr float kMaxExtentM = 1.5F;
 constexpr float kUnreached = std::numeric_limits<float>::infinity();
 
 using Neighbors = Adjacency<int>;  // voxels
-
-std::vector<VoxelEdge> EdgesOfForeground(const VoxelGrid& grid,
-                                         const std::vector<char>& is_background) {
-  std::vector<VoxelEdge> edges;
-  edges.reserve(grid.edges.size());
-  InterruptionPoint();
-  std::copy_if(grid.edges.begin(), grid.edges.end(), std::back_inserter(edges),
-               [&](const VoxelEdge& edge) {
-                 return is_background[edge.a] == 0 && is_background[edge.b] == 0;
-               });
-  return edges;
-}
 
 // Distance of every voxel to the nearest source along the surface, kept up to date as sources are
 // added.
@@ -130,7 +117,7 @@ std::vector<int> VoxelsToAdd(const VoxelGrid& grid, const std::vector<char>& is_
 std::vector<Seed> CoverWithSeeds(const VoxelGrid& grid, const std::vector<char>& is_background,
                                  const std::vector<Seed>& seeds, const CoverOptions& options) {
   if (options.spacing_m <= 0) return seeds;
-  const Neighbors neighbors(grid.voxels.size(), EdgesOfForeground(grid, is_background),
+  const Neighbors neighbors(grid.voxels.size(), EdgesWithin(grid, is_background, 0),
                             [](const VoxelEdge& /*edge*/, int voxel) { return voxel; });
   InterruptionPoint();
   SurfaceDistance distance(grid, neighbors);

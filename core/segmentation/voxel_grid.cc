@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <numbers>
 #include <opencv2/core.hpp>
 
@@ -210,6 +211,17 @@ VoxelGrid BuildVoxelGrid(const cv::Mat& points, const NormalMap& normals,
   grid.edges = FindNeighbors(grid.voxels, index, options.neighbor_axes);
   for (int pass = 0; pass < options.normal_smoothing; ++pass) SmoothNormals(grid);
   return grid;
+}
+
+std::vector<VoxelEdge> EdgesWithin(const VoxelGrid& grid, const std::vector<char>& values,
+                                   char value) {
+  std::vector<VoxelEdge> within;
+  within.reserve(grid.edges.size());
+  InterruptionPoint();
+  std::copy_if(
+      grid.edges.begin(), grid.edges.end(), std::back_inserter(within),
+      [&](const VoxelEdge& edge) { return values[edge.a] == value && values[edge.b] == value; });
+  return within;
 }
 
 float ConvexityDeg(const Voxel& a, const Voxel& b) {

@@ -45,6 +45,10 @@ struct VoxelGrid {
 VoxelGrid BuildVoxelGrid(const cv::Mat& points, const NormalMap& normals,
                          const VoxelOptions& options = {});
 
+// The edges of which both ends have this value; `values`: one entry a voxel.
+std::vector<VoxelEdge> EdgesWithin(const VoxelGrid& grid, const std::vector<char>& values,
+                                   char value);
+
 // Signed angle between the normals of two voxels in degrees: positive where the surface bulges
 // from one to the other (convex), negative where it makes a groove; the sign of Eq. 8.
 float ConvexityDeg(const Voxel& a, const Voxel& b);

@@ -4,32 +4,30 @@
 
 #include <cstdint>
 #include <opencv2/core.hpp>
+#include <vector>
 
 #include "tests/core/segmentation/seeded_points.h"
 
 namespace fovea::paper {
 namespace {
 
-TEST(BackgroundCosts, AreAsPrinted) {
-  const SeededPoints scene = RandomPoints(11);
+void ExpectAsPrinted(const SeededPoints& scene) {
   const DataTermOptions options;
   const std::vector<char> none(scene.grid.voxels.size(), 0);
   const auto costs = BackgroundCosts(scene.grid, scene.points, none, {}, scene.seeds, options);
+  ASSERT_EQ(costs.size(), scene.grid.voxels.size());
   for (std::size_t v = 0; v < costs.size(); ++v) {
     EXPECT_NEAR(costs[v], LiteralCost(scene, static_cast<int>(v), 0, options), 2e-3) << v;
   }
 }
 
+TEST(BackgroundCosts, AreAsPrinted) { ExpectAsPrinted(RandomPoints(11)); }
+
 // Their only point is as far from the nearest seed as their mean: rounding must not lose that seed.
 TEST(BackgroundCosts, OfSinglePointsKnowTheirNearestSeed) {
   const SeededPoints scene = RandomPoints(12, 1e-4);
   ASSERT_EQ(scene.grid.voxels.size(), scene.points.total());
-  const DataTermOptions options;
-  const std::vector<char> none(scene.grid.voxels.size(), 0);
-  const auto costs = BackgroundCosts(scene.grid, scene.points, none, {}, scene.seeds, options);
-  for (std::size_t v = 0; v < costs.size(); ++v) {
-    EXPECT_NEAR(costs[v], LiteralCost(scene, static_cast<int>(v), 0, options), 2e-3) << v;
-  }
+  ExpectAsPrinted(scene);
 }
 
 // A voxel of two points, 2 cm apart: the right one is nearest to the seed that is farther from

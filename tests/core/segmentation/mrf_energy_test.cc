@@ -3,31 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
+
+#include "tests/core/segmentation/seeded_points.h"
 
 namespace fovea {
 namespace {
-
-struct Scene {
-  cv::Mat points = cv::Mat(12, 12, CV_32FC3);
-  VoxelGrid grid;
-  std::vector<Seed> seeds;
-};
-
-Scene RandomScene(unsigned seed, double voxel_m = 0.05) {
-  Scene scene;
-  std::mt19937 random(seed);
-  const auto uniform = [&] { return static_cast<float>(random() % 1001) / 1000.0F; };
-  for (auto it = scene.points.begin<cv::Vec3f>(); it != scene.points.end<cv::Vec3f>(); ++it) {
-    *it = {0.1F * uniform(), 0.1F * uniform(), 1 + 0.1F * uniform()};
-  }
-  const cv::Mat normals(scene.points.size(), CV_32FC3, cv::Scalar(0, 0, -1));
-  scene.grid = BuildVoxelGrid(scene.points, {normals}, {.size_m = voxel_m});
-  for (int i = 0; i < 3; ++i) {
-    scene.seeds.push_back({{}, {0.1F * uniform(), 0.1F * uniform(), 1.0F}});
-  }
-  return scene;
-}
 
 Voxel At(float x, const Eigen::Vector3f& normal) {
   return {.mean = {x, 0, 1}, .normal = normal.normalized(), .num_points = 1};
@@ -61,7 +41,7 @@ TEST(ColorShare, FallsWithTheDistanceOfTheColors) {
 
 // Where both may be objects: a support's colour says nothing of what stands on it.
 TEST(BuildEnergy, WeighsColorsBetweenWhatMayBeObjects) {
-  const Scene scene = RandomScene(13);
+  const SeededPoints scene = RandomPoints(13);
   std::vector<char> is_background(scene.grid.voxels.size(), 0);
   is_background[0] = 1;
   std::vector<MeanColor> colors;

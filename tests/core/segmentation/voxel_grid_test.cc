@@ -166,5 +166,27 @@ TEST(BuildVoxelGrid, IsEmptyWithoutPoints) {
   EXPECT_TRUE(grid.edges.empty());
 }
 
+TEST(BuildVoxelGrid, VoxelsKnowTheirFirstPixel) {
+  const cv::Mat wall = WallAt(2.02F);
+  const VoxelGrid grid = BuildVoxelGrid(wall, {Upwards(wall)}, {.size_m = 0.05});
+  std::vector<cv::Point> first(grid.voxels.size(), {-1, -1});
+  for (int row = wall.rows - 1; row >= 0; --row) {
+    for (int col = wall.cols - 1; col >= 0; --col) {
+      first[grid.voxel_of_pixel.at<int>(row, col)] = {col, row};
+    }
+  }
+  for (std::size_t v = 0; v < first.size(); ++v) EXPECT_EQ(grid.voxels[v].first_px, first[v]) << v;
+}
+
+TEST(EdgesWithin, HaveBothEndsInTheSet) {
+  VoxelGrid grid;
+  grid.edges = {{0, 1}, {1, 2}, {2, 3}};
+  const std::vector<VoxelEdge> edges = EdgesWithin(grid, {1, 0, 0, 1}, 0);
+  ASSERT_EQ(edges.size(), 1U);
+  EXPECT_EQ(edges[0].a, 1);
+  EXPECT_EQ(edges[0].b, 2);
+  EXPECT_TRUE(EdgesWithin(grid, {1, 0, 0, 1}, 1).empty());
+}
+
 }  // namespace
 }  // namespace fovea
