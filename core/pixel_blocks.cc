@@ -37,6 +37,26 @@ std::uint16_t LabelAround(const cv::Point& block, const cv::Mat& labels,
   return label;
 }
 
+// Of one block; pixels without depth up to `limit_m` keep what they have.
+void LabelPixelsOf(const cv::Point& block, const PixelBlocks& blocks, const cv::Mat& label_of_block,
+                   const cv::Mat& depth_of_blocks, const cv::Mat& depth_m, float limit_m,
+                   cv::Mat& labels) {
+  const auto own_label = label_of_block.at<std::uint16_t>(block);
+  const float own_depth = depth_of_blocks.at<float>(block);
+  const cv::Rect pixels = blocks.PixelsOf(block);
+  for (int row = pixels.y; row < pixels.br().y; ++row) {
+    const float* depth = depth_m.ptr<float>(row);
+    auto* label = labels.ptr<std::uint16_t>(row);
+    for (int col = pixels.x; col < pixels.br().x; ++col) {
+      if (!(depth[col] <= limit_m)) continue;
+      const bool is_own = std::abs(depth[col] - own_depth) <= blocks.max_step * depth[col];
+      label[col] =
+          is_own ? own_label
+                 : LabelAround(block, label_of_block, depth_of_blocks, depth[col], blocks.max_step);
+    }
+  }
+}
+
 }  // namespace
 
 cv::Point PixelBlocks::InPixels(const cv::Point& block) const {
@@ -103,20 +123,7 @@ cv::Mat LabelsOfPixels(const cv::Mat& label_of_block, const cv::Mat& depth_of_bl
     InterruptionPoint();
     for (block.x = 0; block.x < label_of_block.cols; ++block.x) {
       if (any_around.at<std::uint16_t>(block) == 0) continue;
-      const auto own_label = label_of_block.at<std::uint16_t>(block);
-      const float own_depth = depth_of_blocks.at<float>(block);
-      const cv::Rect pixels = blocks.PixelsOf(block);
-      for (int row = pixels.y; row < pixels.br().y; ++row) {
-        const float* depth = depth_m.ptr<float>(row);
-        auto* label = labels.ptr<std::uint16_t>(row);
-        for (int col = pixels.x; col < pixels.br().x; ++col) {
-          if (!(depth[col] <= limit)) continue;
-          const bool is_own = std::abs(depth[col] - own_depth) <= blocks.max_step * depth[col];
-          label[col] = is_own ? own_label
-                              : LabelAround(block, label_of_block, depth_of_blocks, depth[col],
-                                            blocks.max_step);
-        }
-      }
+      LabelPixelsOf(block, blocks, label_of_block, depth_of_blocks, depth_m, limit, labels);
     }
   }
   return labels;
