@@ -1,4 +1,4 @@
-// Made by `fovea-eval grasp-model`; see docs/quality.md.
+// Made by `fovea-eval grasp-model`; see docs/fitted_models.md.
 #include "core/grasping/grasp_model.h"
 
 namespace fovea {

@@ -35,7 +35,7 @@ struct GraspModel {
   float Probability(const ScoredGrasp& grasp) const;
 };
 
-// Fitted to generated scenes by `fovea-eval grasp-model`; docs/quality.md says to which.
+// Fitted to generated scenes by `fovea-eval grasp-model`; docs/fitted_models.md says to which.
 const GraspModel& FittedGraspModel();
 
 }  // namespace fovea

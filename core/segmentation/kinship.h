@@ -46,7 +46,7 @@ Kinship KinshipOf(const Boundary& boundary, const Part& a, const Part& b);
 // The logarithm of the odds, positive where one object is more likely than two: a linear function
 // of what speaks for and against it and of some products, for what one thing says depends on
 // another. Weights by logistic regression on segments of scenes whose objects are known
-// (`fovea-eval kinship`; docs/quality.md says which scenes).
+// (`fovea-eval kinship`; docs/fitted_models.md says which scenes).
 double LogOdds(const Kinship& kinship);
 
 // The terms of that function by number and name, for those who fit the weights.

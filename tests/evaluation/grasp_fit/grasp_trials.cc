@@ -83,7 +83,7 @@ GraspModel FitGraspModel(const GraspTrials& trials) {
 
 std::string ToSource(const GraspModel& model) {
   std::string text =
-      "// Made by `fovea-eval grasp-model`; see docs/quality.md.\n"
+      "// Made by `fovea-eval grasp-model`; see docs/fitted_models.md.\n"
       "#include \"core/grasping/grasp_model.h\"\n\nnamespace fovea {\n\n"
       "const GraspModel& FittedGraspModel() {\n"
       "  // A line a tree: which terms it asks, in the order of grasp_terms.h, and for what.\n"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The generated scenes that the object model is fitted to, in folders of OUT (docs/quality.md).
+# The generated scenes that the object model is fitted to, in folders of OUT (docs/fitted_models.md).
 set -euo pipefail
 if [[ $# -ne 2 ]]; then
   echo "usage: $0 BUILD OUT" >&2
