@@ -22,8 +22,8 @@ struct ObjectModel {
   std::vector<double> LogWeights(const std::vector<ObjectEvidence>& evidence) const;
 };
 
-// Fitted to labelled scenes and frames by `fovea-eval object-model`; docs/fitted_models.md says which,
-// and what it is worth on cameras that it was not fitted to.
+// Fitted to labelled scenes and frames by `fovea-eval object-model`; docs/fitted_models.md says
+// which, and what it is worth on cameras that it was not fitted to.
 const ObjectModel& FittedObjectModel();
 
 }  // namespace fovea
