@@ -11,7 +11,6 @@ namespace {
 
 using Eigen::Vector3d;
 using scenes::Body;
-using scenes::Scene;
 using scenes::ShapeKind;
 
 const Vector3d kDown = -Vector3d::UnitZ();
@@ -27,14 +26,14 @@ Body Object(ShapeKind kind, const Vector3d& size_m, const Vector3d& center, doub
 }
 
 // On a table whose top is z = 0; the objects are its bodies 1, 2, …
-Scene OnTable(const std::vector<Body>& objects) {
-  Scene scene;
+scenes::Scene OnTable(const std::vector<Body>& objects) {
+  scenes::Scene scene;
   scene.bodies.push_back(scenes::Block("table", {0, 0, -0.01}, {1, 1, 0.02}, {}));
   scene.bodies.insert(scene.bodies.end(), objects.begin(), objects.end());
   return scene;
 }
 
-Outcome Check(const Scene& scene, const JawPose& pose, int target = 1,
+Outcome Check(const scenes::Scene& scene, const JawPose& pose, int target = 1,
               const JawGripper& gripper = {}) {
   return CheckJaw(PhysicalScene(scene), target, gripper, pose);
 }
@@ -80,7 +79,7 @@ TEST(JawCheck, TouchesNoNeighbor) {
 }
 
 TEST(JawCheck, TheSweepMeetsWhatHangsAbove) {
-  Scene scene = OnTable({kBox});
+  scenes::Scene scene = OnTable({kBox});
   scene.bodies.push_back(scenes::Block("board", {0, 0, 0.22}, {0.5, 0.5, 0.02}, {}));
   EXPECT_EQ(Check(scene, {{0, 0, 0.04}, kDown, kX, 0.05}), Outcome::kHitsFurniture);
   // From 150 mm before the tips and 80 mm more of finger and palm, it would be at 280 mm.

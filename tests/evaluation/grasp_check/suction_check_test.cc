@@ -11,11 +11,10 @@ namespace {
 
 using Eigen::Vector3d;
 using scenes::Body;
-using scenes::Scene;
 using scenes::ShapeKind;
 
-Scene With(ShapeKind kind, const Vector3d& size_m) {
-  Scene scene;
+scenes::Scene With(ShapeKind kind, const Vector3d& size_m) {
+  scenes::Scene scene;
   Body body;
   body.shape = {kind, size_m, 0, {}};
   body.world_from_body.translation().z() = size_m.z() / 2;
@@ -24,7 +23,7 @@ Scene With(ShapeKind kind, const Vector3d& size_m) {
   return scene;
 }
 
-Outcome Check(const Scene& scene, const Vector3d& at,
+Outcome Check(const scenes::Scene& scene, const Vector3d& at,
               const Vector3d& approach = -Vector3d::UnitZ()) {
   return CheckSuction(PhysicalScene(scene), 1, {}, {at, approach});
 }
@@ -34,14 +33,14 @@ TEST(SuctionCheck, TakesABoxByItsTop) {
 }
 
 TEST(SuctionCheck, MeetsTheSurfaceNearTheToolCenterPoint) {
-  const Scene scene = With(ShapeKind::kBox, {0.06, 0.1, 0.04});
+  const scenes::Scene scene = With(ShapeKind::kBox, {0.06, 0.1, 0.04});
   EXPECT_EQ(Check(scene, {0, 0, 0.048}), Outcome::kSuccess);
   EXPECT_EQ(Check(scene, {0, 0, 0.055}), Outcome::kNoContact);
   EXPECT_EQ(Check(scene, {0, 0, 0.025}), Outcome::kHitsTarget);
 }
 
 TEST(SuctionCheck, LeaksOverAnEdge) {
-  const Scene scene = With(ShapeKind::kBox, {0.06, 0.1, 0.04});
+  const scenes::Scene scene = With(ShapeKind::kBox, {0.06, 0.1, 0.04});
   EXPECT_EQ(Check(scene, {0.014, 0, 0.04}), Outcome::kSuccess);
   EXPECT_EQ(Check(scene, {0.017, 0, 0.04}), Outcome::kNoSeal);
   EXPECT_EQ(Check(With(ShapeKind::kBox, {0.028, 0.1, 0.04}), {0, 0, 0.04}), Outcome::kNoSeal);
@@ -55,7 +54,7 @@ TEST(SuctionCheck, SealsOnWhatIsCurvedLittle) {
 }
 
 TEST(SuctionCheck, FacesTheSurface) {
-  const Scene scene = With(ShapeKind::kBox, {0.1, 0.1, 0.1});
+  const scenes::Scene scene = With(ShapeKind::kBox, {0.1, 0.1, 0.1});
   const auto tilted = [](double degrees) {
     const double angle = degrees * std::numbers::pi / 180;
     return Vector3d(std::sin(angle), 0, -std::cos(angle));
@@ -66,7 +65,7 @@ TEST(SuctionCheck, FacesTheSurface) {
 }
 
 TEST(SuctionCheck, IsStoppedByWhatHangsAbove) {
-  Scene scene = With(ShapeKind::kBox, {0.1, 0.1, 0.04});
+  scenes::Scene scene = With(ShapeKind::kBox, {0.1, 0.1, 0.04});
   // A board over half of the cup.
   scene.bodies.push_back(scenes::Block("board", {0.26, 0, 0.14}, {0.5, 0.5, 0.02}, {}));
   EXPECT_EQ(Check(scene, {0, 0, 0.04}), Outcome::kOtherBodyFirst);
@@ -75,7 +74,7 @@ TEST(SuctionCheck, IsStoppedByWhatHangsAbove) {
 }
 
 TEST(SuctionCheck, HoldsNearTheMassOnly) {
-  const Scene scene = With(ShapeKind::kBox, {0.3, 0.1, 0.04});
+  const scenes::Scene scene = With(ShapeKind::kBox, {0.3, 0.1, 0.04});
   EXPECT_EQ(Check(scene, {0.039, 0, 0.04}), Outcome::kSuccess);
   EXPECT_EQ(Check(scene, {0.041, 0, 0.04}), Outcome::kTooFarFromTheMass);
 }

@@ -1,47 +1,45 @@
 #include "tests/evaluation/peers/table_removal.h"
 
-#include <pcl/segmentation/sac_segmentation.h>
+#include <pcl/sample_consensus/ransac.h>
+#include <pcl/sample_consensus/sac_model_plane.h>
 
 #include <Eigen/Core>
-#include <limits>
 #include <map>
-
-#include "core/depth/back_projection.h"
 
 namespace fovea::evaluation {
 namespace {
 
 PixelCloud CloudOf(const RgbdFrame& frame) {
-  const cv::Mat positions =
-      BackProject(frame.depth_m, frame.intrinsics, std::numeric_limits<double>::infinity());
+  const CameraIntrinsics& camera = frame.intrinsics;
   PixelCloud cloud{std::make_shared<PeerCloud>(), {}};
-  for (int y = 0; y < positions.rows; ++y) {
-    for (int x = 0; x < positions.cols; ++x) {
-      const auto& at = positions.at<cv::Vec3f>(y, x);
-      if (!(at[2] > 0)) continue;  // NaN
+  for (int y = 0; y < frame.depth_m.rows; ++y) {
+    for (int x = 0; x < frame.depth_m.cols; ++x) {
+      const float z = frame.depth_m.at<float>(y, x);
+      if (!(z > 0)) continue;  // NaN
       const auto& rgb = frame.color_rgb.at<cv::Vec3b>(y, x);
-      cloud.points->emplace_back(at[0], at[1], at[2], rgb[0], rgb[1], rgb[2], 255);
+      cloud.points->emplace_back(static_cast<float>((x - camera.cx_px) / camera.fx_px) * z,
+                                 static_cast<float>((y - camera.cy_px) / camera.fy_px) * z, z,
+                                 rgb[0], rgb[1], rgb[2], 255);
       cloud.pixels.emplace_back(x, y);
     }
   }
   return cloud;
 }
 
-// (n, d) of n·x + d = 0 with the camera on the positive side; 0 where there is no plane.
+// (n, d) of n·x + d = 0 with the camera on the positive side; 0 where there is no plane. As
+// pcl::SACSegmentation finds it, without the other models that it would compile.
 Eigen::Vector4f LargestPlane(const PeerCloud::Ptr& cloud, const TableRemovalOptions& options) {
-  pcl::SACSegmentation<pcl::PointXYZRGBA> search;
-  search.setModelType(pcl::SACMODEL_PLANE);
-  search.setMethodType(pcl::SAC_RANSAC);
-  search.setOptimizeCoefficients(true);
-  search.setDistanceThreshold(options.tolerance_m);
+  if (cloud->size() < 3) return Eigen::Vector4f::Zero();
+  const auto model = std::make_shared<pcl::SampleConsensusModelPlane<pcl::PointXYZRGBA>>(cloud);
+  pcl::RandomSampleConsensus<pcl::PointXYZRGBA> search(model, options.tolerance_m);
   search.setMaxIterations(options.iterations);
-  search.setInputCloud(cloud);
-  pcl::PointIndices inliers;
-  pcl::ModelCoefficients plane;
-  if (cloud->size() >= 3) search.segment(inliers, plane);
-  if (inliers.indices.empty()) return Eigen::Vector4f::Zero();
-  const Eigen::Vector4f found = Eigen::Map<const Eigen::Vector4f>(plane.values.data());
-  return found[3] < 0 ? Eigen::Vector4f(-found) : found;
+  if (!search.computeModel()) return Eigen::Vector4f::Zero();
+  pcl::Indices inliers;
+  Eigen::VectorXf sampled, plane;
+  search.getInliers(inliers);
+  search.getModelCoefficients(sampled);
+  model->optimizeModelCoefficients(inliers, sampled, plane);
+  return plane[3] < 0 ? -plane : plane;
 }
 
 }  // namespace

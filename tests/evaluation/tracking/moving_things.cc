@@ -15,7 +15,6 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 using scenes::Body;
 using scenes::Random;
-using scenes::Scene;
 
 Body PartOfArm(const std::string& name, const Vector3d& center, const Vector3d& size_m,
                scenes::ShapeKind kind) {
@@ -34,7 +33,7 @@ struct Chosen {
   int label = 0;
 };
 
-Chosen MostVisible(const Scene& scene) {
+Chosen MostVisible(const scenes::Scene& scene) {
   const cv::Mat labels = scenes::RenderLabels(scene);
   Chosen best;
   int most = 0, label = 0;
@@ -58,7 +57,7 @@ Vector3d OnTheWay(double way_m, const Vector3d& along) {
 }
 
 // The clear place on the support that is about a third of a metre away; the nearest to that.
-Vector3d PlaceToGo(const Scene& scene, const Body& body, Random& random) {
+Vector3d PlaceToGo(const scenes::Scene& scene, const Body& body, Random& random) {
   Vector3d best(0.05, 0.05, 0);
   double least = 1;
   for (int trial = 0; trial < 200; ++trial) {
@@ -90,14 +89,14 @@ double InTheWay(int frame) {
 
 }  // namespace
 
-Scene SeenFromAround(const Scene& scene, double angle_rad) {
-  Scene turned = scene;
+scenes::Scene SeenFromAround(const scenes::Scene& scene, double angle_rad) {
+  scenes::Scene turned = scene;
   turned.camera.world_from_camera =
       Eigen::AngleAxisd(angle_rad, Vector3d::UnitZ()) * scene.camera.world_from_camera;
   return turned;
 }
 
-SceneStream MovedByAHand(const Scene& scene, Random& random) {
+SceneStream MovedByAHand(const scenes::Scene& scene, Random& random) {
   constexpr int kFrames = 40, kBefore = 8;
   constexpr double kMetresPerSecond = 0.3;
   const Chosen chosen = MostVisible(scene);
@@ -108,7 +107,7 @@ SceneStream MovedByAHand(const Scene& scene, Random& random) {
   SceneStream stream;
   for (int i = 0; i < kFrames; ++i) {
     const double way_m = std::clamp((i - kBefore) * kFrames_s * kMetresPerSecond, 0.0, whole_m);
-    Scene frame = scene;
+    scenes::Scene frame = scene;
     frame.bodies[chosen.body].world_from_body.pretranslate(OnTheWay(way_m, along));
     if (way_m > 0 && way_m < whole_m) {
       const Vector3d grip =
@@ -122,7 +121,7 @@ SceneStream MovedByAHand(const Scene& scene, Random& random) {
   return stream;
 }
 
-SceneStream CoveredByAPanel(const Scene& scene, Random& random) {
+SceneStream CoveredByAPanel(const scenes::Scene& scene, Random& random) {
   constexpr int kFrames = 40;
   const Chosen chosen = MostVisible(scene);
   const Body& body = scene.bodies[chosen.body];
@@ -133,7 +132,7 @@ SceneStream CoveredByAPanel(const Scene& scene, Random& random) {
   SceneStream stream;
   stream.covered = chosen.label;
   for (int i = 0; i < kFrames; ++i) {
-    Scene frame = SeenFromAround(scene, (6.0 * i / kFrames - 3) * std::numbers::pi / 180);
+    scenes::Scene frame = SeenFromAround(scene, (6.0 * i / kFrames - 3) * std::numbers::pi / 180);
     const Isometry3d& camera = frame.camera.world_from_camera;
     const Vector3d target = camera.inverse() * body.world_from_body.translation();
     Body panel =

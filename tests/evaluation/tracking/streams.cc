@@ -15,15 +15,14 @@ using Eigen::AngleAxisd;
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 using scenes::Random;
-using scenes::Scene;
 
 double Radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
-SceneStream Still(const Scene& scene, Random& /*random*/) {
-  return {std::vector<Scene>(20, scene)};
+SceneStream Still(const scenes::Scene& scene, Random& /*random*/) {
+  return {std::vector<scenes::Scene>(20, scene)};
 }
 
-SceneStream Circle(const Scene& scene, Random& /*random*/) {
+SceneStream Circle(const scenes::Scene& scene, Random& /*random*/) {
   constexpr int kFrames = 60;
   SceneStream stream;
   for (int i = 0; i < kFrames; ++i) {
@@ -32,7 +31,7 @@ SceneStream Circle(const Scene& scene, Random& /*random*/) {
   return stream;
 }
 
-SceneStream Shake(const Scene& scene, Random& random) {
+SceneStream Shake(const scenes::Scene& scene, Random& random) {
   constexpr int kFrames = 40;
   Eigen::Matrix<double, 6, 1> rate_hz, phase;
   for (double& rate : rate_hz) rate = random.Uniform(0.7, 1.9);
@@ -49,7 +48,7 @@ SceneStream Shake(const Scene& scene, Random& random) {
     motion.linear() =
         AngleAxisd(turn.norm() + 1e-9, (turn + Vector3d(1e-9, 0, 0)).normalized()).matrix();
     motion.translation() = 0.02 * wave.head<3>() + 0.1 * (t / 4) * drift.normalized();
-    Scene frame = scene;
+    scenes::Scene frame = scene;
     frame.camera.world_from_camera = scene.camera.world_from_camera * motion;
     stream.frames.push_back(std::move(frame));
   }
@@ -64,7 +63,7 @@ const std::vector<std::string>& StreamMotions() {
 }
 
 SceneStream RandomStream(const std::string& motion, const std::string& kind, std::uint64_t seed) {
-  const Scene scene = scenes::RandomScene(kind, seed);
+  const scenes::Scene scene = scenes::RandomScene(kind, seed);
   Random random(seed * 8 + 5);
   if (motion == "still") return Still(scene, random);
   if (motion == "circle") return Circle(scene, random);
