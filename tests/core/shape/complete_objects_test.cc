@@ -160,6 +160,30 @@ TEST(CompleteObjects, AThingStandsOnTheOneBelowIt) {
   EXPECT_EQ(found.objects[2].stands_on, std::vector<int>{0});
 }
 
+TEST(CompleteObjects, ARodLiesOnACanThatIsMuchShorter) {
+  const Detections found =
+      CompleteThings({Thing(ShapeKind::kCylinder, {0.06, 0.06, 0.1}, {0, 0}, 0),
+                      Thing(ShapeKind::kBox, {0.3, 0.03, 0.03}, {0, 0}, 0.1, 0.2)},
+                     40)
+          .detections;
+  EXPECT_EQ(found.objects[1].stands_on, std::vector<int>{1});
+}
+
+TEST(CompleteObjects, WhatHangsDownBesideABoxStandsOnIt) {
+  constexpr double kHeight_m = 0.12, kHanging_m = 0.036;
+  const Eigen::Vector3d hanging_m = {0.01, 0.1, kHanging_m};
+  scenes::Body cover =
+      scenes::Compound("cover", {scenes::BlockPart({0, 0, 0.01}, {0.22, 0.1, 0.02}),
+                                 scenes::BlockPart({-0.106, 0, -kHanging_m / 2}, hanging_m),
+                                 scenes::BlockPart({0.106, 0, -kHanging_m / 2}, hanging_m)});
+  cover.is_object = true;
+  cover.world_from_body.translation().z() = kHeight_m;
+  const Detections found =
+      CompleteThings({Thing(ShapeKind::kBox, {0.2, 0.3, kHeight_m}, {0, 0}, 0), cover}, 40)
+          .detections;
+  EXPECT_EQ(found.objects[1].stands_on, std::vector<int>{1});
+}
+
 TEST(CompleteObjects, AFlatThingIsFlat) {
   const Detections found =
       CompleteThings({Thing(ShapeKind::kBox, {0.2, 0.14, 0.015}, {0, 0}, 0, 0.3)}, 50).detections;

@@ -1,0 +1,42 @@
+// What may carry an object: another one below it, or its support.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/shape/outline.h"
+#include "core/types/detections.h"
+
+namespace fovea {
+
+constexpr float kContact_m = 0.02F;  // between a thing and what it stands on, as measured
+
+struct Carrier {
+  int label = 0;     // 0: a support
+  float drop_m = 0;  // how far below the lowest point of the object that was seen
+};
+
+// The height of a box's bottom (`share` 0), top (1) or what is between, against gravity.
+float HeightAlong(const Eigen::Vector3f& up, const OrientedBox& box, float share);
+
+// What touches the object from below: where it ends, something at the height of its lowest points
+// is seen beyond. The label that most of it has, 0 = none; nothing where it is seen to end in the
+// air.
+std::optional<int> Touching(const DetectedObject& object, const std::vector<DetectedObject>& others,
+                            const std::vector<OutlinePoint>& outline);
+
+// The highest of the objects below it, then the support. `lower`: those of `others` that begin
+// below the object, with completed boxes.
+std::vector<Carrier> CarriersOf(const DetectedObject& object,
+                                const std::vector<DetectedObject>& others,
+                                const std::vector<std::size_t>& lower,
+                                const std::optional<SupportSurface>& support);
+
+// Nothing stays in the air: what is seen high above its support and explained without anything
+// below it stands on that of the lower objects that it is most above, if on any. Returns its label.
+std::optional<int> HeldBy(const DetectedObject& object, const std::vector<DetectedObject>& others,
+                          const std::vector<std::size_t>& lower,
+                          const std::optional<SupportSurface>& support);
+
+}  // namespace fovea
