@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <map>
+#include <numeric>
 
 namespace fovea::evaluation {
 namespace {
@@ -30,7 +31,10 @@ PixelCloud CloudOf(const RgbdFrame& frame) {
 // pcl::SACSegmentation finds it, without the other models that it would compile.
 Eigen::Vector4f LargestPlane(const PeerCloud::Ptr& cloud, const TableRemovalOptions& options) {
   if (cloud->size() < 3) return Eigen::Vector4f::Zero();
-  const auto model = std::make_shared<pcl::SampleConsensusModelPlane<pcl::PointXYZRGBA>>(cloud);
+  pcl::Indices all(cloud->size());
+  std::iota(all.begin(), all.end(), 0);
+  const auto model =
+      std::make_shared<pcl::SampleConsensusModelPlane<pcl::PointXYZRGBA>>(cloud, all);
   pcl::RandomSampleConsensus<pcl::PointXYZRGBA> search(model, options.tolerance_m);
   search.setMaxIterations(options.iterations);
   if (!search.computeModel()) return Eigen::Vector4f::Zero();
@@ -45,7 +49,7 @@ Eigen::Vector4f LargestPlane(const PeerCloud::Ptr& cloud, const TableRemovalOpti
 }  // namespace
 
 PixelCloud CloudAboveTable(const RgbdFrame& frame, const TableRemovalOptions& options) {
-  const PixelCloud all = CloudOf(frame);
+  PixelCloud all = CloudOf(frame);
   const Eigen::Vector4f plane = LargestPlane(all.points, options);
   if (plane.isZero()) return all;
   PixelCloud above{std::make_shared<PeerCloud>(), {}};
