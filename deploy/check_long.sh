@@ -11,8 +11,9 @@ jobs=${JOBS:-2}
 
 # Test programs of the core, the server and the C++ client; tsan's of what has threads.
 asan_targets=(core_depth_test core_detector_test core_grasping_test core_lens_test core_objects_test
-  core_paper_test core_relations_test core_saliency_test core_scene_test core_seeds_test
-  core_segmentation_test core_shape_test core_tracking_test core_types_test server_test client_test)
+  core_paper_test core_planning_test core_relations_test core_saliency_test core_scene_test core_seeds_test
+  core_segmentation_test core_shape_test core_tracking_test core_types_test server_conversion_test
+  server_test client_test)
 tsan_targets=(core_types_test core_detector_test core_tracking_test server_test client_test)
 
 # What the preset of the tests has in its environment: suppressions, for one.
