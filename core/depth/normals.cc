@@ -1,5 +1,6 @@
 #include "core/depth/normals.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -189,19 +190,25 @@ struct RowFit {
 
   HWY_INLINE void Run(int row, cv::Mat& normals) const {
     const int step = options.step_px;
+    const cv::Vec3f none = cv::Vec3f::all(std::numeric_limits<float>::quiet_NaN());
     const auto dv0 = static_cast<float>(row - intrinsics.cy_px);
     const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
     cv::Vec3f* normal = normals.ptr<cv::Vec3f>(row / step);
     for (int first = 0; first < points.cols; first += kLanes * step) {
       const float* center = inverse.At(row, first);
       const Lanes at_center = Load(center);
-      if (hn::AllTrue(Tag(), hn::Le(at_center, All(0)))) continue;
+      const int count = std::min(kLanes, normals.cols - first / step);
+      if (hn::AllTrue(Tag(), hn::Le(at_center, All(0)))) {
+        std::fill_n(normal + first / step, count, none);
+        continue;
+      }
       const PlaneFit fit = Solve(SumWindows(inverse, row, first, options), at_center);
       const Vectors n = NormalsOf(fit, Load(relative_cols.data() + first / step), dv0, intrinsics);
-      for (int lane = 0; lane < kLanes && first + lane * step < points.cols; ++lane) {
-        if (center[lane] <= 0 || std::isnan(n.x[lane])) continue;
+      for (int lane = 0; lane < count; ++lane) {
+        const bool has_none = center[lane] <= 0 || std::isnan(n.x[lane]);
         normal[first / step + lane] =
-            TowardsCamera({n.x[lane], n.y[lane], n.z[lane]}, point[first + lane * step]);
+            has_none ? none
+                     : TowardsCamera({n.x[lane], n.y[lane], n.z[lane]}, point[first + lane * step]);
       }
     }
   }
@@ -213,8 +220,7 @@ NormalMap FitNormals(const cv::Mat& points, const CameraIntrinsics& intrinsics,
                      const NormalOptions& options) {
   const InverseDepth inverse(points, options);
   const int step = options.step_px;
-  cv::Mat normals((points.rows + step - 1) / step, (points.cols + step - 1) / step, CV_32FC3,
-                  cv::Scalar::all(std::numeric_limits<float>::quiet_NaN()));
+  cv::Mat normals((points.rows + step - 1) / step, (points.cols + step - 1) / step, CV_32FC3);
   const std::vector<float> relative_cols = RelativeColumns(points.cols, step, intrinsics.cx_px);
   const RowFit fit{points, inverse, relative_cols, intrinsics, options};
   for (int row = 0; row < points.rows; row += step) {

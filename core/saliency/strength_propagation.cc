@@ -42,8 +42,7 @@ class Propagation {
     const int left = kBlock_px - scale, right = cols_ - left - channel.cols;
     cv::copyMakeBorder(channel, features_, 0, 0, left, right, cv::BORDER_REPLICATE);
     features_.convertTo(features_, CV_32F);
-    strengths_ = cv::Mat::ones(channel.rows, cols_, CV_32F);
-    strengths_(cv::Rect(kBlock_px, scale, channel.cols - 2 * scale, end_ - scale)) = 0.0F;
+    SetStart(channel.cols - 2 * scale);
     MarkBesideBorder();
   }
 
@@ -63,6 +62,16 @@ class Propagation {
   }
 
  private:
+  // One within `scale` of the ends, where nothing pulls, and 0 elsewhere.
+  void SetStart(int cols_inside) {
+    strengths_.create(features_.size(), CV_32F);
+    for (int y = 0; y < strengths_.rows; ++y) {
+      float* row = strengths_.ptr<float>(y);
+      std::fill_n(row, cols_, 1.0F);
+      if (y >= scale_ && y < end_) std::fill_n(row + kBlock_px, cols_inside, 0.0F);
+    }
+  }
+
   void MarkBesideBorder() {
     const auto mark = [&](int y, int block) {
       down_.Mark(y, block, {.all = 1});

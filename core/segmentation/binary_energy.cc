@@ -17,9 +17,9 @@ class BinaryMinimizer::GainFlow {
  public:
   void Begin(const BinaryEnergy& energy) {
     nodes_.assign(energy.costs.size(), {});
-    out_of_reach_ = static_cast<int>(nodes_.size()) + 1;
-    first_active_.assign(nodes_.size() + 1, -1);
-    num_at_height_.assign(nodes_.size() + 1, 0);
+    out_of_reach_ = static_cast<int>(nodes_.size()) + 2;
+    first_active_.resize(out_of_reach_);
+    num_at_height_.assign(out_of_reach_, 0);
     for (std::size_t v = 0; v < nodes_.size(); ++v) {
       nodes_[v].gain = std::max(0.0F, -energy.costs[v]);
       nodes_[v].loss = std::max(0.0F, energy.costs[v]);
@@ -28,7 +28,7 @@ class BinaryMinimizer::GainFlow {
   }
 
   void Run() {
-    RelabelAll();
+    StartHeights();
     LongLoop loop;
     while (highest_ > 0) {
       loop.Turn();
@@ -111,6 +111,27 @@ class BinaryMinimizer::GainFlow {
     highest_ = std::max(highest_, node.height);
   }
 
+  // Heights that are not too large, as far as a look at each node by itself tells. Most of the gain
+  // is swallowed near where it begins, before exact ones would have paid.
+  void StartHeights() {
+    InterruptionPoint();
+    for (Node& node : nodes_) {
+      node.arc = node.first_arc;
+      node.height = node.loss > 0 ? 1 : 2;
+      ++num_at_height_[node.height];
+    }
+    ActivateAll();
+  }
+
+  void ActivateAll() {
+    num_relabels_ = 0;
+    highest_ = 0;
+    std::fill(first_active_.begin(), first_active_.end(), -1);
+    for (int v = 0; v < static_cast<int>(nodes_.size()); ++v) {
+      if (nodes_[v].gain > 0) Activate(v);
+    }
+  }
+
   // Makes every height exact, by a breadth-first search.
   void RelabelAll() {
     InterruptionPoint();
@@ -132,12 +153,7 @@ class BinaryMinimizer::GainFlow {
         found.push_back(arcs_[arc].head);
       }
     }
-    num_relabels_ = 0;
-    highest_ = 0;
-    std::fill(first_active_.begin(), first_active_.end(), -1);
-    for (int v = 0; v < static_cast<int>(nodes_.size()); ++v) {
-      if (nodes_[v].gain > 0) Activate(v);
-    }
+    ActivateAll();
   }
 
   // Lets the gain of a node flow until none is left or none can be swallowed.
@@ -195,7 +211,7 @@ class BinaryMinimizer::GainFlow {
 
   std::vector<Node> nodes_;
   std::vector<Arc> arcs_;
-  int out_of_reach_ = 0;            // one more than any height
+  int out_of_reach_ = 0;            // more than any height
   std::vector<int> first_active_;   // of the nodes with gain of each height; -1 = none
   std::vector<int> num_at_height_;  // how many nodes
   int highest_ = 0;                 // height with active nodes

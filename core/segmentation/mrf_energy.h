@@ -15,7 +15,7 @@ namespace fovea {
 
 struct MrfOptions {
   // Seeds are dense, so that a hypothesis need not reach far, but may reach across an object.
-  DataTermOptions data{.gamma_per_m2 = 30, .reach_m = 0.15};
+  DataTermOptions data{.gamma_per_m2 = 30, .reach_m = 0.11};
   // The weight of the pairwise term is λ on flat and convex transitions and falls with the concave
   // angle a as exp(−a / concave_angle); degrees. Eq. 7 leaves flat surfaces, where the sign of Eq.
   // 8 is noise, to chance.
