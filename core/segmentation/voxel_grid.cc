@@ -16,6 +16,8 @@
 namespace fovea {
 namespace {
 
+constexpr std::size_t kUsualPoints = 8;  // of a voxel, or more
+
 // Half of the neighbouring cells that differ along at most `axes` axes, so that each pair is met
 // once.
 std::vector<Eigen::Vector3i> HalfNeighborhood(int axes) {
@@ -132,7 +134,9 @@ int FindOrAdd(const Eigen::Vector3i& cell, const cv::Point& pixel, int above, Ce
 // Adds each point to its voxel; means and normals are sums until Finish.
 CellIndex CollectVoxels(const cv::Mat& points, const NormalMap& normals,
                         const VoxelOptions& options, VoxelGrid& grid) {
-  CellIndex index(points.total() / 16);
+  const std::size_t expected = points.total() / kUsualPoints;
+  CellIndex index(expected);
+  grid.voxels.reserve(expected);
   RowCells cells(points.cols, options);
   for (int row = 0; row < points.rows; ++row) {
     InterruptionPoint();
@@ -141,6 +145,7 @@ CellIndex CollectVoxels(const cv::Mat& points, const NormalMap& normals,
     const int step = normals.step_px;
     const auto* normals_of_row =
         row % step == 0 ? normals.vectors.ptr<cv::Vec3f>(row / step) : nullptr;
+    std::fill_n(voxel_of_pixel, points.cols, -1);
     const int* above = grid.voxel_of_pixel.ptr<int>(std::max(row - 1, 0));
     RunInWidestRegisters([&] { cells.Set(point); });
     for (int first = 0, end = 1; first < points.cols; first = end++) {
@@ -205,7 +210,7 @@ void SmoothNormals(VoxelGrid& grid) {
 VoxelGrid BuildVoxelGrid(const cv::Mat& points, const NormalMap& normals,
                          const VoxelOptions& options) {
   VoxelGrid grid;
-  grid.voxel_of_pixel = cv::Mat(points.size(), CV_32SC1, cv::Scalar(-1));
+  grid.voxel_of_pixel.create(points.size(), CV_32SC1);
   const CellIndex index = CollectVoxels(points, normals, options, grid);
   Finish(grid.voxels);
   grid.edges = FindNeighbors(grid.voxels, index, options.neighbor_axes);
