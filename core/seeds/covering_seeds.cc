@@ -20,14 +20,27 @@ constexpr std::size_t kMinVoxels = 20;  // of a connected part; fewer are noise
 constexpr float kMaxExtentM = 1.5F;
 constexpr float kUnreached = std::numeric_limits<float>::infinity();
 
-using Neighbors = Adjacency<int>;  // voxels
+struct Step {
+  int voxel = 0;
+  float length_m = 0;
+};
+
+using Neighbors = Adjacency<Step>;
+
+Neighbors NeighborsOf(const VoxelGrid& grid, const std::vector<char>& is_background) {
+  const std::vector<Voxel>& voxels = grid.voxels;
+  return {voxels.size(), EdgesWithin(grid, is_background, 0),
+          [&](const VoxelEdge& edge, int voxel) {
+            return Step{voxel, (voxels[edge.a].mean - voxels[edge.b].mean).norm()};
+          }};
+}
 
 // Distance of every voxel to the nearest source along the surface, kept up to date as sources are
 // added.
 class SurfaceDistance {
  public:
-  SurfaceDistance(const VoxelGrid& grid, const Neighbors& neighbors)
-      : grid_(grid), neighbors_(neighbors), distance_(grid.voxels.size(), kUnreached) {}
+  SurfaceDistance(const VoxelGrid& grid, const std::vector<char>& is_background)
+      : neighbors_(NeighborsOf(grid, is_background)), distance_(grid.voxels.size(), kUnreached) {}
 
   float Of(int voxel) const { return distance_[voxel]; }
 
@@ -40,11 +53,11 @@ class SurfaceDistance {
       const auto [distance, voxel] = queue_.top();
       queue_.pop();
       if (distance > distance_[voxel]) continue;
-      for (const int neighbor : neighbors_.Of(voxel)) {
-        const float step = (grid_.voxels[neighbor].mean - grid_.voxels[voxel].mean).norm();
-        if (distance + step >= distance_[neighbor]) continue;
-        distance_[neighbor] = distance + step;
-        queue_.emplace(distance + step, neighbor);
+      for (const Step& step : neighbors_.Of(voxel)) {
+        const float beyond = distance + step.length_m;
+        if (beyond >= distance_[step.voxel]) continue;
+        distance_[step.voxel] = beyond;
+        queue_.emplace(beyond, step.voxel);
       }
     }
   }
@@ -52,8 +65,7 @@ class SurfaceDistance {
  private:
   using Entry = std::pair<float, int>;
 
-  const VoxelGrid& grid_;
-  const Neighbors& neighbors_;
+  Neighbors neighbors_;
   std::vector<float> distance_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;  // empty between calls
 };
@@ -117,10 +129,8 @@ std::vector<int> VoxelsToAdd(const VoxelGrid& grid, const std::vector<char>& is_
 std::vector<Seed> CoverWithSeeds(const VoxelGrid& grid, const std::vector<char>& is_background,
                                  const std::vector<Seed>& seeds, const CoverOptions& options) {
   if (options.spacing_m <= 0) return seeds;
-  const Neighbors neighbors(grid.voxels.size(), EdgesWithin(grid, is_background, 0),
-                            [](const VoxelEdge& /*edge*/, int voxel) { return voxel; });
+  SurfaceDistance distance(grid, is_background);
   InterruptionPoint();
-  SurfaceDistance distance(grid, neighbors);
   for (const Seed& seed : seeds) {
     const int voxel = grid.voxel_of_pixel.at<int>(seed.pixel);
     if (voxel >= 0 && !is_background[voxel]) distance.AddSource(voxel);
