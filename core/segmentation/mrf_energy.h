@@ -29,7 +29,7 @@ struct MrfOptions {
   double color_floor = 0.35;
   // Neighbouring voxels are labelled together, up to this many at a time, where cutting between
   // them costs much; 1: every voxel by itself.
-  int cluster_voxels = 16;
+  int cluster_voxels = 32;
 };
 
 // The energy over the voxels of `grid`, with the data term as in data_term.h. Voxels with
