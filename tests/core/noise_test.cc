@@ -75,7 +75,7 @@ TEST(Noise, CanBeStoppedInEachStage) {
                [&] { depth_saliency = DepthSaliency(depth, options.depth_saliency); });
   Diagnostics counts;
   std::vector<Seed> seeds;
-  ExpectToStop("seeds", 4 * kRows, [&] {
+  ExpectToStop("seeds", 3 * kRows, [&] {
     seeds = FindSalientPositions(color_saliency, options.color_saliency.downscale, depth_saliency,
                                  options.depth_saliency.downscale, points, options.seeds, counts)
                 .seeds;
@@ -114,7 +114,7 @@ TEST(Noise, CanBeStoppedInEachStage) {
   const cv::Mat standing = cv::Mat::zeros(depth.size(), CV_8UC1);
   const LabelledScene scene{grid,  labels,   points,   lab,     colors,      frame.intrinsics,
                             -down, supports, standing, on_wall, frame.unseen};
-  ExpectToStop("refinement", 40 * kRows, [&] { Refine(scene, options); });
+  ExpectToStop("refinement", 24 * kRows, [&] { Refine(scene, options); });
 }
 
 TEST(Noise, IsCalledNoise) {
