@@ -15,7 +15,7 @@ namespace fovea {
 
 struct MrfOptions {
   // Seeds are dense, so that a hypothesis need not reach far, but may reach across an object.
-  DataTermOptions data{.gamma_per_m2 = 30, .reach_m = 0.11};
+  DataTermOptions data{.gamma_per_m2 = 30, .reach_m = 0.15};
   // The weight of the pairwise term is λ on flat and convex transitions and falls with the concave
   // angle a as exp(−a / concave_angle); degrees. Eq. 7 leaves flat surfaces, where the sign of Eq.
   // 8 is noise, to chance.
@@ -29,7 +29,7 @@ struct MrfOptions {
   double color_floor = 0.35;
   // Neighbouring voxels are labelled together, up to this many at a time, where cutting between
   // them costs much; 1: every voxel by itself.
-  int cluster_voxels = 32;
+  int cluster_voxels = 16;
 };
 
 // The energy over the voxels of `grid`, with the data term as in data_term.h. Voxels with

@@ -114,7 +114,7 @@ TEST(Noise, CanBeStoppedInEachStage) {
   const cv::Mat standing = cv::Mat::zeros(depth.size(), CV_8UC1);
   const LabelledScene scene{grid,  labels,   points,   lab,     colors,      frame.intrinsics,
                             -down, supports, standing, on_wall, frame.unseen};
-  ExpectToStop("refinement", 24 * kRows, [&] { Refine(scene, options); });
+  ExpectToStop("refinement", 40 * kRows, [&] { Refine(scene, options); });
 }
 
 TEST(Noise, IsCalledNoise) {
