@@ -15,8 +15,8 @@ DetectorOptions Default() {
   DetectorOptions options;
   // Here pixels are blocks of those of the camera (core/pixel_blocks.h). Saliency tells what to
   // look at first, and needs few of them.
-  options.color_saliency.downscale = 8;
-  options.depth_saliency.downscale = 4;
+  options.color_saliency.downscale = 5;
+  options.depth_saliency.downscale = 2;
   // Smaller peaks, for seeds where no surface is found: elsewhere they lie all over what is above
   // it.
   options.seeds.disk_radius_px = 5;

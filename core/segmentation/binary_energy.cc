@@ -111,8 +111,8 @@ class BinaryMinimizer::GainFlow {
     highest_ = std::max(highest_, node.height);
   }
 
-  // Heights that are not too large, as far as a look at each node by itself tells. Most of the gain
-  // is swallowed near where it begins, before exact ones would have paid.
+  // Heights that are not too large, as far as a look at each node by itself tells: exact ones cost
+  // more than they save here.
   void StartHeights() {
     InterruptionPoint();
     for (Node& node : nodes_) {

@@ -75,7 +75,7 @@ TEST(Noise, CanBeStoppedInEachStage) {
                [&] { depth_saliency = DepthSaliency(depth, options.depth_saliency); });
   Diagnostics counts;
   std::vector<Seed> seeds;
-  ExpectToStop("seeds", 3 * kRows, [&] {
+  ExpectToStop("seeds", 4 * kRows, [&] {
     seeds = FindSalientPositions(color_saliency, options.color_saliency.downscale, depth_saliency,
                                  options.depth_saliency.downscale, points, options.seeds, counts)
                 .seeds;
