@@ -74,10 +74,12 @@ bool SeenArea::Contains(const cv::Point& pixel) const {
   return bounds_.contains(pixel) && (unseen_.empty() || unseen_.at<std::uint8_t>(pixel) == 0);
 }
 
-bool SeenArea::CutsOff(const std::vector<cv::Point>& mask) const {
-  if (EndsWith(cv::boundingRect(mask), bounds_, image_)) return true;
-  return !beside_unseen_.empty() && std::any_of(mask.begin(), mask.end(), [&](const auto& pixel) {
-    return beside_unseen_.at<std::uint8_t>(pixel) != 0;
+bool SeenArea::CutsOff(const PixelRuns& mask) const {
+  if (EndsWith(BoundsOf(mask), bounds_, image_)) return true;
+  return !beside_unseen_.empty() && std::any_of(mask.begin(), mask.end(), [&](const auto& run) {
+    const auto* is_beside = beside_unseen_.ptr<std::uint8_t>(run.row);
+    return std::any_of(is_beside + run.first, is_beside + run.end,
+                       [](std::uint8_t beside) { return beside != 0; });
   });
 }
 

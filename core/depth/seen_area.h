@@ -4,7 +4,8 @@
 
 #include <opencv2/core/mat.hpp>
 #include <opencv2/core/types.hpp>
-#include <vector>
+
+#include "core/types/pixel_runs.h"
 
 namespace fovea {
 
@@ -22,7 +23,7 @@ class SeenArea {
   bool Contains(const cv::Point& pixel) const;
 
   // Whether a mask ends where the image ends, or at a margin, whose edge is uneven by some pixels.
-  bool CutsOff(const std::vector<cv::Point>& mask) const;
+  bool CutsOff(const PixelRuns& mask) const;
 
  private:
   cv::Size image_;

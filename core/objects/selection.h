@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/depth/seen_area.h"
+#include "core/types/pixel_runs.h"
 
 namespace fovea {
 
@@ -19,7 +20,8 @@ struct SelectionOptions {
 
 struct Candidate {
   int label = 0;
-  std::vector<cv::Point> pixels;  // in row-major order
+  PixelRuns pixels;
+  std::size_t num_pixels = 0;
   float confidence = 0;
   float saliency = 0;      // mean over the pixels
   bool truncated = false;  // ends with the measured area
