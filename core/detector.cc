@@ -53,6 +53,12 @@ Trace TraceOf(Search search, const cv::Mat& depth, const PixelBlocks& blocks,
           {}};
 }
 
+// Of where the objects are, beside what they are.
+bool IsMoreAsked(const DetectorOptions& options) {
+  return options.place || options.planning.collision_primitives || options.planning.height_map ||
+         !options.grippers.empty();
+}
+
 // The first stage of `clock` has begun.
 ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* trace,
                                TimeBudget& budget, StageClock& clock, Detections& result) {
@@ -78,16 +84,20 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& op
   }
   // Pixels show what was measured there, and what stands in for what cannot be.
   const cv::Mat depth_of_blocks = ChannelZ(scene.points);
-  const cv::Mat shown = FillFromBlocks(depth, depth_of_blocks, scene.standing, blocks);
-  const cv::Mat points = BackProject(shown, frame.intrinsics, options.max_depth_m);
+  const cv::Mat shown = DepthUpTo(FillFromBlocks(depth, depth_of_blocks, scene.standing, blocks),
+                                  options.max_depth_m);
   result.labels = LabelsOfPixels(LabelImage(scene.grid, search.found.objects), depth_of_blocks,
                                  shown, options.max_depth_m, blocks);
-  DescribeObjects(frame, points, blocks.InPixels(search.saliency), search.found.confidences,
-                  scene.supports, options.objects, result);
+  DescribeObjects(frame, {shown, frame.intrinsics}, blocks.InPixels(search.saliency),
+                  search.found.confidences, scene.supports, options.objects, result);
+  ObjectSurroundings around;
+  around.supports = std::move(scene.supports);
+  if (IsMoreAsked(options)) {
+    around.points = BackProject(shown, frame.intrinsics, options.max_depth_m);
+  }
   clock.Finish();
-  std::vector<Support> supports = std::move(scene.supports);
   if (trace != nullptr) *trace = TraceOf(std::move(search), depth, blocks, options);
-  return {points, std::move(supports)};
+  return around;
 }
 
 void PrepareForPlanning(const ObjectSurroundings& around, const PlanningOptions& options,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <opencv2/imgproc.hpp>
+#include <vector>
 
 #include "core/types/interruption.h"
 #include "core/types/pixels.h"
@@ -13,42 +14,48 @@ namespace {
 
 constexpr double kUnevenPx = 6;  // in an image 640 wide
 
-bool IsMeasured(const cv::Mat& points, int row, int col) {
-  return !std::isnan(points.ptr<cv::Vec3f>(row)[col][2]);
+// Of each of some columns, in how many rows it was measured; row by row, as images lie in memory.
+std::vector<int> CountInColumns(const cv::Mat& depth_m, const cv::Range& columns) {
+  const int step = depth_m.channels();
+  std::vector<int> counts(columns.size());
+  for (int row = 0; row < depth_m.rows; ++row) {
+    const float* depth = depth_m.ptr<float>(row) + columns.start * step + step - 1;
+    for (int i = 0; i < columns.size(); ++i) counts[i] += std::isnan(depth[i * step]) ? 0 : 1;
+  }
+  return counts;
 }
 
-bool MostOfRow(const cv::Mat& points, int row) {
+bool IsMostOfRowMeasured(const cv::Mat& depth_m, int row) {
+  const int step = depth_m.channels();
+  const float* depth = depth_m.ptr<float>(row) + step - 1;
   int count = 0;
-  for (int col = 0; col < points.cols; ++col) count += IsMeasured(points, row, col) ? 1 : 0;
-  return 2 * count >= points.cols;
+  for (int col = 0; col < depth_m.cols; ++col) count += std::isnan(depth[col * step]) ? 0 : 1;
+  return 2 * count >= depth_m.cols;
 }
 
-bool MostOfColumn(const cv::Mat& points, int col) {
-  int count = 0;
-  for (int row = 0; row < points.rows; ++row) count += IsMeasured(points, row, col) ? 1 : 0;
-  return 2 * count >= points.rows;
-}
-
-// How many of the lines at one end of the image are for the most part not measured: a margin if
-// not more than an eighth of all, else things too far away or cut out. `first`: of that end, from
-// which on they are looked at in steps of one or minus one.
+// How many of the lines at one end of the image, up to `most`, are for the most part not measured.
+// If all of them, they are no margin but things too far away or cut out.
 template <typename IsMeasuredLine>
-int Margin(int count, const IsMeasuredLine& is_measured, int first, int step) {
+int Margin(int most, const IsMeasuredLine& is_measured) {
   InterruptionPoint();
-  for (int i = 0; i < count / 8; ++i) {
-    if (is_measured(first + i * step)) return i;
+  for (int i = 0; i < most; ++i) {
+    if (is_measured(i)) return i;
   }
   return 0;
 }
 
-cv::Rect MeasuredBounds(const cv::Mat& points) {
-  const auto row = [&](int y) { return MostOfRow(points, y); };
-  const auto column = [&](int x) { return MostOfColumn(points, x); };
-  const int width = points.cols, height = points.rows;
-  const cv::Point first(Margin(width, column, 0, 1), Margin(height, row, 0, 1));
-  const cv::Point end(width - Margin(width, column, width - 1, -1),
-                      height - Margin(height, row, height - 1, -1));
-  return {first, end};
+cv::Rect MeasuredBounds(const cv::Mat& depth_m) {
+  const int width = depth_m.cols, height = depth_m.rows;
+  const int most_cols = width / 8, most_rows = height / 8;
+  const std::vector<int> left = CountInColumns(depth_m, {0, most_cols});
+  const std::vector<int> right = CountInColumns(depth_m, {width - most_cols, width});
+  const auto row = [&](int y) { return IsMostOfRowMeasured(depth_m, y); };
+  const cv::Point first(Margin(most_cols, [&](int i) { return 2 * left[i] >= height; }),
+                        Margin(most_rows, row));
+  const cv::Point margin(
+      Margin(most_cols, [&](int i) { return 2 * right[most_cols - 1 - i] >= height; }),
+      Margin(most_rows, [&](int i) { return row(height - 1 - i); }));
+  return {first, cv::Point(depth_m.size()) - margin};
 }
 
 bool EndsWith(const cv::Rect& mask, const cv::Rect& measured, const cv::Size& image) {
@@ -63,8 +70,8 @@ bool EndsWith(const cv::Rect& mask, const cv::Rect& measured, const cv::Size& im
 
 }  // namespace
 
-SeenArea::SeenArea(const cv::Mat& points, const cv::Mat& unseen)
-    : image_(points.size()), bounds_(MeasuredBounds(points)), unseen_(unseen) {
+SeenArea::SeenArea(const cv::Mat& depth_m, const cv::Mat& unseen)
+    : image_(depth_m.size()), bounds_(MeasuredBounds(depth_m)), unseen_(unseen) {
   if (unseen.empty()) return;
   const int uneven_px = ScaledPx(kUnevenPx, image_.width, 1);
   cv::dilate(unseen, beside_unseen_, cv::Mat::ones(2 * uneven_px + 1, 2 * uneven_px + 1, CV_8UC1));

@@ -14,27 +14,26 @@ namespace fovea {
 namespace {
 
 // Of the object's `num_pixels`.
-void SetColoredCloud(const RgbdFrame& frame, const cv::Mat& points, const PixelRuns& pixels,
+void SetColoredCloud(const RgbdFrame& frame, const PixelPoints& points, const PixelRuns& pixels,
                      DetectedObject& object) {
   std::array<std::size_t, 3> color_sum{};
   Eigen::Vector3d position_sum = Eigen::Vector3d::Zero();
   object.cloud.reserve(object.num_pixels);
   for (const PixelRun& run : pixels) {
-    const auto* point = points.ptr<cv::Vec3f>(run.row);
     const auto* color = frame.color_rgb.ptr<cv::Vec3b>(run.row);
     for (int col = run.first; col < run.end; ++col) {
-      const cv::Vec3f& p = point[col];
+      const Eigen::Vector3f p = points.At(run.row, col);
       const cv::Vec3b& c = color[col];
-      object.cloud.push_back({p[0], p[1], p[2], c[0], c[1], c[2]});
-      position_sum += Eigen::Vector3d(p[0], p[1], p[2]);
+      object.cloud.push_back({p.x(), p.y(), p.z(), c[0], c[1], c[2]});
+      position_sum += p.cast<double>();
       for (int channel = 0; channel < 3; ++channel) color_sum[channel] += c[channel];
     }
   }
   const auto count = static_cast<double>(object.num_pixels);
   object.centroid = (position_sum / count).cast<float>();
   for (int channel = 0; channel < 3; ++channel) {
-    object.mean_color[channel] = static_cast<std::uint8_t>(
-        std::lround(static_cast<double>(color_sum[channel]) / count));
+    object.mean_color[channel] =
+        static_cast<std::uint8_t>(std::lround(static_cast<double>(color_sum[channel]) / count));
   }
 }
 
@@ -73,8 +72,8 @@ bool IsMostlyWithoutDepth(const cv::Mat& depth_m, const PixelRuns& pixels) {
   std::ptrdiff_t surplus = 0;  // of pixels without
   for (const PixelRun& run : pixels) {
     const float* depth = depth_m.ptr<float>(run.row);
-    const auto missing = std::count_if(depth + run.first, depth + run.end,
-                                       [](float d) { return std::isnan(d); });
+    const auto missing =
+        std::count_if(depth + run.first, depth + run.end, [](float d) { return std::isnan(d); });
     surplus += 2 * missing - (run.end - run.first);
   }
   return surplus > 0;
@@ -94,9 +93,9 @@ struct DescribedObject {
   std::optional<SupportSurface> support;
 };
 
-DescribedObject Describe(const RgbdFrame& frame, const cv::Mat& points, const Candidate& candidate,
-                         const std::vector<Support>& supports, const Eigen::Vector3f& gravity,
-                         const ObjectOptions& options) {
+DescribedObject Describe(const RgbdFrame& frame, const PixelPoints& points,
+                         const Candidate& candidate, const std::vector<Support>& supports,
+                         const Eigen::Vector3f& gravity, const ObjectOptions& options) {
   const PixelRuns& pixels = candidate.pixels;
   DetectedObject object;
   object.confidence = candidate.confidence;
@@ -125,11 +124,12 @@ DescribedObject Describe(const RgbdFrame& frame, const cv::Mat& points, const Ca
 
 }  // namespace
 
-void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points, const cv::Mat& saliency,
+void DescribeObjects(const RgbdFrame& frame, const PixelPoints& points, const cv::Mat& saliency,
                      const std::vector<float>& confidences, const std::vector<Support>& supports,
                      const ObjectOptions& options, Detections& detections) {
-  const Selection selection = SelectObjects(detections.labels, confidences, saliency,
-                                            SeenArea(points, frame.unseen), options.selection);
+  const Selection selection =
+      SelectObjects(detections.labels, confidences, saliency,
+                    SeenArea(points.Depth_m(), frame.unseen), options.selection);
   detections.diagnostics.segments_too_small = selection.num_too_small;
   detections.diagnostics.objects_less_salient = selection.num_less_salient;
   detections.labels = cv::Mat::zeros(frame.depth_m.size(), CV_16UC1);
