@@ -88,7 +88,7 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& op
                                   options.max_depth_m);
   result.labels = LabelsOfPixels(LabelImage(scene.grid, search.found.objects), depth_of_blocks,
                                  shown, options.max_depth_m, blocks);
-  DescribeObjects(frame, {shown, frame.intrinsics}, blocks.InPixels(search.saliency),
+  DescribeObjects(frame, {shown, frame.intrinsics}, {search.saliency, blocks.edge_px},
                   search.found.confidences, scene.supports, options.objects, result);
   ObjectSurroundings around;
   around.supports = std::move(scene.supports);

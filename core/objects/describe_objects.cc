@@ -124,7 +124,7 @@ DescribedObject Describe(const RgbdFrame& frame, const PixelPoints& points,
 
 }  // namespace
 
-void DescribeObjects(const RgbdFrame& frame, const PixelPoints& points, const cv::Mat& saliency,
+void DescribeObjects(const RgbdFrame& frame, const PixelPoints& points, const BlockImage& saliency,
                      const std::vector<float>& confidences, const std::vector<Support>& supports,
                      const ObjectOptions& options, Detections& detections) {
   const Selection selection =

@@ -24,7 +24,7 @@ struct ObjectOptions {
 //
 // `detections.labels`: CV_16UC1, 0 = background; `points`: with one wherever there is a label;
 // `saliency`: CV_32FC1 in [0, 1]; `confidences`: as SelectObjects takes them.
-void DescribeObjects(const RgbdFrame& frame, const PixelPoints& points, const cv::Mat& saliency,
+void DescribeObjects(const RgbdFrame& frame, const PixelPoints& points, const BlockImage& saliency,
                      const std::vector<float>& confidences, const std::vector<Support>& supports,
                      const ObjectOptions& options, Detections& detections);
 

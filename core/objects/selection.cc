@@ -41,11 +41,15 @@ std::vector<PixelRuns> CollectRuns(const cv::Mat& labels) {
   return runs;
 }
 
-float MeanOf(const cv::Mat& map, const PixelRuns& pixels, std::size_t num_pixels) {
+float MeanOf(const BlockImage& map, const PixelRuns& pixels, std::size_t num_pixels) {
   double sum = 0;
   for (const PixelRun& run : pixels) {
-    const float* values = map.ptr<float>(run.row);
-    for (int col = run.first; col < run.end; ++col) sum += values[col];
+    const float* values = map.values.ptr<float>(run.row / map.size_px);
+    for (int col = run.first; col < run.end;) {
+      const int block = col / map.size_px;
+      const int end = std::min((block + 1) * map.size_px, run.end);
+      for (; col < end; ++col) sum += values[block];
+    }
   }
   return static_cast<float>(sum / static_cast<double>(num_pixels));
 }
@@ -73,7 +77,7 @@ std::size_t KeepMostSalient(int max_objects, std::vector<Candidate>& candidates)
 }  // namespace
 
 Selection SelectObjects(const cv::Mat& labels, const std::vector<float>& confidences,
-                        const cv::Mat& saliency, const SeenArea& area,
+                        const BlockImage& saliency, const SeenArea& area,
                         const SelectionOptions& options) {
   std::vector<PixelRuns> runs = CollectRuns(labels);
   Selection selection;

@@ -89,7 +89,7 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const PaperOptions& optio
   clock.Begin("objects");
   result.labels = LabelsWithin(grid, objects, measured == measured);
   DescribeObjects(
-      frame, {ChannelZ(points), frame.intrinsics}, MeanSaliency(color_saliency, depth_saliency),
+      frame, {ChannelZ(points), frame.intrinsics}, {MeanSaliency(color_saliency, depth_saliency)},
       Confidences(result.labels, measured, frame.intrinsics), supports, options.objects, result);
   clock.Finish();
   if (trace != nullptr) {

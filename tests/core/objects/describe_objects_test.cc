@@ -28,7 +28,7 @@ struct Scene {
     const std::vector<Support> supports =
         detections.support ? std::vector<Support>{{*detections.support, Footprint()}}
                            : std::vector<Support>{};
-    DescribeObjects(frame, points, saliency, confidences, supports, options, detections);
+    DescribeObjects(frame, points, {saliency}, confidences, supports, options, detections);
   }
 };
 
@@ -166,7 +166,7 @@ TEST(DescribeObjects, StandsOnTheHighestSupportBelow) {
   const Eigen::Vector3f up = -Eigen::Vector3f::UnitY();
   const std::vector<Support> supports{{{up, 0.8F, 1}, Footprint()}, {{up, 0.1F, 1}, Footprint()}};
   const PixelPoints points(scene.frame.depth_m, scene.frame.intrinsics);
-  DescribeObjects(scene.frame, points, scene.saliency, scene.confidences, supports, {},
+  DescribeObjects(scene.frame, points, {scene.saliency}, scene.confidences, supports, {},
                   scene.detections);
   ASSERT_EQ(scene.detections.objects.size(), 1U);
   EXPECT_NEAR(*scene.detections.objects[0].height_above_support_m, 0.102, 1e-3);
