@@ -16,11 +16,12 @@ constexpr double kUnevenPx = 6;  // in an image 640 wide
 
 // Of each of some columns, in how many rows it was measured; row by row, as images lie in memory.
 std::vector<int> CountInColumns(const cv::Mat& depth_m, const cv::Range& columns) {
-  const int step = depth_m.channels();
-  std::vector<int> counts(columns.size());
+  const int step = depth_m.channels(), num = columns.size();
+  std::vector<int> counts(num);
+  int* const count = counts.data();
   for (int row = 0; row < depth_m.rows; ++row) {
     const float* depth = depth_m.ptr<float>(row) + columns.start * step + step - 1;
-    for (int i = 0; i < columns.size(); ++i) counts[i] += std::isnan(depth[i * step]) ? 0 : 1;
+    for (int i = 0; i < num; ++i) count[i] += std::isnan(depth[i * step]) ? 0 : 1;
   }
   return counts;
 }
