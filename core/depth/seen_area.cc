@@ -34,29 +34,39 @@ bool IsMostOfRowMeasured(const cv::Mat& depth_m, int row) {
   return 2 * count >= depth_m.cols;
 }
 
-// How many of the lines at one end of the image, up to `most`, are for the most part not measured.
-// If all of them, they are no margin but things too far away or cut out.
-template <typename IsMeasuredLine>
-int Margin(int most, const IsMeasuredLine& is_measured) {
+// How many of the rows, up to `most`, from the first one on or the last one back are for the most
+// part not measured. If all of them, they are no margin but things too far away or cut out.
+int MarginOfRows(const cv::Mat& depth_m, int most, bool is_first) {
   InterruptionPoint();
   for (int i = 0; i < most; ++i) {
-    if (is_measured(i)) return i;
+    if (IsMostOfRowMeasured(depth_m, is_first ? i : depth_m.rows - 1 - i)) return i;
+  }
+  return 0;
+}
+
+// The same of columns.
+int MarginOfColumns(const cv::Mat& depth_m, int most, bool is_first) {
+  constexpr int kTogether = 16;  // of a piece of memory
+  for (int i = 0; i < most; i += kTogether) {
+    InterruptionPoint();
+    const int end = std::min(i + kTogether, most), cols = depth_m.cols;
+    std::vector<int> counts =
+        CountInColumns(depth_m, is_first ? cv::Range(i, end) : cv::Range(cols - end, cols - i));
+    if (!is_first) std::reverse(counts.begin(), counts.end());
+    const auto found = std::find_if(counts.begin(), counts.end(),
+                                    [&](int count) { return 2 * count >= depth_m.rows; });
+    if (found != counts.end()) return i + static_cast<int>(found - counts.begin());
   }
   return 0;
 }
 
 cv::Rect MeasuredBounds(const cv::Mat& depth_m) {
-  const int width = depth_m.cols, height = depth_m.rows;
-  const int most_cols = width / 8, most_rows = height / 8;
-  const std::vector<int> left = CountInColumns(depth_m, {0, most_cols});
-  const std::vector<int> right = CountInColumns(depth_m, {width - most_cols, width});
-  const auto row = [&](int y) { return IsMostOfRowMeasured(depth_m, y); };
-  const cv::Point first(Margin(most_cols, [&](int i) { return 2 * left[i] >= height; }),
-                        Margin(most_rows, row));
-  const cv::Point margin(
-      Margin(most_cols, [&](int i) { return 2 * right[most_cols - 1 - i] >= height; }),
-      Margin(most_rows, [&](int i) { return row(height - 1 - i); }));
-  return {first, cv::Point(depth_m.size()) - margin};
+  const int most_cols = depth_m.cols / 8, most_rows = depth_m.rows / 8;
+  const cv::Point first(MarginOfColumns(depth_m, most_cols, true),
+                        MarginOfRows(depth_m, most_rows, true));
+  const cv::Point last(MarginOfColumns(depth_m, most_cols, false),
+                       MarginOfRows(depth_m, most_rows, false));
+  return {first, cv::Point(depth_m.size()) - last};
 }
 
 bool EndsWith(const cv::Rect& mask, const cv::Rect& measured, const cv::Size& image) {
