@@ -91,10 +91,6 @@ RgbdFrame InBlocks(const RgbdFrame& frame, const cv::Mat& depth_m, const PixelBl
           frame.gravity, unseen};
 }
 
-cv::Rect PixelBlocks::PixelsOf(const cv::Point& block) const {
-  return InPixels(cv::Rect(block, cv::Size(1, 1)));
-}
-
 cv::Mat FillFromBlocks(const cv::Mat& depth_m, const cv::Mat& depth_of_blocks, const cv::Mat& which,
                        double max_depth_m, const PixelBlocks& blocks) {
   InterruptionPoint();

@@ -3,6 +3,7 @@
 // (docs/performance.md). Goes beyond the paper.
 #pragma once
 
+#include <algorithm>
 #include <opencv2/core/mat.hpp>
 
 #include "core/segmentation/voxel_grid.h"
@@ -19,7 +20,11 @@ struct PixelBlocks {
   // The pixel in the middle of a block, and the pixels of some blocks.
   cv::Point InPixels(const cv::Point& block) const;
   cv::Rect InPixels(const cv::Rect& blocks) const;
-  cv::Rect PixelsOf(const cv::Point& block) const;
+  cv::Rect PixelsOf(const cv::Point& block) const {
+    const cv::Point first = block * edge_px;
+    return {first.x, first.y, std::min(edge_px, image.width - first.x),
+            std::min(edge_px, image.height - first.y)};
+  }
   // What an image of the blocks says of each pixel.
   cv::Mat InPixels(const cv::Mat& of_blocks) const;
 };
