@@ -1,6 +1,7 @@
 #include "core/detector.h"
 
 #include <functional>
+#include <limits>
 #include <opencv2/core.hpp>
 #include <utility>
 
@@ -36,7 +37,9 @@ Trace TraceOf(Search search, const cv::Mat& depth, const PixelBlocks& blocks,
   const std::vector<int> merged =
       LabelsOfChosen(found.tree, found.tree.LikelyNodes(), found.segments);
   search.scene.grid.voxel_of_pixel = blocks.InPixels(search.scene.grid.voxel_of_pixel);
-  return {FillFromBlocks(depth, search.depth, search.depth == search.depth, blocks),
+  const cv::Mat everywhere = search.depth == search.depth;
+  return {FillFromBlocks(depth, search.depth, everywhere, std::numeric_limits<double>::infinity(),
+                         blocks),
           blocks.InPixels(search.salience.color),
           blocks.InPixels(search.salience.depth),
           std::move(search.seeds),
@@ -51,6 +54,12 @@ Trace TraceOf(Search search, const cv::Mat& depth, const PixelBlocks& blocks,
           std::move(found.evidence),
           blocks.InPixels(search.scene.standing),
           {}};
+}
+
+// Of where the objects are, beside what they are.
+bool IsMoreAsked(const DetectorOptions& options) {
+  return options.place || options.planning.collision_primitives || options.planning.height_map ||
+         !options.grippers.empty();
 }
 
 // The first stage of `clock` has begun.
@@ -78,16 +87,20 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& op
   }
   // Pixels show what was measured there, and what stands in for what cannot be.
   const cv::Mat depth_of_blocks = ChannelZ(scene.points);
-  const cv::Mat shown = FillFromBlocks(depth, depth_of_blocks, scene.standing, blocks);
-  const cv::Mat points = BackProject(shown, frame.intrinsics, options.max_depth_m);
+  const cv::Mat shown =
+      FillFromBlocks(depth, depth_of_blocks, scene.standing, options.max_depth_m, blocks);
   result.labels = LabelsOfPixels(LabelImage(scene.grid, search.found.objects), depth_of_blocks,
                                  shown, options.max_depth_m, blocks);
-  DescribeObjects(frame, points, blocks.InPixels(search.saliency), search.found.confidences,
-                  scene.supports, options.objects, result);
+  DescribeObjects(frame, {shown, frame.intrinsics}, {search.saliency, blocks.edge_px},
+                  search.found.confidences, scene.supports, options.objects, result);
+  ObjectSurroundings around;
+  around.supports = std::move(scene.supports);
+  if (IsMoreAsked(options)) {
+    around.points = BackProject(shown, frame.intrinsics, options.max_depth_m);
+  }
   clock.Finish();
-  std::vector<Support> supports = std::move(scene.supports);
   if (trace != nullptr) *trace = TraceOf(std::move(search), depth, blocks, options);
-  return {points, std::move(supports)};
+  return around;
 }
 
 void PrepareForPlanning(const ObjectSurroundings& around, const PlanningOptions& options,

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "core/depth/measured_depth.h"
 #include "core/types/blocks.h"
 #include "core/types/interruption.h"
 
@@ -90,24 +91,22 @@ RgbdFrame InBlocks(const RgbdFrame& frame, const cv::Mat& depth_m, const PixelBl
           frame.gravity, unseen};
 }
 
-cv::Rect PixelBlocks::PixelsOf(const cv::Point& block) const {
-  return InPixels(cv::Rect(block, cv::Size(1, 1)));
-}
-
 cv::Mat FillFromBlocks(const cv::Mat& depth_m, const cv::Mat& depth_of_blocks, const cv::Mat& which,
-                       const PixelBlocks& blocks) {
+                       double max_depth_m, const PixelBlocks& blocks) {
   InterruptionPoint();
   std::vector<cv::Point> filling;
   cv::findNonZero(which, filling);
-  if (filling.empty()) return depth_m;
-  cv::Mat filled = depth_m.clone();
+  cv::Mat filled = DepthUpTo(depth_m, max_depth_m);
   for (const cv::Point& block : filling) {
-    const float depth = depth_of_blocks.at<float>(block);
+    const float depth_of_block = depth_of_blocks.at<float>(block);
+    if (!(depth_of_block <= static_cast<float>(max_depth_m))) continue;
     const cv::Rect pixels = blocks.PixelsOf(block);
     for (int row = pixels.y; row < pixels.br().y; ++row) {
-      float* first = filled.ptr<float>(row) + pixels.x;
-      std::replace_if(
-          first, first + pixels.width, [](float d) { return std::isnan(d); }, depth);
+      const float* depth = depth_m.ptr<float>(row);
+      float* out = filled.ptr<float>(row);
+      for (int col = pixels.x; col < pixels.br().x; ++col) {
+        if (std::isnan(depth[col])) out[col] = depth_of_block;
+      }
     }
   }
   return filled;

@@ -3,6 +3,7 @@
 // (docs/performance.md). Goes beyond the paper.
 #pragma once
 
+#include <algorithm>
 #include <opencv2/core/mat.hpp>
 
 #include "core/segmentation/voxel_grid.h"
@@ -19,7 +20,11 @@ struct PixelBlocks {
   // The pixel in the middle of a block, and the pixels of some blocks.
   cv::Point InPixels(const cv::Point& block) const;
   cv::Rect InPixels(const cv::Rect& blocks) const;
-  cv::Rect PixelsOf(const cv::Point& block) const;
+  cv::Rect PixelsOf(const cv::Point& block) const {
+    const cv::Point first = block * edge_px;
+    return {first.x, first.y, std::min(edge_px, image.width - first.x),
+            std::min(edge_px, image.height - first.y)};
+  }
   // What an image of the blocks says of each pixel.
   cv::Mat InPixels(const cv::Mat& of_blocks) const;
 };
@@ -33,10 +38,11 @@ PixelBlocks BlocksOf(const RgbdFrame& frame, const VoxelOptions& voxels);
 // of `frame`.
 RgbdFrame InBlocks(const RgbdFrame& frame, const cv::Mat& depth_m, const PixelBlocks& blocks);
 
-// `depth_m` (CV_32FC1, NaN = none) where pixels that have none get that of their block, of those
-// blocks that are not 0 in `which` (CV_8UC1). Not a copy where there are none.
+// A copy of `depth_m` (CV_32FC1, NaN = none) in which pixels that have none get that of their
+// block, of those blocks that are not 0 in `which` (CV_8UC1); what is beyond `max_depth_m` becomes
+// none.
 cv::Mat FillFromBlocks(const cv::Mat& depth_m, const cv::Mat& depth_of_blocks, const cv::Mat& which,
-                       const PixelBlocks& blocks);
+                       double max_depth_m, const PixelBlocks& blocks);
 
 // The label of each pixel: that of its block or, where the surface that this shows is not the
 // pixel's, of the block around it whose surface is the nearest to it; 0 where none is near or the

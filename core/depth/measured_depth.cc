@@ -6,21 +6,33 @@
 #include "core/types/widest_registers.h"
 
 namespace fovea {
+namespace {
 
-cv::Mat MeasuredDepth(const cv::Mat& depth_m) {
-  constexpr float kNearest_m = 1e-3F, kFarthest_m = 1e4F;
-  cv::Mat clean(depth_m.size(), CV_32FC1);
+// A copy in which what does not lie between the two is NaN.
+cv::Mat DepthWithin(const cv::Mat& depth_m, float nearest_m, float farthest_m) {
+  cv::Mat within(depth_m.size(), CV_32FC1);
   for (int row = 0; row < depth_m.rows; ++row) {
     const float* depth = depth_m.ptr<float>(row);
-    float* out = clean.ptr<float>(row);
+    float* out = within.ptr<float>(row);
     RunInWidestRegisters([=, cols = depth_m.cols] {
       for (int col = 0; col < cols; ++col) {
-        const bool is_reliable = (depth[col] >= kNearest_m) & (depth[col] <= kFarthest_m);
-        out[col] = is_reliable ? depth[col] : std::numeric_limits<float>::quiet_NaN();
+        const bool is_within = (depth[col] >= nearest_m) & (depth[col] <= farthest_m);
+        out[col] = is_within ? depth[col] : std::numeric_limits<float>::quiet_NaN();
       }
     });
   }
-  return clean;
+  return within;
+}
+
+}  // namespace
+
+cv::Mat MeasuredDepth(const cv::Mat& depth_m) {
+  constexpr float kNearest_m = 1e-3F, kFarthest_m = 1e4F;
+  return DepthWithin(depth_m, kNearest_m, kFarthest_m);
+}
+
+cv::Mat DepthUpTo(const cv::Mat& depth_m, double limit_m) {
+  return DepthWithin(depth_m, -std::numeric_limits<float>::infinity(), static_cast<float>(limit_m));
 }
 
 std::size_t CountUpTo(const cv::Mat& depth_m, double limit_m) {

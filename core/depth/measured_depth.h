@@ -16,6 +16,9 @@ std::size_t CountMeasured(const cv::Mat& depth_m);
 // Number of them up to `limit_m`.
 std::size_t CountUpTo(const cv::Mat& depth_m, double limit_m);
 
+// A copy in which values beyond `limit_m` are NaN too. `depth_m`: CV_32FC1, NaN = none.
+cv::Mat DepthUpTo(const cv::Mat& depth_m, double limit_m);
+
 // The z coordinates of CV_32FC3 points.
 cv::Mat ChannelZ(const cv::Mat& points);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <opencv2/imgproc.hpp>
+#include <vector>
 
 #include "core/types/interruption.h"
 #include "core/types/pixels.h"
@@ -13,42 +14,59 @@ namespace {
 
 constexpr double kUnevenPx = 6;  // in an image 640 wide
 
-bool IsMeasured(const cv::Mat& points, int row, int col) {
-  return !std::isnan(points.ptr<cv::Vec3f>(row)[col][2]);
+// Of each of some columns, in how many rows it was measured; row by row, as images lie in memory.
+std::vector<int> CountInColumns(const cv::Mat& depth_m, const cv::Range& columns) {
+  const int step = depth_m.channels(), num = columns.size();
+  std::vector<int> counts(num);
+  int* const count = counts.data();
+  for (int row = 0; row < depth_m.rows; ++row) {
+    const float* depth = depth_m.ptr<float>(row) + columns.start * step + step - 1;
+    for (int i = 0; i < num; ++i) count[i] += std::isnan(depth[i * step]) ? 0 : 1;
+  }
+  return counts;
 }
 
-bool MostOfRow(const cv::Mat& points, int row) {
+bool IsMostOfRowMeasured(const cv::Mat& depth_m, int row) {
+  const int step = depth_m.channels();
+  const float* depth = depth_m.ptr<float>(row) + step - 1;
   int count = 0;
-  for (int col = 0; col < points.cols; ++col) count += IsMeasured(points, row, col) ? 1 : 0;
-  return 2 * count >= points.cols;
+  for (int col = 0; col < depth_m.cols; ++col) count += std::isnan(depth[col * step]) ? 0 : 1;
+  return 2 * count >= depth_m.cols;
 }
 
-bool MostOfColumn(const cv::Mat& points, int col) {
-  int count = 0;
-  for (int row = 0; row < points.rows; ++row) count += IsMeasured(points, row, col) ? 1 : 0;
-  return 2 * count >= points.rows;
-}
-
-// How many of the lines at one end of the image are for the most part not measured: a margin if
-// not more than an eighth of all, else things too far away or cut out. `first`: of that end, from
-// which on they are looked at in steps of one or minus one.
-template <typename IsMeasuredLine>
-int Margin(int count, const IsMeasuredLine& is_measured, int first, int step) {
+// How many of the rows, up to `most`, from the first one on or the last one back are for the most
+// part not measured. If all of them, they are no margin but things too far away or cut out.
+int MarginOfRows(const cv::Mat& depth_m, int most, bool is_first) {
   InterruptionPoint();
-  for (int i = 0; i < count / 8; ++i) {
-    if (is_measured(first + i * step)) return i;
+  for (int i = 0; i < most; ++i) {
+    if (IsMostOfRowMeasured(depth_m, is_first ? i : depth_m.rows - 1 - i)) return i;
   }
   return 0;
 }
 
-cv::Rect MeasuredBounds(const cv::Mat& points) {
-  const auto row = [&](int y) { return MostOfRow(points, y); };
-  const auto column = [&](int x) { return MostOfColumn(points, x); };
-  const int width = points.cols, height = points.rows;
-  const cv::Point first(Margin(width, column, 0, 1), Margin(height, row, 0, 1));
-  const cv::Point end(width - Margin(width, column, width - 1, -1),
-                      height - Margin(height, row, height - 1, -1));
-  return {first, end};
+// The same of columns.
+int MarginOfColumns(const cv::Mat& depth_m, int most, bool is_first) {
+  constexpr int kTogether = 16;  // of a piece of memory
+  for (int i = 0; i < most; i += kTogether) {
+    InterruptionPoint();
+    const int end = std::min(i + kTogether, most), cols = depth_m.cols;
+    std::vector<int> counts =
+        CountInColumns(depth_m, is_first ? cv::Range(i, end) : cv::Range(cols - end, cols - i));
+    if (!is_first) std::reverse(counts.begin(), counts.end());
+    const auto found = std::find_if(counts.begin(), counts.end(),
+                                    [&](int count) { return 2 * count >= depth_m.rows; });
+    if (found != counts.end()) return i + static_cast<int>(found - counts.begin());
+  }
+  return 0;
+}
+
+cv::Rect MeasuredBounds(const cv::Mat& depth_m) {
+  const int most_cols = depth_m.cols / 8, most_rows = depth_m.rows / 8;
+  const cv::Point first(MarginOfColumns(depth_m, most_cols, true),
+                        MarginOfRows(depth_m, most_rows, true));
+  const cv::Point last(MarginOfColumns(depth_m, most_cols, false),
+                       MarginOfRows(depth_m, most_rows, false));
+  return {first, cv::Point(depth_m.size()) - last};
 }
 
 bool EndsWith(const cv::Rect& mask, const cv::Rect& measured, const cv::Size& image) {
@@ -63,8 +81,8 @@ bool EndsWith(const cv::Rect& mask, const cv::Rect& measured, const cv::Size& im
 
 }  // namespace
 
-SeenArea::SeenArea(const cv::Mat& points, const cv::Mat& unseen)
-    : image_(points.size()), bounds_(MeasuredBounds(points)), unseen_(unseen) {
+SeenArea::SeenArea(const cv::Mat& depth_m, const cv::Mat& unseen)
+    : image_(depth_m.size()), bounds_(MeasuredBounds(depth_m)), unseen_(unseen) {
   if (unseen.empty()) return;
   const int uneven_px = ScaledPx(kUnevenPx, image_.width, 1);
   cv::dilate(unseen, beside_unseen_, cv::Mat::ones(2 * uneven_px + 1, 2 * uneven_px + 1, CV_8UC1));
@@ -74,10 +92,12 @@ bool SeenArea::Contains(const cv::Point& pixel) const {
   return bounds_.contains(pixel) && (unseen_.empty() || unseen_.at<std::uint8_t>(pixel) == 0);
 }
 
-bool SeenArea::CutsOff(const std::vector<cv::Point>& mask) const {
-  if (EndsWith(cv::boundingRect(mask), bounds_, image_)) return true;
-  return !beside_unseen_.empty() && std::any_of(mask.begin(), mask.end(), [&](const auto& pixel) {
-    return beside_unseen_.at<std::uint8_t>(pixel) != 0;
+bool SeenArea::CutsOff(const PixelRuns& mask) const {
+  if (EndsWith(BoundsOf(mask), bounds_, image_)) return true;
+  return !beside_unseen_.empty() && std::any_of(mask.begin(), mask.end(), [&](const auto& run) {
+    const auto* is_beside = beside_unseen_.ptr<std::uint8_t>(run.row);
+    return std::any_of(is_beside + run.first, is_beside + run.end,
+                       [](std::uint8_t beside) { return beside != 0; });
   });
 }
 

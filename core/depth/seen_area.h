@@ -4,14 +4,16 @@
 
 #include <opencv2/core/mat.hpp>
 #include <opencv2/core/types.hpp>
-#include <vector>
+
+#include "core/types/pixel_runs.h"
 
 namespace fovea {
 
 class SeenArea {
  public:
-  // `points`: CV_32FC3, NaN = none; `unseen`: RgbdFrame::unseen. Cost: proportional to the margins.
-  SeenArea(const cv::Mat& points, const cv::Mat& unseen);
+  // `depth_m`: CV_32FC1, or CV_32FC3 with the depth last; NaN = none; `unseen`: RgbdFrame::unseen.
+  // Cost: proportional to the ends of the image.
+  SeenArea(const cv::Mat& depth_m, const cv::Mat& unseen);
 
   // The image without the rows and columns at its ends of which less than half was measured. At
   // most an eighth of the image at each end: what is wider is no margin but things too far away or
@@ -22,7 +24,7 @@ class SeenArea {
   bool Contains(const cv::Point& pixel) const;
 
   // Whether a mask ends where the image ends, or at a margin, whose edge is uneven by some pixels.
-  bool CutsOff(const std::vector<cv::Point>& mask) const;
+  bool CutsOff(const PixelRuns& mask) const;
 
  private:
   cv::Size image_;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
 
 #include "core/depth/seen_area.h"
 #include "core/objects/color_names.h"
@@ -14,22 +13,27 @@
 namespace fovea {
 namespace {
 
-void SetColoredCloud(const RgbdFrame& frame, const cv::Mat& points,
-                     const std::vector<cv::Point>& pixels, DetectedObject& object) {
-  std::array<double, 3> color_sum{};
+// Of the object's `num_pixels`.
+void SetColoredCloud(const RgbdFrame& frame, const PixelPoints& points, const PixelRuns& pixels,
+                     DetectedObject& object) {
+  std::array<std::size_t, 3> color_sum{};
   Eigen::Vector3d position_sum = Eigen::Vector3d::Zero();
-  object.cloud.reserve(pixels.size());
-  for (const cv::Point& pixel : pixels) {
-    const cv::Vec3f& p = points.at<cv::Vec3f>(pixel);
-    const cv::Vec3b& c = frame.color_rgb.at<cv::Vec3b>(pixel);
-    object.cloud.push_back({p[0], p[1], p[2], c[0], c[1], c[2]});
-    position_sum += Eigen::Vector3d(p[0], p[1], p[2]);
-    for (int channel = 0; channel < 3; ++channel) color_sum[channel] += c[channel];
+  object.cloud.reserve(object.num_pixels);
+  for (const PixelRun& run : pixels) {
+    const auto* color = frame.color_rgb.ptr<cv::Vec3b>(run.row);
+    for (int col = run.first; col < run.end; ++col) {
+      const Eigen::Vector3f p = points.At(run.row, col);
+      const cv::Vec3b& c = color[col];
+      object.cloud.push_back({p.x(), p.y(), p.z(), c[0], c[1], c[2]});
+      position_sum += p.cast<double>();
+      for (int channel = 0; channel < 3; ++channel) color_sum[channel] += c[channel];
+    }
   }
-  const double count = static_cast<double>(pixels.size());
+  const auto count = static_cast<double>(object.num_pixels);
   object.centroid = (position_sum / count).cast<float>();
   for (int channel = 0; channel < 3; ++channel) {
-    object.mean_color[channel] = static_cast<std::uint8_t>(std::lround(color_sum[channel] / count));
+    object.mean_color[channel] =
+        static_cast<std::uint8_t>(std::lround(static_cast<double>(color_sum[channel]) / count));
   }
 }
 
@@ -64,11 +68,15 @@ std::optional<SupportSurface> OwnSupport(const std::vector<Support>& supports,
   return highest;
 }
 
-bool IsDepthMissing(const cv::Mat& depth_m, const std::vector<cv::Point>& pixels) {
-  const auto missing = std::count_if(pixels.begin(), pixels.end(), [&](const cv::Point& pixel) {
-    return std::isnan(depth_m.at<float>(pixel));
-  });
-  return 2 * static_cast<std::size_t>(missing) > pixels.size();
+bool IsMostlyWithoutDepth(const cv::Mat& depth_m, const PixelRuns& pixels) {
+  std::ptrdiff_t surplus = 0;  // of pixels without
+  for (const PixelRun& run : pixels) {
+    const float* depth = depth_m.ptr<float>(run.row);
+    const auto missing =
+        std::count_if(depth + run.first, depth + run.end, [](float d) { return std::isnan(d); });
+    surplus += 2 * missing - (run.end - run.first);
+  }
+  return surplus > 0;
 }
 
 // Of what is not measured only the front is assumed; bottles and glasses are as deep as they are
@@ -85,15 +93,15 @@ struct DescribedObject {
   std::optional<SupportSurface> support;
 };
 
-DescribedObject Describe(const RgbdFrame& frame, const cv::Mat& points, const Candidate& candidate,
-                         const std::vector<Support>& supports, const Eigen::Vector3f& gravity,
-                         const ObjectOptions& options) {
-  const std::vector<cv::Point>& pixels = candidate.pixels;
+DescribedObject Describe(const RgbdFrame& frame, const PixelPoints& points,
+                         const Candidate& candidate, const std::vector<Support>& supports,
+                         const Eigen::Vector3f& gravity, const ObjectOptions& options) {
+  const PixelRuns& pixels = candidate.pixels;
   DetectedObject object;
   object.confidence = candidate.confidence;
   object.saliency = candidate.saliency;
-  object.bounds_px = cv::boundingRect(pixels);
-  object.num_pixels = pixels.size();
+  object.bounds_px = BoundsOf(pixels);
+  object.num_pixels = candidate.num_pixels;
   InterruptionPoint();
   object.truncated = candidate.truncated;
   SetColoredCloud(frame, points, pixels, object);
@@ -107,7 +115,7 @@ DescribedObject Describe(const RgbdFrame& frame, const cv::Mat& points, const Ca
   const std::optional<SupportSurface> support = OwnSupport(supports, positions);
   object.visible_box =
       FitOrientedBox(positions, support ? support->normal : -gravity, support, options.box);
-  object.depth_missing = IsDepthMissing(frame.depth_m, pixels);
+  object.depth_missing = IsMostlyWithoutDepth(frame.depth_m, pixels);
   if (object.depth_missing) DeepenBehind(object.visible_box);
   object.box = object.visible_box;
   if (support) object.height_above_support_m = LowestHeight(positions, *support);
@@ -116,11 +124,12 @@ DescribedObject Describe(const RgbdFrame& frame, const cv::Mat& points, const Ca
 
 }  // namespace
 
-void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points, const cv::Mat& saliency,
+void DescribeObjects(const RgbdFrame& frame, const PixelPoints& points, const BlockImage& saliency,
                      const std::vector<float>& confidences, const std::vector<Support>& supports,
                      const ObjectOptions& options, Detections& detections) {
-  const Selection selection = SelectObjects(detections.labels, confidences, saliency,
-                                            SeenArea(points, frame.unseen), options.selection);
+  const Selection selection =
+      SelectObjects(detections.labels, confidences, saliency,
+                    SeenArea(points.Depth_m(), frame.unseen), options.selection);
   detections.diagnostics.segments_too_small = selection.num_too_small;
   detections.diagnostics.objects_less_salient = selection.num_less_salient;
   detections.labels = cv::Mat::zeros(frame.depth_m.size(), CV_16UC1);
@@ -131,8 +140,9 @@ void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points, const cv::Ma
     auto [object, support] =
         Describe(frame, points, candidates[i], supports, detections.gravity.direction, options);
     object.label = static_cast<int>(i) + 1;
-    for (const cv::Point& pixel : candidates[i].pixels) {
-      detections.labels.at<std::uint16_t>(pixel) = static_cast<std::uint16_t>(object.label);
+    for (const PixelRun& run : candidates[i].pixels) {
+      auto* labels = detections.labels.ptr<std::uint16_t>(run.row);
+      std::fill(labels + run.first, labels + run.end, static_cast<std::uint16_t>(object.label));
     }
     supports_of_objects[i] = support;
     detections.objects[i] = std::move(object);

@@ -4,6 +4,7 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
+#include "core/depth/back_projection.h"
 #include "core/objects/oriented_box.h"
 #include "core/objects/selection.h"
 #include "core/scene/support_surface.h"
@@ -21,9 +22,9 @@ struct ObjectOptions {
 // `detections.objects` and the counts of what was dropped. Takes gravity from `detections`; each
 // object stands on the highest of the supports that it is above, or on the first.
 //
-// `detections.labels`: CV_16UC1, 0 = background; `points`: CV_32FC3 with a point wherever there is
-// a label; `saliency`: CV_32FC1 in [0, 1]; `confidences`: as SelectObjects takes them.
-void DescribeObjects(const RgbdFrame& frame, const cv::Mat& points, const cv::Mat& saliency,
+// `detections.labels`: CV_16UC1, 0 = background; `points`: with one wherever there is a label;
+// `saliency`: CV_32FC1 in [0, 1]; `confidences`: as SelectObjects takes them.
+void DescribeObjects(const RgbdFrame& frame, const PixelPoints& points, const BlockImage& saliency,
                      const std::vector<float>& confidences, const std::vector<Support>& supports,
                      const ObjectOptions& options, Detections& detections);
 

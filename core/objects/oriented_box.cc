@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
 #include "core/types/level_axes.h"
 #include "core/types/widest_registers.h"
@@ -24,57 +25,89 @@ Eigen::Matrix3f LevelFrame(const Eigen::Vector3f& up) {
   return frame;
 }
 
-// The outermost points in eight directions, counterclockwise, each once.
-std::vector<cv::Point2d> Octagon(const std::vector<cv::Point2f>& points) {
-  struct Farthest {
-    float reach = -std::numeric_limits<float>::infinity();
-    cv::Point2f point;
-    void Offer(float new_reach, const cv::Point2f& new_point) {
-      if (new_reach > reach) *this = {new_reach, new_point};
+// Points in a level frame.
+struct LevelPlaces {
+  Eigen::ArrayXf x, y, height;
+};
+
+LevelPlaces PlacesOf(const std::vector<Eigen::Vector3f>& points, const Eigen::Matrix3f& level) {
+  const auto count = static_cast<Eigen::Index>(points.size());
+  LevelPlaces places{Eigen::ArrayXf(count), Eigen::ArrayXf(count), Eigen::ArrayXf(count)};
+  const Eigen::Vector3f origin = points.front();  // keeps the numbers small
+  RunInWidestRegisters([&, points = points.data(), x = places.x.data(), y = places.y.data(),
+                        height = places.height.data()] {
+    const Eigen::Matrix3f from_camera = level.transpose();
+    const auto along = [&from_camera](int axis, const Eigen::Vector3f& way) {
+      return from_camera(axis, 0) * way.x() +
+             (from_camera(axis, 1) * way.y() + from_camera(axis, 2) * way.z());
+    };
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const Eigen::Vector3f way = points[i] - origin;
+      x[i] = along(0, way);
+      y[i] = along(1, way);
+      height[i] = along(2, way);
     }
+  });
+  return places;
+}
+
+// The first of the farthest points either way.
+template <typename Reaches>
+std::pair<Eigen::Index, Eigen::Index> Farthest(const Reaches& reaches) {
+  const auto first_at = [&](float reach) {
+    Eigen::Index i = 0;
+    while (i + 1 < reaches.size() && reaches.coeff(i) != reach) ++i;
+    return i;
   };
-  std::array<Farthest, 8> farthest;
-  for (const cv::Point2f& point : points) {
-    const std::array<float, 4> reaches = {point.x, point.x + point.y, point.y, point.y - point.x};
-    for (std::size_t i = 0; i < reaches.size(); ++i) {
-      farthest[i].Offer(reaches[i], point);
-      farthest[i + 4].Offer(-reaches[i], point);
-    }
-  }
+  return {first_at(reaches.maxCoeff()), first_at(reaches.minCoeff())};
+}
+
+// The outermost points in eight directions, counterclockwise, each once.
+std::vector<cv::Point2d> Octagon(const Eigen::ArrayXf& x, const Eigen::ArrayXf& y) {
+  const std::array<std::pair<Eigen::Index, Eigen::Index>, 4> farthest = {
+      Farthest(x), Farthest(x + y), Farthest(y), Farthest(y - x)};
   std::vector<cv::Point2d> corners;
-  corners.reserve(farthest.size());
-  for (const Farthest& corner : farthest) corners.emplace_back(corner.point);
+  corners.reserve(2 * farthest.size());
+  for (const auto& [i, opposite] : farthest) corners.emplace_back(x[i], y[i]);
+  for (const auto& [opposite, i] : farthest) corners.emplace_back(x[i], y[i]);
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   if (corners.front() == corners.back()) corners.pop_back();
   return corners;
 }
 
+// Twice the areas between the points and that side of a polygon which each is nearest to; negative
+// outside.
+std::vector<float> AreasWithin(const std::vector<cv::Point2d>& corners, const Eigen::ArrayXf& x,
+                               const Eigen::ArrayXf& y) {
+  std::vector<float> areas(x.size(), std::numeric_limits<float>::infinity());
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const cv::Point2d along = corners[(k + 1) % corners.size()] - corners[k];
+    const cv::Point3f side(cv::Point3d(-along.y, along.x, -along.cross(corners[k])));
+    RunInWidestRegisters([&, x = x.data(), y = y.data()] {
+      for (std::size_t i = 0; i < areas.size(); ++i) {
+        const float area = side.x * x[i] + side.y * y[i] + side.z;
+        areas[i] = std::min(areas[i], area);
+      }
+    });
+  }
+  return areas;
+}
+
 // Without most of the points inside the convex hull, which takes long to find among many: those
 // inside of the octagon.
-std::vector<cv::Point2f> WithoutInnerPoints(const std::vector<cv::Point2f>& points) {
-  const std::vector<cv::Point2d> corners = Octagon(points);
-  if (corners.size() < 3) return points;
+std::vector<cv::Point2f> OuterPoints(const Eigen::ArrayXf& x, const Eigen::ArrayXf& y) {
+  const std::vector<cv::Point2d> corners = Octagon(x, y);
   double reach_m = 1;
   for (const cv::Point2d& corner : corners) {
     reach_m = std::max({reach_m, std::abs(corner.x), std::abs(corner.y)});
   }
   const float inside = kInsideM2 * static_cast<float>(reach_m * reach_m);
-  // Of the side that it is nearest to.
-  std::vector<float> areas(points.size(), std::numeric_limits<float>::infinity());
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    // x · p.x + y · p.y + z is twice the area between side and p.
-    const cv::Point2d along = corners[(k + 1) % corners.size()] - corners[k];
-    const cv::Point3f side(cv::Point3d(-along.y, along.x, -along.cross(corners[k])));
-    RunInWidestRegisters([&] {
-      for (std::size_t i = 0; i < areas.size(); ++i) {
-        const float area = side.x * points[i].x + side.y * points[i].y + side.z;
-        areas[i] = std::min(areas[i], area);
-      }
-    });
-  }
+  const bool has_inside = corners.size() >= 3;
+  const std::vector<float> areas = AreasWithin(corners, x, y);
   std::vector<cv::Point2f> outer;
   for (std::size_t i = 0; i < areas.size(); ++i) {
-    if (areas[i] < inside) outer.push_back(points[i]);
+    const auto at = static_cast<Eigen::Index>(i);
+    if (!has_inside || areas[i] < inside) outer.emplace_back(x[at], y[at]);
   }
   return outer;
 }
@@ -87,9 +120,9 @@ struct BaseRectangle {
   float width = 0;
 };
 
-BaseRectangle SmallestRectangle(const std::vector<cv::Point2f>& points) {
+BaseRectangle SmallestRectangle(const Eigen::ArrayXf& x, const Eigen::ArrayXf& y) {
   std::vector<cv::Point2f> hull;
-  cv::convexHull(WithoutInnerPoints(points), hull);
+  cv::convexHull(OuterPoints(x, y), hull);
   const cv::RotatedRect rectangle = cv::minAreaRect(hull);
   const float angle = rectangle.angle * static_cast<float>(CV_PI) / 180;
   const Eigen::Vector2f along_width(std::cos(angle), std::sin(angle));
@@ -106,18 +139,11 @@ OrientedBox FitOrientedBox(const std::vector<Eigen::Vector3f>& points, const Eig
                            const std::optional<SupportSurface>& support,
                            const BoxOptions& options) {
   const Eigen::Matrix3f level = LevelFrame(up);
-  const Eigen::Vector3f& origin = points.front();  // keeps the numbers small
-  std::vector<cv::Point2f> ground;
-  ground.reserve(points.size());
-  float bottom = 0;
-  float top = 0;
-  for (const Eigen::Vector3f& point : points) {
-    const Eigen::Vector3f p = level.transpose() * (point - origin);
-    ground.emplace_back(p.x(), p.y());
-    bottom = std::min(bottom, p.z());
-    top = std::max(top, p.z());
-  }
-  const BaseRectangle base = SmallestRectangle(ground);
+  const LevelPlaces places = PlacesOf(points, level);
+  const BaseRectangle base = SmallestRectangle(places.x, places.y);
+  const Eigen::Vector3f& origin = points.front();
+  float bottom = std::min(0.0F, places.height.minCoeff());
+  const float top = std::max(0.0F, places.height.maxCoeff());
   if (support) {
     const Eigen::Vector3f lowest =
         origin + level * Eigen::Vector3f(base.center.x(), base.center.y(), bottom);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <opencv2/imgproc.hpp>
 #include <tuple>
 #include <utility>
 
@@ -13,44 +12,46 @@
 namespace fovea {
 namespace {
 
-using PixelsOfLabel = std::vector<std::vector<cv::Point>>;
-
-// Calls visit(label, pixel) wherever there is one. Most of an image is none.
-template <typename Visit>
-void ForEachLabelled(const cv::Mat& labels, Visit visit) {
+// The first column from `col` on that has a label. Most of an image has none.
+int NextLabelled(const std::uint16_t* labels, int col, int cols) {
   constexpr int kTogether = 16;
+  for (; col + kTogether <= cols; col += kTogether) {
+    unsigned any = 0;
+    for (int i = 0; i < kTogether; ++i) any |= labels[col + i];
+    if (any != 0) break;
+  }
+  while (col < cols && labels[col] == 0) ++col;
+  return col;
+}
+
+// One entry a label, the background's first and empty.
+std::vector<PixelRuns> CollectRuns(const cv::Mat& labels) {
+  std::vector<PixelRuns> runs(1);
+  const int cols = labels.cols;
   for (int row = 0; row < labels.rows; ++row) {
     InterruptionPoint();
-    const auto* label = labels.ptr<std::uint16_t>(row);
-    for (int first = 0; first < labels.cols; first += kTogether) {
-      const int end = std::min(first + kTogether, labels.cols);
-      unsigned any = 0;
-      for (int col = first; col < end; ++col) any |= label[col];
-      if (any == 0) continue;
-      for (int col = first; col < end; ++col) {
-        if (label[col] != 0) visit(label[col], cv::Point(col, row));
-      }
+    const auto* of_row = labels.ptr<std::uint16_t>(row);
+    for (int end = 0, first = 0; (first = NextLabelled(of_row, end, cols)) < cols;) {
+      const std::size_t label = of_row[first];
+      for (end = first + 1; end < cols && of_row[end] == label;) ++end;
+      if (label >= runs.size()) runs.resize(label + 1);
+      runs[label].push_back({row, first, end});
     }
   }
+  return runs;
 }
 
-PixelsOfLabel CollectPixels(const cv::Mat& labels) {
-  std::vector<std::size_t> counts(1);
-  ForEachLabelled(labels, [&](std::size_t label, const cv::Point& /*pixel*/) {
-    if (label >= counts.size()) counts.resize(label + 1);
-    ++counts[label];
-  });
-  PixelsOfLabel pixels(counts.size());
-  for (std::size_t label = 1; label < counts.size(); ++label) pixels[label].reserve(counts[label]);
-  ForEachLabelled(
-      labels, [&](std::size_t label, const cv::Point& pixel) { pixels[label].push_back(pixel); });
-  return pixels;
-}
-
-float MeanOf(const cv::Mat& map, const std::vector<cv::Point>& pixels) {
+float MeanOf(const BlockImage& map, const PixelRuns& pixels, std::size_t num_pixels) {
   double sum = 0;
-  for (const cv::Point& pixel : pixels) sum += map.at<float>(pixel);
-  return static_cast<float>(sum / static_cast<double>(pixels.size()));
+  for (const PixelRun& run : pixels) {
+    const float* values = map.values.ptr<float>(run.row / map.size_px);
+    for (int col = run.first; col < run.end;) {
+      const int block = col / map.size_px;
+      const int end = std::min((block + 1) * map.size_px, run.end);
+      for (; col < end; ++col) sum += values[block];
+    }
+  }
+  return static_cast<float>(sum / static_cast<double>(num_pixels));
 }
 
 double FewestPixels(const SelectionOptions& options, const cv::Size& image) {
@@ -76,28 +77,29 @@ std::size_t KeepMostSalient(int max_objects, std::vector<Candidate>& candidates)
 }  // namespace
 
 Selection SelectObjects(const cv::Mat& labels, const std::vector<float>& confidences,
-                        const cv::Mat& saliency, const SeenArea& area,
+                        const BlockImage& saliency, const SeenArea& area,
                         const SelectionOptions& options) {
-  PixelsOfLabel pixels_of_label = CollectPixels(labels);
+  std::vector<PixelRuns> runs = CollectRuns(labels);
   Selection selection;
-  for (int label = 1; label < static_cast<int>(pixels_of_label.size()); ++label) {
-    std::vector<cv::Point>& pixels = pixels_of_label[label];
+  for (int label = 1; label < static_cast<int>(runs.size()); ++label) {
+    PixelRuns& pixels = runs[label];
+    const std::size_t num_pixels = CountPixels(pixels);
     InterruptionPoint();
-    if (pixels.empty()) continue;
-    if (static_cast<double>(pixels.size()) < FewestPixels(options, labels.size())) {
+    if (num_pixels == 0) continue;
+    if (static_cast<double>(num_pixels) < FewestPixels(options, labels.size())) {
       ++selection.num_too_small;
       continue;
     }
     const bool truncated = area.CutsOff(pixels);
     const float confidence = confidences.at(static_cast<std::size_t>(label) - 1);
-    const float mean_saliency = MeanOf(saliency, pixels);
+    const float mean_saliency = MeanOf(saliency, pixels, num_pixels);
     selection.candidates.push_back(
-        {label, std::move(pixels), confidence, mean_saliency, truncated});
+        {label, std::move(pixels), num_pixels, confidence, mean_saliency, truncated});
   }
   std::stable_sort(selection.candidates.begin(), selection.candidates.end(),
                    [](const Candidate& a, const Candidate& b) {
-                     return std::tuple(-a.confidence, b.pixels.size()) <
-                            std::tuple(-b.confidence, a.pixels.size());
+                     return std::tuple(-a.confidence, b.num_pixels) <
+                            std::tuple(-b.confidence, a.num_pixels);
                    });
   selection.num_less_salient = KeepMostSalient(options.max_objects, selection.candidates);
   return selection;

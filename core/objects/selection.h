@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "core/depth/seen_area.h"
+#include "core/types/blocks.h"
+#include "core/types/pixel_runs.h"
 
 namespace fovea {
 
@@ -19,7 +21,8 @@ struct SelectionOptions {
 
 struct Candidate {
   int label = 0;
-  std::vector<cv::Point> pixels;  // in row-major order
+  PixelRuns pixels;
+  std::size_t num_pixels = 0;
   float confidence = 0;
   float saliency = 0;      // mean over the pixels
   bool truncated = false;  // ends with the measured area
@@ -34,7 +37,7 @@ struct Selection {
 // `labels`: CV_16UC1, 0 = background; `confidences`: of label k at k − 1; `saliency`: CV_32FC1 in
 // [0, 1]; `area`: what the camera sees of the image. Cost: proportional to the image.
 Selection SelectObjects(const cv::Mat& labels, const std::vector<float>& confidences,
-                        const cv::Mat& saliency, const SeenArea& area,
+                        const BlockImage& saliency, const SeenArea& area,
                         const SelectionOptions& options = {});
 
 }  // namespace fovea

@@ -36,16 +36,14 @@ struct Found {
 
 class Search {
  public:
-  Search(const cv::Mat& labels, const cv::Mat& points, const cv::Mat& unseen,
-         const cv::Mat& on_wall, const Eigen::Vector3f& up)
-      : labels_(labels),
-        points_(points),
-        on_wall_(on_wall),
-        up_(up),
+  Search(const LabelledScene& scene, const cv::Mat& labels)
+      : scene_(scene),
+        labels_(labels),
+        points_(scene.points),
         edge_px_(ScaledPx(kEdgePx, labels.cols, 1)),
         reach_px_(ScaledPx(kReachPx, labels.cols, 4)),
         image_({}, labels.size()),
-        seen_(points, unseen) {}
+        seen_(scene.points, scene.unseen) {}
 
   // None where the pixel's own segment goes on.
   std::optional<Found> LookFrom(const cv::Point& pixel, const cv::Point& side) const {
@@ -74,14 +72,18 @@ class Search {
     if (step_m > gap_m) return Beyond::kFarther;
     if (step_m < -gap_m) return other != 0 ? Beyond::kNearerSegment : Beyond::kNearer;
     if (other != 0) return Beyond::kLevelSegment;
-    if (up_.dot(beyond - own) <= kRisePerM * own.z()) return Beyond::kLevel;
-    return on_wall_.at<std::uint16_t>(beyond_px) != 0 ? Beyond::kWall : Beyond::kRising;
+    if (scene_.up.dot(beyond - own) <= kRisePerM * own.z()) return Beyond::kLevel;
+    return IsOnWall(beyond_px) ? Beyond::kWall : Beyond::kRising;
   }
 
+  bool IsOnWall(const cv::Point& pixel) const {
+    const int voxel = scene_.grid.voxel_of_pixel.at<int>(pixel);
+    return voxel >= 0 && scene_.on_wall[voxel] != 0;
+  }
+
+  const LabelledScene& scene_;
   const cv::Mat& labels_;
   const cv::Mat& points_;
-  const cv::Mat& on_wall_;
-  const Eigen::Vector3f& up_;
   const int edge_px_;
   const int reach_px_;
   const cv::Rect image_;
@@ -150,8 +152,7 @@ double BorderCounts::Total() const {
 
 std::vector<Surroundings> FindSurroundings(const LabelledScene& scene, const cv::Mat& labels) {
   std::vector<Surroundings> surroundings(1);
-  const cv::Mat on_wall = LabelImage(scene.grid, {scene.on_wall.begin(), scene.on_wall.end()});
-  const Search search(labels, scene.points, scene.unseen, on_wall, scene.up);
+  const Search search(scene, labels);
   const Contrast contrast(labels, scene.lab);
   for (int row = 0; row < labels.rows; ++row) {
     InterruptionPoint();

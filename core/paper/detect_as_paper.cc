@@ -88,9 +88,9 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const PaperOptions& optio
   // Section 4: what is reported of them.
   clock.Begin("objects");
   result.labels = LabelsWithin(grid, objects, measured == measured);
-  DescribeObjects(frame, points, MeanSaliency(color_saliency, depth_saliency),
-                  Confidences(result.labels, measured, frame.intrinsics), supports, options.objects,
-                  result);
+  DescribeObjects(
+      frame, {ChannelZ(points), frame.intrinsics}, {MeanSaliency(color_saliency, depth_saliency)},
+      Confidences(result.labels, measured, frame.intrinsics), supports, options.objects, result);
   clock.Finish();
   if (trace != nullptr) {
     *trace = {depth,

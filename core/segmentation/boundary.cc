@@ -51,8 +51,9 @@ std::vector<int> LabelsOfRims(const VoxelGrid& grid, std::vector<int> labels) {
   std::vector<int> num_alike(labels.size());
   InterruptionPoint();
   for (const VoxelEdge& edge : grid.edges) {
+    if (labels[edge.a] == 0 || labels[edge.a] != labels[edge.b]) continue;
     const Eigen::Vector3i step = grid.voxels[edge.a].cell - grid.voxels[edge.b].cell;
-    if (labels[edge.a] != labels[edge.b] || step.cwiseAbs().sum() != 1) continue;
+    if (step.cwiseAbs().sum() != 1) continue;
     ++num_alike[edge.a];
     ++num_alike[edge.b];
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
+#include <utility>
 
 #include "core/segmentation/cell_index.h"
 #include "core/types/interruption.h"
@@ -12,6 +14,7 @@ namespace {
 struct Place {
   std::uint64_t key;  // of the voxel's cell
   int voxel;
+  int label;
 };
 
 // Of the voxels of segments, by cell.
@@ -19,7 +22,7 @@ std::vector<Place> SortedPlaces(const VoxelGrid& grid, const std::vector<int>& l
   std::vector<Place> places;
   InterruptionPoint();
   for (int v = 0; v < static_cast<int>(labels.size()); ++v) {
-    if (labels[v] != 0) places.push_back({CellKey(grid.voxels[v].cell), v});
+    if (labels[v] != 0) places.push_back({CellKey(grid.voxels[v].cell), v, labels[v]});
   }
   InterruptionPoint();
   std::sort(places.begin(), places.end(),
@@ -27,8 +30,8 @@ std::vector<Place> SortedPlaces(const VoxelGrid& grid, const std::vector<int>& l
   return places;
 }
 
-// Calls visit(voxel, other) for all pairs where the cell of `other` lies `first` to `last` in the
-// order of cells behind that of `voxel`.
+// Calls visit(place, other) for all pairs of two segments where the cell of `other` lies `first` to
+// `last` in the order of cells behind that of `place`.
 template <typename Visit>
 void ForEachPair(const std::vector<Place>& places, std::uint64_t first, std::uint64_t last,
                  Visit visit) {
@@ -38,9 +41,17 @@ void ForEachPair(const std::vector<Place>& places, std::uint64_t first, std::uin
     loop.Turn();
     while (begin != places.end() && begin->key < place.key + first) ++begin;
     for (auto other = begin; other != places.end() && other->key <= place.key + last; ++other) {
-      visit(place.voxel, other->voxel);
+      if (other->label != place.label) visit(place, *other);
     }
   }
+}
+
+// What CellKeyStep makes the key of.
+std::pair<std::int64_t, std::int64_t> StepInYAndZ(std::uint64_t key_step) {
+  constexpr std::int64_t kRow = std::int64_t{1} << 21U;
+  const auto step = static_cast<std::int64_t>(key_step);
+  const std::int64_t y = (step + kRow / 2) >> 21;
+  return {y, step - y * kRow};
 }
 
 }  // namespace
@@ -48,16 +59,21 @@ void ForEachPair(const std::vector<Place>& places, std::uint64_t first, std::uin
 std::vector<VoxelEdge> FindContacts(const VoxelGrid& grid, const std::vector<int>& labels,
                                     int reach_cells) {
   const std::vector<Place> places = SortedPlaces(grid, labels);
-  std::vector<VoxelEdge> contacts;
-  const auto add = [&](int a, int b) {
-    if (labels[a] != labels[b]) contacts.push_back({std::min(a, b), std::max(a, b)});
-  };
   const int reach = reach_cells;
-  // Half of the neighbourhood, all cells of one x and y at a time, so that each pair is met once.
-  ForEachPair(places, 1, CellKeyStep({0, 0, reach}), add);
+  std::vector<VoxelEdge> contacts;
+  std::vector<std::vector<VoxelEdge>> by_step(2 * reach + 1);  // in y, from -reach on
+  // Half of the neighbourhood, so that each pair is met once; all cells of one x at a time: most of
+  // what is met is of the same segment, and that is soon told.
   for (int x = 0; x <= reach; ++x) {
-    for (int y = x > 0 ? -reach : 1; y <= reach; ++y) {
-      ForEachPair(places, CellKeyStep({x, y, -reach}), CellKeyStep({x, y, reach}), add);
+    const std::uint64_t first = x == 0 ? 1 : CellKeyStep({x, -reach, -reach});
+    ForEachPair(places, first, CellKeyStep({x, reach, reach}), [&](const Place& a, const Place& b) {
+      const auto [y, z] = StepInYAndZ(b.key - a.key - CellKeyStep({x, 0, 0}));
+      if (std::abs(z) > reach) return;
+      by_step[y + reach].push_back({std::min(a.voxel, b.voxel), std::max(a.voxel, b.voxel)});
+    });
+    for (std::vector<VoxelEdge>& of_step : by_step) {
+      contacts.insert(contacts.end(), of_step.begin(), of_step.end());
+      of_step.clear();
     }
   }
   return contacts;

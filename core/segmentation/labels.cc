@@ -25,7 +25,7 @@ std::vector<int> SplitIntoSegments(const VoxelGrid& grid, const std::vector<int>
   DisjointSets parts(static_cast<int>(labels.size()));
   InterruptionPoint();
   for (const VoxelEdge& edge : grid.edges) {
-    if (labels[edge.a] == labels[edge.b]) parts.Join(edge.a, edge.b);
+    if (labels[edge.a] != 0 && labels[edge.a] == labels[edge.b]) parts.Join(edge.a, edge.b);
   }
   std::vector<int> segments(labels.size(), 0);
   InterruptionPoint();

@@ -23,6 +23,7 @@ std::vector<Part> CollectParts(const VoxelGrid& grid, const std::vector<int>& la
   LongLoop loop;
   for (std::size_t v = 0; v < labels.size(); ++v) {
     loop.Turn();
+    if (labels[v] == 0) continue;
     const Voxel& voxel = grid.voxels[v];
     const double z = voxel.mean.z();
     parts[labels[v]].Add(

@@ -25,8 +25,8 @@ struct Part {
   float Height_m() const { return Top_m() - Bottom_m(); }
 };
 
-// One entry a label, the background's first. `labels`, `colors`: one entry a voxel; `up`: unit
-// vector.
+// One entry a label, the background's first and empty. `labels`, `colors`: one entry a voxel; `up`:
+// unit vector.
 std::vector<Part> CollectParts(const VoxelGrid& grid, const std::vector<int>& labels,
                                const std::vector<MeanColor>& colors,
                                const CameraIntrinsics& intrinsics, const Eigen::Vector3f& up);

@@ -17,7 +17,7 @@ namespace {
 // Of an explanation against which something is seen.
 constexpr float kCostOfFloating = 0.05F;
 
-std::vector<std::vector<OutlinePoint>> OutlinesOf(const RgbdFrame& frame, const cv::Mat& points,
+std::vector<std::vector<OutlinePoint>> OutlinesOf(const RgbdFrame& frame, const PixelPoints& points,
                                                   const Detections& detections) {
   std::vector<std::vector<OutlinePoint>> outlines(detections.objects.size());
   ForEachTogether(outlines.size(), [&](std::size_t i) {
@@ -76,7 +76,7 @@ Explanation Explain(const DetectedObject& object, const std::vector<OutlinePoint
 
 }  // namespace
 
-void CompleteObjects(const RgbdFrame& frame, const cv::Mat& points,
+void CompleteObjects(const RgbdFrame& frame, const PixelPoints& points,
                      const std::vector<std::optional<SupportSurface>>& supports,
                      Detections& detections) {
   std::vector<DetectedObject>& objects = detections.objects;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/depth/back_projection.h"
 #include "core/types/detections.h"
 #include "core/types/rgbd_frame.h"
 
@@ -16,7 +17,7 @@ namespace fovea {
 //
 // An object reaches down to what is below it where that explains its outline at least as well: to
 // the top of another object that it is above, or to its support.
-void CompleteObjects(const RgbdFrame& frame, const cv::Mat& points,
+void CompleteObjects(const RgbdFrame& frame, const PixelPoints& points,
                      const std::vector<std::optional<SupportSurface>>& supports,
                      Detections& detections);
 

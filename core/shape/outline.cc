@@ -70,26 +70,27 @@ std::vector<Eigen::Vector2f> Outwards(const std::vector<Eigen::Vector2f>& points
 
 }  // namespace
 
-std::vector<OutlinePoint> OutlineAlongColors(const RgbdFrame& frame, const cv::Mat& points,
+std::vector<OutlinePoint> OutlineAlongColors(const RgbdFrame& frame, const PixelPoints& points,
                                              const cv::Mat& labels, int label,
                                              const cv::Rect& bounds) {
   const double scale = std::max(1.0, labels.cols / kWidth_px);
   const std::vector<Eigen::Vector2f> contour =
       Smoothed(Contour(labels, label, bounds), kStep_px * scale);
   const std::vector<Eigen::Vector2f> outwards = Outwards(contour);
-  const OutlineProfiles profiles(frame.color_rgb, points, labels, label, contour, outwards,
-                                 static_cast<float>(scale));
+  const OutlineProfiles profiles(frame.color_rgb, points.Depth_m(), labels, label, contour,
+                                 outwards, static_cast<float>(scale));
   const std::vector<int> offsets = profiles.BestWayAround();
   std::vector<OutlinePoint> outline(contour.size());
   for (std::size_t i = 0; i < contour.size(); ++i) {
     // The edge lies between the last place inside and the first outside.
     const float offset = (static_cast<float>(offsets[i]) + 0.5F) * static_cast<float>(scale);
-    const OutlineProfiles::Sample beyond = profiles.Beyond(i, offsets[i]);
+    const OutlineProfiles::Sample* beyond = profiles.Beyond(i, offsets[i]);
     outline[i] = {.pixel = contour[i] + outwards[i] * offset,
                   .outwards = outwards[i],
-                  .is_own_end = profiles.EndsAt(i, offsets[i]),
-                  .beyond = beyond.point,
-                  .label_beyond = beyond.label};
+                  .is_own_end = profiles.EndsAt(i, offsets[i])};
+    if (beyond == nullptr) continue;
+    outline[i].beyond = points.At(beyond->pixel.y, beyond->pixel.x);
+    outline[i].label_beyond = beyond->label;
   }
   return outline;
 }

@@ -6,6 +6,7 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
+#include "core/depth/back_projection.h"
 #include "core/types/rgbd_frame.h"
 
 namespace fovea {
@@ -30,9 +31,8 @@ struct OutlinePoint {
 // a shortest path (Amini et al. 1990), so that it is the same way each time. Depth that was
 // measured of something else holds the outline back a little, and so does the mask itself.
 //
-// `labels`: CV_16UC1; `points`: CV_32FC3, NaN = none; `bounds`: of the label. Cost: proportional to
-// the bounds, some 0.1 ms.
-std::vector<OutlinePoint> OutlineAlongColors(const RgbdFrame& frame, const cv::Mat& points,
+// `labels`: CV_16UC1; `bounds`: of the label. Cost: proportional to the bounds, some 0.1 ms.
+std::vector<OutlinePoint> OutlineAlongColors(const RgbdFrame& frame, const PixelPoints& points,
                                              const cv::Mat& labels, int label,
                                              const cv::Rect& bounds);
 

@@ -31,7 +31,7 @@ constexpr float kNearerPerM = 0.015F;
 
 }  // namespace
 
-OutlineProfiles::OutlineProfiles(const cv::Mat& color_rgb, const cv::Mat& points,
+OutlineProfiles::OutlineProfiles(const cv::Mat& color_rgb, const cv::Mat& depth_m,
                                  const cv::Mat& labels, int label,
                                  const std::vector<Eigen::Vector2f>& contour,
                                  const std::vector<Eigen::Vector2f>& outwards, float scale)
@@ -41,17 +41,15 @@ OutlineProfiles::OutlineProfiles(const cv::Mat& color_rgb, const cv::Mat& points
     for (int k = 0; k < kPlaces; ++k) {
       const Eigen::Vector2f at =
           contour[i] + outwards[i] * (static_cast<float>(kFirst + k) * scale);
-      const cv::Point pixel(cvRound(at.x()), cvRound(at.y()));
       Sample& sample = samples_[i * kPlaces + static_cast<std::size_t>(k)];
-      sample.is_in_image = image.contains(pixel);
-      const cv::Point nearest(std::clamp(pixel.x, 0, image.width - 1),
-                              std::clamp(pixel.y, 0, image.height - 1));
-      const cv::Vec3b& color = color_rgb.at<cv::Vec3b>(nearest);
-      sample.color = Eigen::Vector3f(color[0], color[1], color[2]);
+      sample.pixel = {cvRound(at.x()), cvRound(at.y())};
+      sample.is_in_image = image.contains(sample.pixel);
+      const cv::Point nearest(std::clamp(sample.pixel.x, 0, image.width - 1),
+                              std::clamp(sample.pixel.y, 0, image.height - 1));
+      sample.color = color_rgb.at<cv::Vec3b>(nearest);
       if (!sample.is_in_image) continue;
-      sample.label = labels.at<std::uint16_t>(pixel);
-      const cv::Vec3f& point = points.at<cv::Vec3f>(pixel);
-      sample.point = {point[0], point[1], point[2]};
+      sample.label = labels.at<std::uint16_t>(sample.pixel);
+      sample.depth_m = depth_m.at<float>(sample.pixel);
     }
   }
 }
@@ -63,7 +61,7 @@ const OutlineProfiles::Sample& OutlineProfiles::At(std::size_t i, int place) con
 // How many places beyond the mask nothing was measured in.
 int OutlineProfiles::GapAt(std::size_t i) const {
   int gap = 0;
-  while (gap < kOutside && std::isnan(At(i, gap + 1).point.z())) ++gap;
+  while (gap < kOutside && std::isnan(At(i, gap + 1).depth_m)) ++gap;
   return gap;
 }
 
@@ -72,19 +70,18 @@ std::vector<float> OutlineProfiles::Costs() const {
   for (std::size_t i = 0; i < count_; ++i) {
     float* const row = &costs[i * kWays] + kInside;
     for (int place = -kInside; place <= kOutside; ++place) {
-      Eigen::Vector3f inner = Eigen::Vector3f::Zero(), outer = Eigen::Vector3f::Zero();
+      cv::Vec3i step;
       for (int k = 1; k <= kSide; ++k) {
-        inner += At(i, place - k + 1).color;
-        outer += At(i, place + k).color;
+        step += cv::Vec3i(At(i, place - k + 1).color) - cv::Vec3i(At(i, place + k).color);
       }
-      const float difference = (inner - outer).norm() / kSide;
+      const float difference = std::sqrt(static_cast<float>(step.dot(step))) / kSide;
       row[place] = -std::min(difference / kFullDifference, 1.0F);
     }
     const int gap = GapAt(i);
     float held = 0;
     for (int place = 1; place <= kOutside; ++place) {
       const Sample& sample = At(i, place);
-      if (!IsInside(sample) && !std::isnan(sample.point.z())) held += kPerPlaceMeasured;
+      if (!IsInside(sample) && !std::isnan(sample.depth_m)) held += kPerPlaceMeasured;
       if (place <= gap) held += 2 * place <= gap ? -kPerPlaceInGap : kPerPlaceInGap;
       row[place] += held;
     }
@@ -131,22 +128,22 @@ std::vector<int> OutlineProfiles::BestWayAround() const {
   return around;
 }
 
-OutlineProfiles::Sample OutlineProfiles::MedianOf(std::size_t i, int first, int last,
-                                                  bool of_object) const {
+const OutlineProfiles::Sample* OutlineProfiles::MedianOf(std::size_t i, int first, int last,
+                                                         bool of_object) const {
   std::array<const Sample*, kPlaces> found{};
   std::size_t count = 0;
   for (int place = first; place <= last; ++place) {
     const Sample& sample = At(i, place);
-    if (IsInside(sample) == of_object && !std::isnan(sample.point.z())) found[count++] = &sample;
+    if (IsInside(sample) == of_object && !std::isnan(sample.depth_m)) found[count++] = &sample;
   }
-  if (count == 0) return {};
+  if (count == 0) return nullptr;
   const auto middle = found.begin() + static_cast<std::ptrdiff_t>(count / 2);
   std::nth_element(found.begin(), middle, found.begin() + static_cast<std::ptrdiff_t>(count),
-                   [](const Sample* a, const Sample* b) { return a->point.z() < b->point.z(); });
-  return **middle;
+                   [](const Sample* a, const Sample* b) { return a->depth_m < b->depth_m; });
+  return *middle;
 }
 
-OutlineProfiles::Sample OutlineProfiles::Beyond(std::size_t i, int place) const {
+const OutlineProfiles::Sample* OutlineProfiles::Beyond(std::size_t i, int place) const {
   return MedianOf(i, place + kGap, place + kBeyond, false);
 }
 
@@ -154,10 +151,11 @@ bool OutlineProfiles::EndsAt(std::size_t i, int place) const {
   for (int k = kGap; k <= kBeyond; ++k) {
     if (!At(i, place + k).is_in_image) return false;
   }
-  const float before = MedianOf(i, kFirst, std::max(place, 0), true).point.z();
-  const float beyond = Beyond(i, place).point.z();
-  if (std::isnan(before) || std::isnan(beyond)) return true;
-  return beyond > before - kNearerPerM * std::max(0.5F, before * before);
+  const Sample* before = MedianOf(i, kFirst, std::max(place, 0), true);
+  const Sample* beyond = Beyond(i, place);
+  if (before == nullptr || beyond == nullptr) return true;
+  const float before_m = before->depth_m;
+  return beyond->depth_m > before_m - kNearerPerM * std::max(0.5F, before_m * before_m);
 }
 
 }  // namespace fovea

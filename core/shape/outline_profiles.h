@@ -3,16 +3,17 @@
 
 #include <Eigen/Core>
 #include <limits>
-#include <opencv2/core/mat.hpp>
+#include <opencv2/core.hpp>
 #include <vector>
 
 namespace fovea {
 
 class OutlineProfiles {
  public:
-  // `contour` and its unit normals in pixels; places across it are `scale` px apart.
-  OutlineProfiles(const cv::Mat& color_rgb, const cv::Mat& points, const cv::Mat& labels, int label,
-                  const std::vector<Eigen::Vector2f>& contour,
+  // `depth_m`: CV_32FC1, NaN = none; `contour` and its unit normals in pixels; places across it are
+  // `scale` px apart.
+  OutlineProfiles(const cv::Mat& color_rgb, const cv::Mat& depth_m, const cv::Mat& labels,
+                  int label, const std::vector<Eigen::Vector2f>& contour,
                   const std::vector<Eigen::Vector2f>& outwards, float scale);
 
   // For each point of the contour the place across it (0 = on it, positive = outside) of the way
@@ -20,24 +21,25 @@ class OutlineProfiles {
   std::vector<int> BestWayAround() const;
 
   struct Sample {
-    Eigen::Vector3f color = Eigen::Vector3f::Zero();
-    Eigen::Vector3f point = Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
-    int label = 0;
+    cv::Vec3b color;  // of the nearest pixel of the image
     bool is_in_image = false;
+    float depth_m = std::numeric_limits<float>::quiet_NaN();
+    int label = 0;
+    cv::Point pixel;
   };
 
   // Whether what lies beyond this place of point `i` is farther away than what lies before it.
   bool EndsAt(std::size_t i, int place) const;
 
-  // What lies beyond this place: the one of median depth.
-  Sample Beyond(std::size_t i, int place) const;
+  // What lies beyond this place: the one of median depth; null where nothing was measured.
+  const Sample* Beyond(std::size_t i, int place) const;
 
  private:
   const Sample& At(std::size_t i, int place) const;
   int GapAt(std::size_t i) const;
   std::vector<float> Costs() const;
   bool IsInside(const Sample& sample) const { return sample.label == label_; }
-  Sample MedianOf(std::size_t i, int first, int last, bool of_object) const;
+  const Sample* MedianOf(std::size_t i, int first, int last, bool of_object) const;
 
   int label_ = 0;
   std::size_t count_ = 0;

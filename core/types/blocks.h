@@ -7,6 +7,12 @@
 
 namespace fovea {
 
+// An image of blocks, as it stands for the pixels.
+struct BlockImage {
+  cv::Mat values;
+  int size_px = 1;
+};
+
 // The average of every block of size_px × size_px pixels; what lies beyond the border repeats it.
 // Any depth and number of channels.
 cv::Mat ReduceByBlocks(const cv::Mat& image, int size_px);

@@ -26,5 +26,21 @@ TEST(BackProject, LeavesOutMissingAndFarDepth) {
   for (int axis = 0; axis < 3; ++axis) EXPECT_TRUE(std::isnan(points.at<cv::Vec3f>(2)[axis]));
 }
 
+TEST(PixelPoints, AreThoseOfTheImage) {
+  const CameraIntrinsics intrinsics{.fx_px = 525, .fy_px = 520, .cx_px = 2.5, .cy_px = 1.5};
+  cv::Mat depth(4, 6, CV_32FC1);
+  for (int i = 0; i < 24; ++i) depth.at<float>(i / 6, i % 6) = 0.7F + 0.1F * static_cast<float>(i);
+  const cv::Mat image = BackProject(depth, intrinsics, 10);
+  const PixelPoints points(depth, intrinsics);
+  for (int row = 0; row < 4; ++row) {
+    for (int col = 0; col < 6; ++col) {
+      const cv::Vec3f& point = image.at<cv::Vec3f>(row, col);
+      EXPECT_EQ(points.At(row, col), Eigen::Vector3f(point[0], point[1], point[2]));
+    }
+  }
+  depth.at<float>(1, 1) = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_TRUE(points.At(1, 1).array().isNaN().all());
+}
+
 }  // namespace
 }  // namespace fovea

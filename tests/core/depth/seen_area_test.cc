@@ -5,7 +5,6 @@
 #include <limits>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
-#include <vector>
 
 namespace fovea {
 namespace {
@@ -38,11 +37,9 @@ TEST(SeenArea, LinesOfWhichHalfIsMeasuredCount) {
 }
 
 // The pixels of a rectangle.
-std::vector<cv::Point> Mask(const cv::Rect& rect) {
-  std::vector<cv::Point> pixels;
-  for (int y = rect.y; y < rect.br().y; ++y) {
-    for (int x = rect.x; x < rect.br().x; ++x) pixels.emplace_back(x, y);
-  }
+PixelRuns Mask(const cv::Rect& rect) {
+  PixelRuns pixels;
+  for (int row = rect.y; row < rect.br().y; ++row) pixels.push_back({row, rect.x, rect.br().x});
   return pixels;
 }
 

@@ -19,16 +19,16 @@ struct Scene {
   cv::Mat saliency{480, 640, CV_32FC1, cv::Scalar(0.5F)};
   std::vector<float> confidences = std::vector<float>(9, 0.5F);
   Detections detections;
-  cv::Mat points;  // of the frame's depth unless there are others
+  cv::Mat shown_m;  // the depth of what is described; the frame's unless there is another
 
   Scene() { detections.labels = cv::Mat::zeros(480, 640, CV_16UC1); }
   void Label(const cv::Rect& rectangle, int label) { detections.labels(rectangle).setTo(label); }
   void Describe(const ObjectOptions& options = {}) {
-    if (points.empty()) points = BackProject(frame.depth_m, frame.intrinsics, 10);
+    const PixelPoints points(shown_m.empty() ? frame.depth_m : shown_m, frame.intrinsics);
     const std::vector<Support> supports =
         detections.support ? std::vector<Support>{{*detections.support, Footprint()}}
                            : std::vector<Support>{};
-    DescribeObjects(frame, points, saliency, confidences, supports, options, detections);
+    DescribeObjects(frame, points, {saliency}, confidences, supports, options, detections);
   }
 };
 
@@ -103,7 +103,7 @@ TEST(DescribeObjects, FlagsObjectsWithoutDepthAndTakesThemForAsDeepAsWide) {
   Scene scene;
   scene.Label({300, 200, 40, 40}, 1);
   scene.Label({400, 200, 40, 40}, 2);
-  scene.points = BackProject(scene.frame.depth_m, scene.frame.intrinsics, 10);
+  scene.shown_m = scene.frame.depth_m.clone();
   scene.frame.depth_m(cv::Rect(300, 200, 40, 21)).setTo(std::numeric_limits<float>::quiet_NaN());
   scene.frame.depth_m(cv::Rect(400, 200, 40, 20)).setTo(std::numeric_limits<float>::quiet_NaN());
   scene.Describe();
@@ -165,8 +165,8 @@ TEST(DescribeObjects, StandsOnTheHighestSupportBelow) {
   scene.Label({300, 200, 40, 40}, 1);  // its lowest row is 2 mm above the optical axis
   const Eigen::Vector3f up = -Eigen::Vector3f::UnitY();
   const std::vector<Support> supports{{{up, 0.8F, 1}, Footprint()}, {{up, 0.1F, 1}, Footprint()}};
-  const cv::Mat points = BackProject(scene.frame.depth_m, scene.frame.intrinsics, 10);
-  DescribeObjects(scene.frame, points, scene.saliency, scene.confidences, supports, {},
+  const PixelPoints points(scene.frame.depth_m, scene.frame.intrinsics);
+  DescribeObjects(scene.frame, points, {scene.saliency}, scene.confidences, supports, {},
                   scene.detections);
   ASSERT_EQ(scene.detections.objects.size(), 1U);
   EXPECT_NEAR(*scene.detections.objects[0].height_above_support_m, 0.102, 1e-3);

@@ -16,16 +16,16 @@ constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 // differ.
 struct Picture {
   RgbdFrame frame{cv::Mat(480, 640, CV_8UC3, cv::Scalar(120, 120, 120)), {}, {}, {}};
-  cv::Mat points{480, 640, CV_32FC3, cv::Scalar(0, 0, 1.5)};
+  cv::Mat depth_m{480, 640, CV_32FC1, cv::Scalar(1.5)};
   cv::Mat labels = cv::Mat::zeros(480, 640, CV_16UC1);
 
   void Put(const cv::Rect& red, const cv::Rect& mask) {
     frame.color_rgb(red).setTo(cv::Scalar(200, 30, 30));
-    points(mask).setTo(cv::Scalar(0, 0, 1));
+    depth_m(mask).setTo(1);
     labels(mask).setTo(1);
   }
   std::vector<OutlinePoint> Outline(const cv::Rect& mask) const {
-    return OutlineAlongColors(frame, points, labels, 1, mask);
+    return OutlineAlongColors(frame, {depth_m, {525, 525, 319.5, 239.5}}, labels, 1, mask);
   }
 };
 
@@ -42,7 +42,7 @@ float RightEnd(const std::vector<OutlinePoint>& outline) {
 TEST(OutlineAlongColors, GoesOutToTheColorsWhereDepthIsMissing) {
   const cv::Rect red(200, 150, 100, 100), mask(200, 150, 94, 100);
   Picture picture;
-  picture.points(cv::Rect(200, 150, 108, 100)).setTo(cv::Scalar::all(kNone));
+  picture.depth_m(cv::Rect(200, 150, 108, 100)).setTo(kNone);
   picture.Put(red, mask);
   EXPECT_NEAR(RightEnd(picture.Outline(mask)), 299.5, 0.6F);
 }
@@ -66,7 +66,7 @@ TEST(OutlineAlongColors, KnowsWhereSomethingNearerOrTheImageEndsIt) {
   const cv::Rect mask(540, 150, 100, 100);
   Picture picture;
   picture.Put(mask, mask);
-  picture.points(cv::Rect(500, 250, 140, 60)).setTo(cv::Scalar(0, 0, 0.8));
+  picture.depth_m(cv::Rect(500, 250, 140, 60)).setTo(0.8);
   for (const OutlinePoint& point : picture.Outline(mask)) {
     if (std::max(std::abs(point.outwards.x()), std::abs(point.outwards.y())) < 0.95F) continue;
     const bool is_hidden = point.outwards.y() > 0.95F || point.outwards.x() > 0.95F;

@@ -69,7 +69,7 @@ inline ThingsOnFloor CompleteThings(const std::vector<scenes::Body>& things, dou
     object.visible_box = FitOrientedBox(positions, support.normal, support);
     object.box = object.visible_box;
   }
-  CompleteObjects(labelled.frame, points,
+  CompleteObjects(labelled.frame, {labelled.frame.depth_m, labelled.frame.intrinsics},
                   std::vector<std::optional<SupportSurface>>(things.size(), support), detections);
   return result;
 }
