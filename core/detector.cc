@@ -56,8 +56,8 @@ Trace TraceOf(Search search, const cv::Mat& depth, const PixelBlocks& blocks,
           {}};
 }
 
-// Of where the objects are, beside what they are.
-bool IsMoreAsked(const DetectorOptions& options) {
+// Whether anything beside the objects themselves needs the points around them.
+bool NeedsSurroundings(const DetectorOptions& options) {
   return options.place || options.planning.collision_primitives || options.planning.height_map ||
          !options.grippers.empty();
 }
@@ -95,7 +95,7 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& op
                   search.found.confidences, scene.supports, options.objects, result);
   ObjectSurroundings around;
   around.supports = std::move(scene.supports);
-  if (IsMoreAsked(options)) {
+  if (NeedsSurroundings(options)) {
     around.points = BackProject(shown, frame.intrinsics, options.max_depth_m);
   }
   clock.Finish();

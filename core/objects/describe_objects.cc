@@ -13,7 +13,7 @@
 namespace fovea {
 namespace {
 
-// Of the object's `num_pixels`.
+// The object knows how many there are.
 void SetColoredCloud(const RgbdFrame& frame, const PixelPoints& points, const PixelRuns& pixels,
                      DetectedObject& object) {
   std::array<std::size_t, 3> color_sum{};
