@@ -9,7 +9,7 @@
 namespace fovea {
 
 struct ObjectSurroundings {
-  cv::Mat points;  // CV_32FC3, camera frame, of all pixels; NaN = none; may be empty where nobody asks
+  cv::Mat points;                 // CV_32FC3, camera frame, NaN = none; empty unless needed
   std::vector<Support> supports;  // the dominating one first
 };
 
