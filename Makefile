@@ -19,7 +19,7 @@ build: configured
 # Generated frames, or real ones: make demo FRAME=DIR/NAME [INTRINSICS=FX,FY,CX,CY]; the page that it
 # may show is built once there is a picture to look at.
 demo: configured
-	@cmake --build --preset $(PRESET) --target fovea-server fovea fovea_scenes_tool
+	@cmake --build --preset $(PRESET) --target fovea-server fovea
 	@deploy/demo.sh $(BUILD)
 
 # Some tests wait more than they compute.

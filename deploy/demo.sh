@@ -48,11 +48,8 @@ if [ -n "${FRAME:-}" ]; then
     exit 1
   }
 else
-  for kind in tabletop stacked floor; do
-    "$build/tests/support/fovea-scenes" --output "$out/frames" --kind "$kind" --count 1 --seed 7 \
-      >/dev/null
-  done
-  # The same camera took these, but they may not be part of a clone.
+  for kind in tabletop stacked floor; do add_frame "client/examples/frames/$kind"; done
+  # The same camera took this one, but it may not be part of a clone.
   add_frame "${FOVEA_DATA:-../shared/data}/floor/floor1" 2>/dev/null || true
 fi
 

@@ -9,7 +9,7 @@
 
 #include "server/conversion/option_policy.h"
 #include "server/conversion/robot_grippers.h"
-#include "server/tracing/http_post.h"
+#include "server/http/http_post.h"
 
 namespace fovea::server {
 namespace {

@@ -1,5 +1,6 @@
 #include "client/cli/connection.h"
 
+#include <CLI/App.hpp>
 #include <stdexcept>
 #include <utility>
 

@@ -1,10 +1,13 @@
 // How the command line reaches its server.
 #pragma once
 
-#include <CLI/App.hpp>
 #include <string>
 
 #include "client/client.h"
+
+namespace CLI {
+class App;
+}
 
 namespace fovea::cli {
 

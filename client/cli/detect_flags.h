@@ -1,12 +1,15 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "client/cli/connection.h"
 #include "client/cli/outputs.h"
+
+namespace CLI {
+class App;
+}
 
 namespace fovea::cli {
 

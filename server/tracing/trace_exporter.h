@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "server/tracing/http_post.h"
+#include "server/http/http_post.h"
 #include "server/tracing/span.h"
 
 namespace fovea::server {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "server/watching/http_server.h"
+#include "server/http/http_server.h"
 #include "server/watching/metrics.h"
 
 namespace fovea::server {

@@ -1,4 +1,4 @@
-#include "server/watching/http_server.h"
+#include "server/http/http_server.h"
 
 #include <spdlog/spdlog.h>
 
@@ -59,10 +59,12 @@ Response Answer(const http::request<http::empty_body>& request,
   }
 }
 
+}  // namespace
+
 // Lives as long as an operation refers to it; each has a deadline, which closes the connection.
-class Connection : public std::enable_shared_from_this<Connection> {
+class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
  public:
-  Connection(tcp::socket socket, const HttpServer::Handler& handler)
+  HttpConnection(tcp::socket socket, const HttpServer::Handler& handler)
       : stream_(std::move(socket)), handler_(handler) {
     parser_.header_limit(kMaxRequestBytes);
   }
@@ -94,8 +96,6 @@ class Connection : public std::enable_shared_from_this<Connection> {
   http::request_parser<http::empty_body> parser_;
   Response response_;
 };
-
-}  // namespace
 
 class HttpServer::Impl {
  public:
@@ -160,7 +160,7 @@ class HttpServer::Impl {
       if (const auto oldest = connections_.front().lock()) oldest->Close();
       connections_.pop_front();
     }
-    const auto connection = std::make_shared<Connection>(std::move(socket), handler_);
+    const auto connection = std::make_shared<HttpConnection>(std::move(socket), handler_);
     connections_.push_back(connection);
     connection->Serve();
   }
@@ -170,7 +170,7 @@ class HttpServer::Impl {
   asio::io_context context_{1};
   tcp::acceptor acceptor_{context_};
   asio::steady_timer pause_{context_};
-  std::list<std::weak_ptr<Connection>> connections_;  // oldest first
+  std::list<std::weak_ptr<HttpConnection>> connections_;  // oldest first
   std::jthread thread_;
 };
 

@@ -1,4 +1,4 @@
-#include "server/tracing/http_post.h"
+#include "server/http/http_post.h"
 
 #include <algorithm>
 #include <boost/asio/io_context.hpp>
