@@ -2,7 +2,7 @@
 include(CMakePackageConfigHelpers)
 
 set(FOVEA_CONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/fovea)
-set_target_properties(fovea_client grpc_health_proto PROPERTIES POSITION_INDEPENDENT_CODE ON)
+set_target_properties(grpc_health_proto PROPERTIES POSITION_INDEPENDENT_CODE ON)
 set_target_properties(fovea_client PROPERTIES EXPORT_NAME client)
 set_target_properties(fovea_proto PROPERTIES EXPORT_NAME proto)
 set_target_properties(grpc_health_proto PROPERTIES EXPORT_NAME grpc_health_proto OUTPUT_NAME

@@ -15,8 +15,6 @@
 namespace fovea::cli {
 namespace {
 
-const cv::Scalar kRed(30, 30, 255), kYellow(40, 220, 255), kBlue(255, 140, 60);
-
 void RequireFits(bool fits, const char* what) {
   if (!fits) throw std::runtime_error(std::string("the server's answer has a broken ") + what);
 }

@@ -7,13 +7,9 @@
 #include <vector>
 
 #include "client/cli/overlay/drawing.h"
+#include "client/cli/overlay/palette.h"
 
 namespace fovea::cli {
-namespace {
-
-const cv::Scalar kRed(30, 30, 255), kYellow(40, 220, 255), kWhite(255, 255, 255);
-
-}  // namespace
 
 cv::Mat WarmedBySaliency(const cv::Mat& color, const v1::Detections& detections) {
   cv::Mat most = cv::Mat::zeros(color.size(), CV_8UC1), heat, warmed;

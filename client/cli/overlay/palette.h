@@ -5,6 +5,10 @@
 
 namespace fovea::cli {
 
+// Of what is no object, as (B, G, R).
+inline const cv::Scalar kRed(30, 30, 255), kYellow(40, 220, 255), kBlue(255, 140, 60),
+    kWhite(255, 255, 255);
+
 // The colour of object `label` (1, 2, …), as (B, G, R): neighbours in number differ clearly.
 cv::Scalar ColorOf(std::uint32_t label);
 
