@@ -16,22 +16,10 @@ asan_targets=(core_depth_test core_detector_test core_grasping_test core_lens_te
   server_test client_test)
 tsan_targets=(core_types_test core_detector_test core_tracking_test server_test client_test)
 
-# What the preset of the tests has in its environment: suppressions, for one.
-environment() { # PRESET
-  python3 - "$1" <<'PYTHON'
-import json, os, sys
-for preset in json.load(open("CMakePresets.json"))["testPresets"]:
-    if preset["name"] == sys.argv[1]:
-        for name, value in preset["environment"].items():
-            print(name + "=" + value.replace("${sourceDir}", os.getcwd()))
-PYTHON
-}
-
 sanitize() { # PRESET TARGET...
-  local preset=$1 variables
+  local preset=$1
   shift
-  variables=$(environment "$preset")
-  while read -r line; do export "${line?}"; done <<<"$variables"
+  eval "$(/usr/bin/python3 deploy/preset_environment.py "$preset")"
   cmake --preset "$preset" >/dev/null
   nice cmake --build --preset "$preset" --target "$@" -j "$jobs"
   # By folder: programs that were not built have a test named NAME_NOT_BUILT, and Python's need others.
