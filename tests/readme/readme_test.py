@@ -3,12 +3,14 @@
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import time
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from PIL import Image
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = Path(os.environ["FOVEA_BUILD"])
@@ -24,17 +26,14 @@ def commands() -> list[str]:
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Where a reader would stand: with the build, a frame C.png and D.png, and a folder of some."""
+    """Where a reader would stand: in the clone with its build, and a frame C.png and D.png."""
     here = tmp_path_factory.mktemp("readme")
     (here / "build").mkdir()
     (here / "build" / "release").symlink_to(BUILD)
-    (here / "frames").mkdir()
-    (here / "results").mkdir()
-    scenes = [str(BUILD / "tests/support/fovea-scenes"), "--kind", "tabletop", "--seed", "7"]
-    subprocess.run([*scenes, "--count", "1", "--output", str(here / "frames")], check=True)
-    for letter, ending in (("C", "color"), ("D", "depth")):
-        (frame,) = (here / "frames").glob(f"*_{ending}.png")
-        (here / f"{letter}.png").write_bytes(frame.read_bytes())
+    (here / "client").symlink_to(ROOT / "client")
+    frame = ROOT / "client/examples/frames/tabletop"
+    Image.open(f"{frame}_color.jpg").save(here / "C.png")
+    shutil.copy(f"{frame}_depth.png", here / "D.png")
     return here
 
 
