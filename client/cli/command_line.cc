@@ -49,8 +49,7 @@ int RunCommandLine(int argc, char** argv, const std::string& version) {
   CLI::App* health = app.add_subcommand("health", "Ask whether the server serves");
   CLI::App* info = app.add_subcommand("info", "Print the server's limits and statistics as JSON");
   CLI::App* options = app.add_subcommand("options", "Print the options of the server's method");
-  for (CLI::App* command : {health, info, options})
-    AddConnectionFlags(*command, connection);
+  for (CLI::App* command : {health, info, options}) AddConnectionFlags(*command, connection);
 
   return RunProgram(app, argc, argv, [&] {
     try {
@@ -59,9 +58,8 @@ int RunCommandLine(int argc, char** argv, const std::string& version) {
       if (*options) return PrintOptions(connection);
       return RunDetect(detect_flags);
     } catch (const client::RpcError& error) {
-      throw std::runtime_error(
-          *detect ? ExplainDetect(error, detect_flags)
-                  : Explain(error, connection, DefaultLimit()));
+      throw std::runtime_error(*detect ? ExplainDetect(error, detect_flags)
+                                       : Explain(error, connection, DefaultLimit()));
     }
   });
 }

@@ -1,6 +1,4 @@
 // fovea: command-line client of a fovea server.
 #include "client/cli/command_line.h"
 
-int main(int argc, char** argv) {
-  return fovea::cli::RunCommandLine(argc, argv, FOVEA_VERSION);
-}
+int main(int argc, char** argv) { return fovea::cli::RunCommandLine(argc, argv, FOVEA_VERSION); }
