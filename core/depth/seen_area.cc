@@ -20,8 +20,8 @@ std::vector<int> CountInColumns(const cv::Mat& depth_m, const cv::Range& columns
   std::vector<int> counts(num);
   int* const count = counts.data();
   for (int row = 0; row < depth_m.rows; ++row) {
-    const float* depth = depth_m.ptr<float>(row) + columns.start * step + step - 1;
-    for (int i = 0; i < num; ++i) count[i] += std::isnan(depth[i * step]) ? 0 : 1;
+    const float* depth = depth_m.ptr<float>(row, columns.start) + step - 1;
+    for (int i = 0; i < num; ++i, depth += step) count[i] += std::isnan(*depth) ? 0 : 1;
   }
   return counts;
 }
@@ -30,7 +30,7 @@ bool IsMostOfRowMeasured(const cv::Mat& depth_m, int row) {
   const int step = depth_m.channels();
   const float* depth = depth_m.ptr<float>(row) + step - 1;
   int count = 0;
-  for (int col = 0; col < depth_m.cols; ++col) count += std::isnan(depth[col * step]) ? 0 : 1;
+  for (int col = 0; col < depth_m.cols; ++col, depth += step) count += std::isnan(*depth) ? 0 : 1;
   return 2 * count >= depth_m.cols;
 }
 

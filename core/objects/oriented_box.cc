@@ -33,16 +33,15 @@ struct LevelPlaces {
 LevelPlaces PlacesOf(const std::vector<Eigen::Vector3f>& points, const Eigen::Matrix3f& level) {
   const auto count = static_cast<Eigen::Index>(points.size());
   LevelPlaces places{Eigen::ArrayXf(count), Eigen::ArrayXf(count), Eigen::ArrayXf(count)};
-  const Eigen::Vector3f origin = points.front();  // keeps the numbers small
-  RunInWidestRegisters([&, points = points.data(), x = places.x.data(), y = places.y.data(),
-                        height = places.height.data()] {
+  RunInWidestRegisters([&, origin = points.front(), points = points.data(), x = places.x.data(),
+                        y = places.y.data(), height = places.height.data()] {
     const Eigen::Matrix3f from_camera = level.transpose();
     const auto along = [&from_camera](int axis, const Eigen::Vector3f& way) {
       return from_camera(axis, 0) * way.x() +
              (from_camera(axis, 1) * way.y() + from_camera(axis, 2) * way.z());
     };
     for (Eigen::Index i = 0; i < count; ++i) {
-      const Eigen::Vector3f way = points[i] - origin;
+      const Eigen::Vector3f way = points[i] - origin;  // keeps the numbers small
       x[i] = along(0, way);
       y[i] = along(1, way);
       height[i] = along(2, way);
