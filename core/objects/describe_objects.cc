@@ -18,13 +18,14 @@ void SetColoredCloud(const RgbdFrame& frame, const PixelPoints& points, const Pi
                      DetectedObject& object) {
   std::array<std::size_t, 3> color_sum{};
   Eigen::Vector3d position_sum = Eigen::Vector3d::Zero();
-  object.cloud.reserve(object.num_pixels);
+  object.cloud.resize(object.num_pixels);
+  ColoredPoint* next = object.cloud.data();
   for (const PixelRun& run : pixels) {
     const auto* color = frame.color_rgb.ptr<cv::Vec3b>(run.row);
     for (int col = run.first; col < run.end; ++col) {
       const Eigen::Vector3f p = points.At(run.row, col);
       const cv::Vec3b& c = color[col];
-      object.cloud.push_back({p.x(), p.y(), p.z(), c[0], c[1], c[2]});
+      *next++ = {p.x(), p.y(), p.z(), c[0], c[1], c[2]};
       position_sum += p.cast<double>();
       for (int channel = 0; channel < 3; ++channel) color_sum[channel] += c[channel];
     }
@@ -108,9 +109,9 @@ DescribedObject Describe(const RgbdFrame& frame, const PixelPoints& points,
 
   object.colors = ColorPartsOf(object.cloud);
 
-  std::vector<Eigen::Vector3f> positions;
-  positions.reserve(object.cloud.size());
-  for (const ColoredPoint& p : object.cloud) positions.emplace_back(p.x, p.y, p.z);
+  std::vector<Eigen::Vector3f> positions(object.cloud.size());
+  std::transform(object.cloud.begin(), object.cloud.end(), positions.begin(),
+                 [](const ColoredPoint& p) { return Eigen::Vector3f(p.x, p.y, p.z); });
   InterruptionPoint();
   const std::optional<SupportSurface> support = OwnSupport(supports, positions);
   object.visible_box =

@@ -87,7 +87,7 @@ std::vector<OutlinePoint> OutlineAlongColors(const RgbdFrame& frame, const Pixel
     const OutlineProfiles::Sample* beyond = profiles.Beyond(i, offsets[i]);
     outline[i] = {.pixel = contour[i] + outwards[i] * offset,
                   .outwards = outwards[i],
-                  .is_own_end = profiles.EndsAt(i, offsets[i])};
+                  .is_own_end = profiles.EndsAt(i, offsets[i], beyond)};
     if (beyond == nullptr) continue;
     outline[i].beyond = points.At(beyond->pixel.y, beyond->pixel.x);
     outline[i].label_beyond = beyond->label;

@@ -29,6 +29,23 @@ constexpr float kPerBend = 0.2F;            // per place, from one point to the 
 // Elberink 2012); what is nearer by more than this is something else.
 constexpr float kNearerPerM = 0.015F;
 
+// Squares of the steps of colour at each place that the outline may move to: kSide colours of its
+// inner side less those of its outer.
+std::array<int, kWays> SquaredSteps(const OutlineProfiles::Sample* samples) {
+  std::array<int, kWays> squares{};
+  for (int channel = 0; channel < 3; ++channel) {
+    std::array<int, kPlaces> values{};
+    for (int k = 0; k < kPlaces; ++k) values[k] = samples[k].color[channel];
+    for (int way = 0; way < kWays; ++way) {
+      int step = 0;
+      for (int k = 1; k <= kSide; ++k)
+        step += values[way + kSide - k + 1] - values[way + kSide + k];
+      squares[way] += step * step;
+    }
+  }
+  return squares;
+}
+
 }  // namespace
 
 OutlineProfiles::OutlineProfiles(const cv::Mat& color_rgb, const cv::Mat& depth_m,
@@ -36,20 +53,20 @@ OutlineProfiles::OutlineProfiles(const cv::Mat& color_rgb, const cv::Mat& depth_
                                  const std::vector<Eigen::Vector2f>& contour,
                                  const std::vector<Eigen::Vector2f>& outwards, float scale)
     : label_(label), count_(contour.size()), samples_(contour.size() * kPlaces) {
-  const cv::Rect image({}, labels.size());
+  const int last_x = labels.cols - 1, last_y = labels.rows - 1;
   for (std::size_t i = 0; i < count_; ++i) {
     for (int k = 0; k < kPlaces; ++k) {
       const Eigen::Vector2f at =
           contour[i] + outwards[i] * (static_cast<float>(kFirst + k) * scale);
       Sample& sample = samples_[i * kPlaces + static_cast<std::size_t>(k)];
       sample.pixel = {cvRound(at.x()), cvRound(at.y())};
-      sample.is_in_image = image.contains(sample.pixel);
-      const cv::Point nearest(std::clamp(sample.pixel.x, 0, image.width - 1),
-                              std::clamp(sample.pixel.y, 0, image.height - 1));
-      sample.color = color_rgb.at<cv::Vec3b>(nearest);
+      const int x = std::clamp(sample.pixel.x, 0, last_x),
+                y = std::clamp(sample.pixel.y, 0, last_y);
+      sample.color = color_rgb.ptr<cv::Vec3b>(y)[x];
+      sample.is_in_image = x == sample.pixel.x && y == sample.pixel.y;
       if (!sample.is_in_image) continue;
-      sample.label = labels.at<std::uint16_t>(sample.pixel);
-      sample.depth_m = depth_m.at<float>(sample.pixel);
+      sample.label = labels.ptr<std::uint16_t>(y)[x];
+      sample.depth_m = depth_m.ptr<float>(y)[x];
     }
   }
 }
@@ -69,13 +86,10 @@ std::vector<float> OutlineProfiles::Costs() const {
   std::vector<float> costs(count_ * kWays);
   for (std::size_t i = 0; i < count_; ++i) {
     float* const row = &costs[i * kWays] + kInside;
-    for (int place = -kInside; place <= kOutside; ++place) {
-      cv::Vec3i step;
-      for (int k = 1; k <= kSide; ++k) {
-        step += cv::Vec3i(At(i, place - k + 1).color) - cv::Vec3i(At(i, place + k).color);
-      }
-      const float difference = std::sqrt(static_cast<float>(step.dot(step))) / kSide;
-      row[place] = -std::min(difference / kFullDifference, 1.0F);
+    const std::array<int, kWays> squares = SquaredSteps(&samples_[i * kPlaces]);
+    for (int way = 0; way < kWays; ++way) {
+      const float difference = std::sqrt(static_cast<float>(squares[way])) / kSide;
+      costs[i * kWays + way] = -std::min(difference / kFullDifference, 1.0F);
     }
     const int gap = GapAt(i);
     float held = 0;
@@ -128,34 +142,41 @@ std::vector<int> OutlineProfiles::BestWayAround() const {
   return around;
 }
 
-const OutlineProfiles::Sample* OutlineProfiles::MedianOf(std::size_t i, int first, int last,
-                                                         bool of_object) const {
-  std::array<const Sample*, kPlaces> found{};
-  std::size_t count = 0;
-  for (int place = first; place <= last; ++place) {
-    const Sample& sample = At(i, place);
-    if (IsInside(sample) == of_object && !std::isnan(sample.depth_m)) found[count++] = &sample;
+const OutlineProfiles::Sample* OutlineProfiles::Beyond(std::size_t i, int place) const {
+  std::array<const Sample*, kBeyond - kGap + 1> found{};
+  std::ptrdiff_t count = 0;
+  for (int k = kGap; k <= kBeyond; ++k) {
+    const Sample& sample = At(i, place + k);
+    if (!IsInside(sample) && !std::isnan(sample.depth_m)) found[count++] = &sample;
   }
   if (count == 0) return nullptr;
-  const auto middle = found.begin() + static_cast<std::ptrdiff_t>(count / 2);
-  std::nth_element(found.begin(), middle, found.begin() + static_cast<std::ptrdiff_t>(count),
+  const auto middle = found.begin() + count / 2;
+  std::nth_element(found.begin(), middle, found.begin() + count,
                    [](const Sample* a, const Sample* b) { return a->depth_m < b->depth_m; });
   return *middle;
 }
 
-const OutlineProfiles::Sample* OutlineProfiles::Beyond(std::size_t i, int place) const {
-  return MedianOf(i, place + kGap, place + kBeyond, false);
+float OutlineProfiles::DepthBefore(std::size_t i, int place) const {
+  std::array<float, kPlaces> found{};
+  std::ptrdiff_t count = 0;
+  for (int before = kFirst; before <= std::max(place, 0); ++before) {
+    const Sample& sample = At(i, before);
+    if (IsInside(sample) && !std::isnan(sample.depth_m)) found[count++] = sample.depth_m;
+  }
+  if (count == 0) return std::numeric_limits<float>::quiet_NaN();
+  const auto middle = found.begin() + count / 2;
+  std::nth_element(found.begin(), middle, found.begin() + count);
+  return *middle;
 }
 
-bool OutlineProfiles::EndsAt(std::size_t i, int place) const {
+bool OutlineProfiles::EndsAt(std::size_t i, int place, const Sample* beyond) const {
   for (int k = kGap; k <= kBeyond; ++k) {
     if (!At(i, place + k).is_in_image) return false;
   }
-  const Sample* before = MedianOf(i, kFirst, std::max(place, 0), true);
-  const Sample* beyond = Beyond(i, place);
-  if (before == nullptr || beyond == nullptr) return true;
-  const float before_m = before->depth_m;
-  return beyond->depth_m > before_m - kNearerPerM * std::max(0.5F, before_m * before_m);
+  if (beyond == nullptr) return true;
+  const float before_m = DepthBefore(i, place);
+  return std::isnan(before_m) ||
+         beyond->depth_m > before_m - kNearerPerM * std::max(0.5F, before_m * before_m);
 }
 
 }  // namespace fovea

@@ -28,18 +28,19 @@ class OutlineProfiles {
     cv::Point pixel;
   };
 
-  // Whether what lies beyond this place of point `i` is farther away than what lies before it.
-  bool EndsAt(std::size_t i, int place) const;
-
-  // What lies beyond this place: the one of median depth; null where nothing was measured.
+  // What lies beyond this place of point `i`: the one of median depth; null where nothing was
+  // measured.
   const Sample* Beyond(std::size_t i, int place) const;
+
+  // Whether that is farther away than what lies before the place.
+  bool EndsAt(std::size_t i, int place, const Sample* beyond) const;
 
  private:
   const Sample& At(std::size_t i, int place) const;
   int GapAt(std::size_t i) const;
   std::vector<float> Costs() const;
   bool IsInside(const Sample& sample) const { return sample.label == label_; }
-  const Sample* MedianOf(std::size_t i, int first, int last, bool of_object) const;
+  float DepthBefore(std::size_t i, int place) const;  // median of the object; NaN = none
 
   int label_ = 0;
   std::size_t count_ = 0;

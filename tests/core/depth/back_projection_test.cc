@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/depth/measured_depth.h"
+
 namespace fovea {
 namespace {
 
@@ -24,6 +26,14 @@ TEST(BackProject, LeavesOutMissingAndFarDepth) {
   EXPECT_TRUE(std::isnan(points.at<cv::Vec3f>(0)[0]));
   EXPECT_FALSE(std::isnan(points.at<cv::Vec3f>(1)[0]));
   for (int axis = 0; axis < 3; ++axis) EXPECT_TRUE(std::isnan(points.at<cv::Vec3f>(2)[axis]));
+}
+
+TEST(DepthUpTo, LeavesOutWhatIsFarther) {
+  const cv::Mat depth = (cv::Mat_<float>(1, 3) << 1, 2, 2.1);
+  const cv::Mat near = DepthUpTo(depth, 2);
+  EXPECT_EQ(near.at<float>(0), 1);
+  EXPECT_EQ(near.at<float>(1), 2);
+  EXPECT_TRUE(std::isnan(near.at<float>(2)));
 }
 
 TEST(PixelPoints, AreThoseOfTheImage) {
