@@ -1,6 +1,6 @@
 """Prints what a test preset of CMakePresets.json has in its environment, for a shell to evaluate.
 
-usage: eval "$(deploy/preset_environment.py PRESET)"
+usage: eval "$(/usr/bin/python3 deploy/preset_environment.py PRESET)"
 """
 
 import json
