@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kNumFolds = 5;
 
-struct Flags {
+struct KinshipFlags {
   std::vector<std::string> plain;  // DIR or DIR=WEIGHT
   std::vector<std::string> mosd;
   std::vector<double> intrinsics = {525, 525, 319.5, 239.5};
@@ -34,7 +34,7 @@ struct Rows {
   std::vector<std::size_t> folds;  // by scene
 };
 
-void AddFolder(const std::string& text, LabelEncoding encoding, const Flags& flags, Rows& rows) {
+void AddFolder(const std::string& text, LabelEncoding encoding, const KinshipFlags& flags, Rows& rows) {
   const std::size_t equals = text.find('=');
   const std::string folder = text.substr(0, equals);
   const double folder_weight = equals == std::string::npos ? 1 : std::stod(text.substr(equals + 1));
@@ -109,7 +109,7 @@ std::string ToCsv(const Rows& rows) {
   return csv + '\n';
 }
 
-void Run(const Flags& flags) {
+void Run(const KinshipFlags& flags) {
   Rows rows;
   for (const std::string& folder : flags.plain) {
     AddFolder(folder, LabelEncoding::kPlain, flags, rows);
@@ -138,7 +138,7 @@ void Run(const Flags& flags) {
 }  // namespace
 
 void AddKinshipCommand(CLI::App& app) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<KinshipFlags>();
   CLI::App* command =
       app.add_subcommand("kinship", "Fit the weights by which segments are joined, and print them");
   auto* data = command->add_option_group("scenes");

@@ -14,14 +14,14 @@
 namespace fovea::scenes {
 namespace {
 
-constexpr std::uint64_t kSeeds = 6;
+constexpr std::uint64_t kSceneSeeds = 6;
 
 class SceneOfKind : public testing::TestWithParam<std::string> {
  protected:
   // Runs a check for each seed and names the seed in its failures.
   template <typename Check>
   void ForEachSeed(const Check& check) {
-    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    for (std::uint64_t seed = 1; seed <= kSceneSeeds; ++seed) {
       SCOPED_TRACE("kind " + GetParam() + ", seed " + std::to_string(seed));
       check(RandomScene(GetParam(), seed, {320, 240}), seed);
     }

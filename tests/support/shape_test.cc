@@ -12,17 +12,17 @@ namespace {
 using Eigen::Vector3d;
 
 // Where a ray that comes from far away along -z above (x, y) meets the shape.
-std::optional<Hit> FromAbove(const Shape& shape, double x, double y) {
+std::optional<Hit> HitFromAbove(const Shape& shape, double x, double y) {
   return Intersect(shape, {{x, y, 10}, {0, 0, -1}});
 }
 
 TEST(Shape, BoxIsHitOnTheFaceThatTheRayMeets) {
   const Shape box = {ShapeKind::kBox, {2, 4, 6}, 0, {}};
-  const auto top = FromAbove(box, 0.9, -1.9);
+  const auto top = HitFromAbove(box, 0.9, -1.9);
   ASSERT_TRUE(top);
   EXPECT_DOUBLE_EQ(top->t, 7);
   EXPECT_EQ(top->normal, Vector3d::UnitZ());
-  EXPECT_FALSE(FromAbove(box, 1.1, 0));
+  EXPECT_FALSE(HitFromAbove(box, 1.1, 0));
   const auto side = Intersect(box, {{-5, 0, 0}, {2, 0, 0}});
   ASSERT_TRUE(side);
   EXPECT_DOUBLE_EQ(side->t, 2) << "t counts lengths of the direction";
@@ -37,30 +37,30 @@ TEST(Shape, IsNotHitBehindTheOriginOrBeyondTheLimit) {
 }
 
 TEST(Shape, RoundShapesHaveTheirRadius) {
-  const auto ball = FromAbove({ShapeKind::kSphere, {2, 2, 2}, 0, {}}, 0.6, 0);
+  const auto ball = HitFromAbove({ShapeKind::kSphere, {2, 2, 2}, 0, {}}, 0.6, 0);
   ASSERT_TRUE(ball);
   EXPECT_NEAR(ball->t, 10 - 0.8, 1e-12);
   EXPECT_TRUE(ball->normal.isApprox(Vector3d(0.6, 0, 0.8), 1e-12));
   const Shape can = {ShapeKind::kCylinder, {2, 2, 4}, 0, {}};
-  EXPECT_TRUE(FromAbove(can, 0.7, 0.7));
-  EXPECT_FALSE(FromAbove(can, 0.72, 0.72));
+  EXPECT_TRUE(HitFromAbove(can, 0.7, 0.7));
+  EXPECT_FALSE(HitFromAbove(can, 0.72, 0.72));
 }
 
 TEST(Shape, HollowShapesShowTheirInside) {
   const Shape cup = {ShapeKind::kCup, {2, 2, 4}, 0.1, {}};
-  EXPECT_NEAR(FromAbove(cup, 0, 0)->t, 10 + 2 - 0.1, 1e-12) << "the inner floor";
-  EXPECT_NEAR(FromAbove(cup, 0.95, 0)->t, 8, 1e-12) << "the rim";
+  EXPECT_NEAR(HitFromAbove(cup, 0, 0)->t, 10 + 2 - 0.1, 1e-12) << "the inner floor";
+  EXPECT_NEAR(HitFromAbove(cup, 0.95, 0)->t, 8, 1e-12) << "the rim";
   const auto wall = Intersect(cup, {{0, 0, 0}, {1, 0, 0}});
   ASSERT_TRUE(wall) << "from within the hollow";
   EXPECT_NEAR(wall->t, 0.9, 1e-12);
   EXPECT_TRUE(wall->normal.isApprox(-Vector3d::UnitX(), 1e-12));
 
   const Shape bowl = {ShapeKind::kBowl, {2, 2, 0.8}, 0.05, {}};
-  const auto bottom = FromAbove(bowl, 0, 0);
+  const auto bottom = HitFromAbove(bowl, 0, 0);
   ASSERT_TRUE(bottom);
   EXPECT_NEAR(bottom->t, 10 + 0.4 - 0.05, 1e-12);
-  EXPECT_TRUE(FromAbove(bowl, 0.99, 0));
-  EXPECT_FALSE(FromAbove(bowl, 1.01, 0));
+  EXPECT_TRUE(HitFromAbove(bowl, 0.99, 0));
+  EXPECT_FALSE(HitFromAbove(bowl, 1.01, 0));
 }
 
 // A box of 2 × 2 × 2 with a ball of diameter 2 of another material on its right.
@@ -96,7 +96,7 @@ TEST(Shape, CompoundIsHitAtTheNearestOfItsParts) {
   EXPECT_DOUBLE_EQ(ball->t, 7);
   EXPECT_EQ(ball->normal, Vector3d::UnitX());
   EXPECT_EQ(ball->material, 1);
-  EXPECT_FALSE(FromAbove(shape, 0, 0)) << "between the parts";
+  EXPECT_FALSE(HitFromAbove(shape, 0, 0)) << "between the parts";
   const auto leaving = Intersect(shape, {{-1 + 1e-4, 0, 0}, {1, 0, 0}});
   ASSERT_TRUE(leaving) << "from the surface of one part to another";
   EXPECT_NEAR(leaving->t, 2 - 1e-4, 1e-12);
@@ -104,18 +104,18 @@ TEST(Shape, CompoundIsHitAtTheNearestOfItsParts) {
 
 TEST(Shape, ASmoothCushionIsFlatBelowAndFullInTheMiddle) {
   const Shape cushion = {ShapeKind::kCushion, {2, 2, 1}, 0, {}, {.fullness = 1}};
-  const auto top = FromAbove(cushion, 0, 0);
+  const auto top = HitFromAbove(cushion, 0, 0);
   ASSERT_TRUE(top);
   EXPECT_NEAR(top->t, 9.5, 1e-6);
   EXPECT_TRUE(top->normal.isApprox(Vector3d::UnitZ(), 1e-6));
-  const auto slope = FromAbove(cushion, 0.5, 0);  // z = 1 - x² above the bottom
+  const auto slope = HitFromAbove(cushion, 0.5, 0);  // z = 1 - x² above the bottom
   ASSERT_TRUE(slope);
   EXPECT_NEAR(slope->t, 10.5 - 0.75, 1e-6);
   EXPECT_TRUE(slope->normal.isApprox(Vector3d(1, 0, 1).normalized(), 1e-3));
   const auto below = Intersect(cushion, {{0, 0, -5}, {0, 0, 1}});
   ASSERT_TRUE(below);
   EXPECT_EQ(below->normal, -Vector3d::UnitZ());
-  EXPECT_FALSE(FromAbove(cushion, 1.01, 0));
+  EXPECT_FALSE(HitFromAbove(cushion, 1.01, 0));
   EXPECT_FALSE(Intersect(cushion, {{-5, 0.95, 0.4}, {1, 0, 0}})) << "over the low edge";
 }
 
@@ -126,7 +126,7 @@ TEST(Shape, CreasesOfACushionStayWithinItsHeight) {
   for (int column = -5; column <= 5; ++column) {
     for (int row = -5; row <= 5; ++row) {
       const double x = 0.01 * column, y = 0.01 * row;
-      const auto hit = FromAbove(cushion, x, y);
+      const auto hit = HitFromAbove(cushion, x, y);
       ASSERT_TRUE(hit);
       const double height = 10.03 - hit->t;
       least = std::min(least, height);
@@ -134,7 +134,7 @@ TEST(Shape, CreasesOfACushionStayWithinItsHeight) {
       const auto slanted = Intersect(cushion, {{x - 1, y, 1}, {1, 0, -1}});
       ASSERT_TRUE(slanted);
       const Vector3d at = Vector3d(x - 1, y, 1) + slanted->t * Vector3d(1, 0, -1);
-      const auto same = FromAbove(cushion, at.x(), at.y());
+      const auto same = HitFromAbove(cushion, at.x(), at.y());
       ASSERT_TRUE(same);
       EXPECT_NEAR(10 - same->t, at.z(), 1e-6) << "from any side the same surface";
     }
@@ -147,7 +147,7 @@ TEST(Shape, CreasesOfACushionStayWithinItsHeight) {
 TEST(Shape, NormalsOfPartsTurnWithThem) {
   Part slanted = {{ShapeKind::kBox, {2, 2, 2}, 0, {}}};
   slanted.shape_from_part.rotate(Eigen::AngleAxisd(std::numbers::pi / 6, Vector3d::UnitY()));
-  const auto hit = FromAbove(CompoundOf({slanted}), 0, 0);
+  const auto hit = HitFromAbove(CompoundOf({slanted}), 0, 0);
   ASSERT_TRUE(hit);
   EXPECT_NEAR(hit->t, 10 - 1 / std::cos(std::numbers::pi / 6), 1e-12);
   EXPECT_TRUE(hit->normal.isApprox(Vector3d(0.5, 0, std::sqrt(0.75)), 1e-12));

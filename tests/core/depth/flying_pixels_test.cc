@@ -10,7 +10,7 @@
 namespace fovea {
 namespace {
 
-constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNoDepth = std::numeric_limits<float>::quiet_NaN();
 constexpr double kFocalLength_px = 525;  // at 80° and 1 m a pixel may rise by 11 mm
 
 cv::Mat Remove(const cv::Mat& depth_m, double max_angle_deg = 80) {
@@ -55,7 +55,7 @@ TEST(RemoveFlyingPixels, KeepsThinThingsAndSpikes) {
 }
 
 TEST(RemoveFlyingPixels, KeepsPixelsBesideAHoleOrTheBorder) {
-  EXPECT_TRUE(Removed({1.0F, 1.05F, kNone, 1.15F, 1.2F}).empty());
+  EXPECT_TRUE(Removed({1.0F, 1.05F, kNoDepth, 1.15F, 1.2F}).empty());
 }
 
 TEST(RemoveFlyingPixels, ComparesFartherApartInLargerImages) {

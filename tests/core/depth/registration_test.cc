@@ -13,7 +13,7 @@ namespace fovea {
 namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-const CameraIntrinsics kCamera{.fx_px = 100, .fy_px = 90, .cx_px = 20, .cy_px = 15};
+const CameraIntrinsics kDepthCamera{.fx_px = 100, .fy_px = 90, .cx_px = 20, .cy_px = 15};
 const cv::Size kSize{40, 30};
 
 Eigen::Isometry3d Shift(double x, double y, double z) {
@@ -43,7 +43,7 @@ cv::Mat Relief() {
 
 TEST(RegisterDepth, LeavesDepthOfTheSameCameraAsItIs) {
   const cv::Mat depth = Relief();
-  const cv::Mat same = RegisterDepth(depth, kCamera, Shift(0, 0, 0), kCamera, kSize);
+  const cv::Mat same = RegisterDepth(depth, kDepthCamera, Shift(0, 0, 0), kDepthCamera, kSize);
   for (int y = 0; y < depth.rows; ++y) {
     for (int x = 0; x < depth.cols; ++x) {
       const float z = depth.at<float>(y, x);
@@ -63,21 +63,21 @@ TEST(RegisterDepth, TakesEveryBadDepthForNone) {
   depth.row(2) = -1;
   depth.row(3) = std::numeric_limits<float>::infinity();
   depth.row(4) = -std::numeric_limits<float>::infinity();
-  EXPECT_EQ(CountMeasured(RegisterDepth(depth, kCamera, Shift(0, 0, 0), kCamera, kSize)), 0);
+  EXPECT_EQ(CountMeasured(RegisterDepth(depth, kDepthCamera, Shift(0, 0, 0), kDepthCamera, kSize)), 0);
 }
 
 TEST(RegisterDepth, ShiftsByTheParallax) {
   cv::Mat depth(kSize, CV_32FC1, cv::Scalar(kNan));
   depth.at<float>(12, 8) = 1.25F;
   // 0.05 m · 100 px / 1.25 m = 4 px right, and 9 px of 0.125 m down.
-  const cv::Mat shifted = RegisterDepth(depth, kCamera, Shift(0.05, 0.125, 0), kCamera, kSize);
+  const cv::Mat shifted = RegisterDepth(depth, kDepthCamera, Shift(0.05, 0.125, 0), kDepthCamera, kSize);
   EXPECT_EQ(CountMeasured(shifted), 1);
   EXPECT_FLOAT_EQ(shifted.at<float>(12 + 9, 8 + 4), 1.25F);
 }
 
 TEST(RegisterDepth, MeasuresDepthAlongTheColorCamera) {
   const cv::Mat depth(kSize, CV_32FC1, cv::Scalar(1.25F));
-  const cv::Mat moved = RegisterDepth(depth, kCamera, Shift(0, 0, -0.25), kCamera, kSize);
+  const cv::Mat moved = RegisterDepth(depth, kDepthCamera, Shift(0, 0, -0.25), kDepthCamera, kSize);
   EXPECT_EQ(CountMeasured(moved), kSize.area());  // nearer, so that the image overflows
   EXPECT_FLOAT_EQ(moved.at<float>(3, 3), 1);
 }
@@ -87,10 +87,10 @@ TEST(RegisterDepth, FollowsAPlaneSeenByATurnedCamera) {
   const double angle = 10 * std::numbers::pi / 180;
   Eigen::Isometry3d color_from_depth = Shift(0.03, -0.02, 0.01);
   color_from_depth.rotate(Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, 0).normalized()));
-  const CameraIntrinsics color = Finer(kCamera, 2.6);
+  const CameraIntrinsics color = Finer(kDepthCamera, 2.6);
   const cv::Size size(104, 78);
   const cv::Mat depth(kSize, CV_32FC1, cv::Scalar(1.5F));
-  const cv::Mat seen = RegisterDepth(depth, kCamera, color_from_depth, color, size);
+  const cv::Mat seen = RegisterDepth(depth, kDepthCamera, color_from_depth, color, size);
   EXPECT_GT(CountMeasured(seen), size.area() / 3);
 
   const Eigen::Vector3d normal = color_from_depth.linear().col(2);
@@ -117,7 +117,7 @@ TEST(RegisterDepth, HasNoHolesWhereColorIsFiner) {
   for (const double times : {2.0, 3.0, 3.3, 7.0}) {
     const cv::Size size(cvRound(kSize.width * times), cvRound(kSize.height * times));
     const cv::Mat fine =
-        RegisterDepth(depth, kCamera, Shift(0.02, 0.01, 0), Finer(kCamera, times), size);
+        RegisterDepth(depth, kDepthCamera, Shift(0.02, 0.01, 0), Finer(kDepthCamera, times), size);
     // The parallax leaves a margin on the sides that colour sees alone; none opens inside.
     const cv::Rect inside = {int(5 * times), int(5 * times), int(30 * times), int(20 * times)};
     EXPECT_EQ(CountMeasured(fine(inside)), inside.area()) << times;
@@ -127,7 +127,7 @@ TEST(RegisterDepth, HasNoHolesWhereColorIsFiner) {
 TEST(RegisterDepth, KeepsASinglePixelsFootprint) {
   cv::Mat depth(kSize, CV_32FC1, cv::Scalar(kNan));
   depth.at<float>(12, 8) = 1;
-  const cv::Mat fine = RegisterDepth(depth, kCamera, Shift(0, 0, 0), Finer(kCamera, 3), kSize * 3);
+  const cv::Mat fine = RegisterDepth(depth, kDepthCamera, Shift(0, 0, 0), Finer(kDepthCamera, 3), kSize * 3);
   EXPECT_EQ(CountMeasured(fine), 9);
   EXPECT_EQ(CountMeasured(fine({8 * 3, 12 * 3, 3, 3})), 9);
 }
@@ -136,7 +136,7 @@ TEST(RegisterDepth, ShowsTheNearest) {
   cv::Mat depth(kSize, CV_32FC1, cv::Scalar(2.0F));
   depth({10, 10, 10, 10}) = 0.5F;
   // Near moves by 8 px, far by 2.
-  const cv::Mat seen = RegisterDepth(depth, kCamera, Shift(0.04, 0, 0), kCamera, kSize);
+  const cv::Mat seen = RegisterDepth(depth, kDepthCamera, Shift(0.04, 0, 0), kDepthCamera, kSize);
   EXPECT_EQ(cv::countNonZero(seen == 0.5F), 100);
   EXPECT_EQ(cv::countNonZero(seen({18, 10, 10, 10}) == 0.5F), 100);
 }
@@ -144,7 +144,7 @@ TEST(RegisterDepth, ShowsTheNearest) {
 TEST(RegisterDepth, LeavesWhatIsHiddenFromTheDepthCameraEmpty) {
   cv::Mat depth(kSize, CV_32FC1, cv::Scalar(2.0F));
   depth({10, 10, 10, 10}) = 0.5F;
-  const cv::Mat seen = RegisterDepth(depth, kCamera, Shift(0.04, 0, 0), kCamera, kSize);
+  const cv::Mat seen = RegisterDepth(depth, kDepthCamera, Shift(0.04, 0, 0), kDepthCamera, kSize);
   // Nothing else than the two surfaces, and between them the shadow of 8 − 2 px.
   EXPECT_EQ(cv::countNonZero((seen == 0.5F) | (seen == 2.0F)), CountMeasured(seen));
   EXPECT_EQ(CountMeasured(seen({12, 10, 6, 10})), 0);
@@ -155,14 +155,14 @@ TEST(RegisterDepth, DrawsNoSkinAcrossEdgesOfFinerColor) {
   cv::Mat depth(kSize, CV_32FC1, cv::Scalar(1.5F));
   depth({10, 10, 10, 10}) = 1.3F;
   const cv::Mat fine =
-      RegisterDepth(depth, kCamera, Shift(0.03, -0.01, 0), Finer(kCamera, 4), kSize * 4);
+      RegisterDepth(depth, kDepthCamera, Shift(0.03, -0.01, 0), Finer(kDepthCamera, 4), kSize * 4);
   EXPECT_EQ(cv::countNonZero((fine > 1.301F) & (fine < 1.499F)), 0);
 }
 
 TEST(RegisterDepth, DropsWhatIsBehindTheColorCamera) {
   const cv::Mat depth(kSize, CV_32FC1, cv::Scalar(1.0F));
-  EXPECT_EQ(CountMeasured(RegisterDepth(depth, kCamera, Shift(0, 0, -2), kCamera, kSize)), 0);
-  EXPECT_EQ(CountMeasured(RegisterDepth(depth, kCamera, Shift(0, 0, -0.995), kCamera, kSize)), 0);
+  EXPECT_EQ(CountMeasured(RegisterDepth(depth, kDepthCamera, Shift(0, 0, -2), kDepthCamera, kSize)), 0);
+  EXPECT_EQ(CountMeasured(RegisterDepth(depth, kDepthCamera, Shift(0, 0, -0.995), kDepthCamera, kSize)), 0);
 }
 
 // Depths of all magnitudes beside one another, cameras in odd places: an answer of positive depths
@@ -211,8 +211,8 @@ TEST(RegisterDepth, RefusesToDrawWithoutEnd) {
 }
 
 TEST(RegisterDepth, RefusesEmptyImages) {
-  EXPECT_THROW(RegisterDepth({}, kCamera, Shift(0, 0, 0), kCamera, kSize), std::invalid_argument);
-  EXPECT_THROW(RegisterDepth(Relief(), kCamera, Shift(0, 0, 0), kCamera, {}),
+  EXPECT_THROW(RegisterDepth({}, kDepthCamera, Shift(0, 0, 0), kDepthCamera, kSize), std::invalid_argument);
+  EXPECT_THROW(RegisterDepth(Relief(), kDepthCamera, Shift(0, 0, 0), kDepthCamera, {}),
                std::invalid_argument);
 }
 

@@ -16,7 +16,7 @@ namespace {
 using ::testing::HasSubstr;
 using Model = LensDistortion::Model;
 
-const cv::Size kSize(640, 480);
+const cv::Size kImageSize(640, 480);
 constexpr CameraIntrinsics kCamera{610, 620, 325, 236};
 const cv::Matx33d kMatrix(610, 0, 325, 0, 620, 236, 0, 0, 1);
 
@@ -28,8 +28,8 @@ const LensDistortion kFisheye{Model::kKannalaBrandt, {-0.012, 0.031, -0.024, 0.0
 
 std::vector<cv::Point2d> PixelsSent() {
   std::vector<cv::Point2d> pixels;
-  for (int y = 0; y < kSize.height; y += 53) {
-    for (int x = 0; x < kSize.width; x += 71) pixels.emplace_back(x, y);
+  for (int y = 0; y < kImageSize.height; y += 53) {
+    for (int x = 0; x < kImageSize.width; x += 71) pixels.emplace_back(x, y);
   }
   return pixels;
 }
@@ -52,7 +52,7 @@ std::vector<cv::Point2d> UndistortByOpenCv(const std::vector<cv::Point2d>& sent,
 class LensOf : public ::testing::TestWithParam<LensDistortion> {};
 
 TEST_P(LensOf, UndistortsAsOpenCvDoes) {
-  const Lens lens(kCamera, GetParam(), kSize);
+  const Lens lens(kCamera, GetParam(), kImageSize);
   const std::vector<cv::Point2d> sent = PixelsSent(),
                                  expected = UndistortByOpenCv(sent, GetParam());
   double farthest = 0;
@@ -67,9 +67,9 @@ TEST_P(LensOf, UndistortsAsOpenCvDoes) {
 }
 
 TEST_P(LensOf, DistortTakesBackWhatUndistortDoes) {
-  const Lens lens(kCamera, GetParam(), kSize);
-  for (int y = 0; y < kSize.height; y += 31) {
-    for (int x = 0; x < kSize.width; x += 37) {
+  const Lens lens(kCamera, GetParam(), kImageSize);
+  for (int y = 0; y < kImageSize.height; y += 31) {
+    for (int x = 0; x < kImageSize.width; x += 37) {
       const cv::Point2d ideal(x, y), sent = lens.Distort(ideal);
       ASSERT_TRUE(lens.IsShown(ideal));
       const cv::Point2d back = lens.Undistort(sent);
@@ -98,7 +98,7 @@ TEST(Lens, KannalaBrandtByHand) {
 
 std::string ErrorOf(const LensDistortion& distortion) {
   try {
-    const Lens lens(kCamera, distortion, kSize);
+    const Lens lens(kCamera, distortion, kImageSize);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -120,7 +120,7 @@ TEST(Lens, RefusesCoefficientsOfNoLens) {
 
 // At k1 = -0.9 the radius falls again beyond 1 / sqrt(2.7) = 0.61; the corners are at 0.65.
 TEST(Lens, ShowsNothingBeyondWhereRaysComeBack) {
-  const Lens lens(kCamera, {Model::kBrownConrady, {-0.9}}, kSize);
+  const Lens lens(kCamera, {Model::kBrownConrady, {-0.9}}, kImageSize);
   EXPECT_TRUE(lens.IsShown({325, 0}));
   EXPECT_FALSE(lens.IsShown({0, 0}));
   EXPECT_TRUE(std::isnan(lens.Undistort({0, 0}).x));

@@ -11,7 +11,7 @@ namespace fovea {
 namespace {
 
 // A 640×480 frame at 1 m with rectangles of labels.
-struct Scene {
+struct LabelledObjects {
   RgbdFrame frame{cv::Mat(480, 640, CV_8UC3, cv::Scalar(10, 20, 30)),
                   cv::Mat(480, 640, CV_32FC1, cv::Scalar(1.0F)),
                   {500, 500, 320, 240},
@@ -21,7 +21,7 @@ struct Scene {
   Detections detections;
   cv::Mat shown_m;  // the depth of what is described; the frame's unless there is another
 
-  Scene() { detections.labels = cv::Mat::zeros(480, 640, CV_16UC1); }
+  LabelledObjects() { detections.labels = cv::Mat::zeros(480, 640, CV_16UC1); }
   void Label(const cv::Rect& rectangle, int label) { detections.labels(rectangle).setTo(label); }
   void Describe(const ObjectOptions& options = {}) {
     const PixelPoints points(shown_m.empty() ? frame.depth_m : shown_m, frame.intrinsics);
@@ -33,7 +33,7 @@ struct Scene {
 };
 
 TEST(DescribeObjects, OrdersByConfidenceAndRenumbers) {
-  Scene scene;
+  LabelledObjects scene;
   scene.Label({100, 100, 20, 20}, 4);
   scene.Label({200, 200, 40, 50}, 9);
   scene.confidences[3] = 0.4F;
@@ -50,7 +50,7 @@ TEST(DescribeObjects, OrdersByConfidenceAndRenumbers) {
 }
 
 TEST(DescribeObjects, OrdersBySizeWhereConfidenceIsEqual) {
-  Scene scene;
+  LabelledObjects scene;
   scene.Label({100, 100, 60, 60}, 1);
   scene.Label({200, 200, 80, 80}, 2);
   scene.Label({400, 200, 60, 60}, 3);
@@ -63,7 +63,7 @@ TEST(DescribeObjects, OrdersBySizeWhereConfidenceIsEqual) {
 }
 
 TEST(DescribeObjects, DropsAndCountsWhatIsTooSmall) {
-  Scene scene;
+  LabelledObjects scene;
   scene.Label({100, 100, 17, 17}, 1);  // 289
   scene.Label({200, 100, 20, 15}, 2);  // 300
   scene.Describe();                    // min_pixels is 300
@@ -73,7 +73,7 @@ TEST(DescribeObjects, DropsAndCountsWhatIsTooSmall) {
 }
 
 TEST(DescribeObjects, GivesCentroidColorCloudAndHeight) {
-  Scene scene;
+  LabelledObjects scene;
   scene.detections.support = SupportSurface{-Eigen::Vector3f::UnitY(), 0.3F, 100};
   scene.Label({310, 230, 21, 21}, 1);  // centred on the optical axis
   scene.Describe();
@@ -88,7 +88,7 @@ TEST(DescribeObjects, GivesCentroidColorCloudAndHeight) {
 }
 
 TEST(DescribeObjects, FlagsObjectsAtTheImageBorder) {
-  Scene scene;
+  LabelledObjects scene;
   scene.Label({0, 100, 30, 30}, 1);
   scene.Label({610, 200, 30, 29}, 2);
   scene.Label({300, 200, 28, 28}, 3);
@@ -100,7 +100,7 @@ TEST(DescribeObjects, FlagsObjectsAtTheImageBorder) {
 }
 
 TEST(DescribeObjects, FlagsObjectsWithoutDepthAndTakesThemForAsDeepAsWide) {
-  Scene scene;
+  LabelledObjects scene;
   scene.Label({300, 200, 40, 40}, 1);
   scene.Label({400, 200, 40, 40}, 2);
   scene.shown_m = scene.frame.depth_m.clone();
@@ -121,7 +121,7 @@ TEST(DescribeObjects, FlagsObjectsWithoutDepthAndTakesThemForAsDeepAsWide) {
 }
 
 TEST(DescribeObjects, FlagsObjectsWhereTheDepthEnds) {
-  Scene scene;
+  LabelledObjects scene;
   scene.frame.depth_m.colRange(0, 20) = std::numeric_limits<float>::quiet_NaN();
   scene.Label({20, 100, 30, 30}, 1);
   scene.Label({300, 200, 28, 28}, 2);
@@ -132,7 +132,7 @@ TEST(DescribeObjects, FlagsObjectsWhereTheDepthEnds) {
 }
 
 TEST(DescribeObjects, SaliencyIsTheMeanOverTheMaskAndTheMostSalientAreKept) {
-  Scene scene;
+  LabelledObjects scene;
   scene.Label({100, 100, 40, 40}, 1);
   scene.Label({200, 200, 30, 30}, 2);
   scene.Label({300, 300, 20, 20}, 3);
@@ -149,7 +149,7 @@ TEST(DescribeObjects, SaliencyIsTheMeanOverTheMaskAndTheMostSalientAreKept) {
 }
 
 TEST(DescribeObjects, TakesConfidencesAsGiven) {
-  Scene scene;
+  LabelledObjects scene;
   scene.Label({100, 100, 40, 40}, 1);
   scene.Label({200, 200, 30, 30}, 2);
   scene.confidences = {0.4F, 0.9F};
@@ -161,7 +161,7 @@ TEST(DescribeObjects, TakesConfidencesAsGiven) {
 }
 
 TEST(DescribeObjects, StandsOnTheHighestSupportBelow) {
-  Scene scene;
+  LabelledObjects scene;
   scene.Label({300, 200, 40, 40}, 1);  // its lowest row is 2 mm above the optical axis
   const Eigen::Vector3f up = -Eigen::Vector3f::UnitY();
   const std::vector<Support> supports{{{up, 0.8F, 1}, Footprint()}, {{up, 0.1F, 1}, Footprint()}};

@@ -16,11 +16,11 @@ namespace {
 constexpr int kSide = 100;           // voxels along each side of the table
 constexpr float kSpacing_m = 0.01F;  // between them
 constexpr SupportOptions kTolerance{.tolerance_m = 0.004, .tolerance_per_m = 0.006};
-const cv::Vec3b kTable(120, 90, 60), kSteel(150, 160, 180), kBlue(30, 60, 160);
+const cv::Vec3b kTableColor(120, 90, 60), kSteel(150, 160, 180), kBlue(30, 60, 160);
 
 // A table 1 m below the camera that looks down on it, a voxel a pixel.
 struct Table {
-  Table() : color_rgb(kSide, kSide, CV_8UC3, kTable), is_background(kSide * kSide, 1) {
+  Table() : color_rgb(kSide, kSide, CV_8UC3, kTableColor), is_background(kSide * kSide, 1) {
     grid.voxel_of_pixel.create(kSide, kSide, CV_32SC1);
     std::iota(grid.voxel_of_pixel.begin<int>(), grid.voxel_of_pixel.end<int>(), 0);
     for (int row = 0; row < kSide; ++row) {
@@ -79,7 +79,7 @@ TEST(FindFlatThings, FindsWhatIsLowAndOfAnotherColor) {
 
 TEST(FindFlatThings, NotWhatHasTheColorOfTheSupport) {
   Table table;
-  table.Put(kRuler, kTable, 0.003F);
+  table.Put(kRuler, kTableColor, 0.003F);
   EXPECT_EQ(Count(table.Find()), 0);
 }
 

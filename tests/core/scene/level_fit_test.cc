@@ -8,7 +8,7 @@
 namespace fovea {
 namespace {
 
-const Eigen::Vector3f kUp = -Eigen::Vector3f::UnitY();
+const Eigen::Vector3f kPointsUp = -Eigen::Vector3f::UnitY();
 
 // A table of 60 x 60 cm at y = 1, at 1.5 to 2.1 m, with 2 mm of noise. Its right two fifths are
 // covered by a slab.
@@ -26,16 +26,16 @@ std::vector<Eigen::Vector3f> TableWithSlab(float slab_m) {
   return points;
 }
 
-constexpr SupportOptions kOptions{.tolerance_m = 0.02, .common_height_fits = 3};
+constexpr SupportOptions kFitOptions{.tolerance_m = 0.02, .common_height_fits = 3};
 
 TEST(FitLevelSurface, IsNotTiltedByALowThingOnIt) {
   const auto points = TableWithSlab(0.015F);
-  const SupportSurface surface = FitLevelSurface(points, kUp, kOptions);
+  const SupportSurface surface = FitLevelSurface(points, kPointsUp, kFitOptions);
   EXPECT_NEAR(surface.HeightOf({-0.25F, 1, 1.8F}), 0, 0.002F);
   EXPECT_NEAR(surface.HeightOf({0.25F, 1, 1.8F}), 0, 0.002F);
-  SupportOptions wide = kOptions;
+  SupportOptions wide = kFitOptions;
   wide.common_height_fits = 0;
-  const SupportSurface tilted = FitLevelSurface(points, kUp, wide);
+  const SupportSurface tilted = FitLevelSurface(points, kPointsUp, wide);
   EXPECT_LT(tilted.HeightOf({0.25F, 1, 1.8F}), -0.005F);
 }
 
@@ -43,14 +43,14 @@ TEST(FitLevelSurface, FollowsATableThatIsNotQuiteLevel) {
   std::vector<Eigen::Vector3f> points = TableWithSlab(0);
   const float slope = std::tan(1.0F * 3.14159F / 180);
   for (Eigen::Vector3f& point : points) point.y() += slope * point.x();
-  const SupportSurface surface = FitLevelSurface(points, kUp, kOptions);
+  const SupportSurface surface = FitLevelSurface(points, kPointsUp, kFitOptions);
   EXPECT_NEAR(surface.HeightOf({0.25F, 1 + slope * 0.25F, 1.8F}), 0, 0.001F);
   EXPECT_EQ(surface.num_points, points.size());
 }
 
 TEST(FitLevelSurface, KeepsTheHeightOfTooFewPointsForAPlane) {
-  const SupportSurface surface = FitLevelSurface({{0, 1, 1}, {0.1F, 1, 1}}, kUp, kOptions);
-  EXPECT_EQ(surface.normal, kUp);
+  const SupportSurface surface = FitLevelSurface({{0, 1, 1}, {0.1F, 1, 1}}, kPointsUp, kFitOptions);
+  EXPECT_EQ(surface.normal, kPointsUp);
   EXPECT_NEAR(surface.HeightOf({0, 1, 1}), 0, 0.005F);
 }
 

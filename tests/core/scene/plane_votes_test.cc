@@ -7,7 +7,7 @@
 namespace fovea {
 namespace {
 
-const Eigen::Vector3f kUp = -Eigen::Vector3f::UnitY();
+const Eigen::Vector3f kGridUp = -Eigen::Vector3f::UnitY();
 
 // Two upright planes: the nearer one looks smaller by far, for as many voxels.
 VoxelGrid TwoPlanes() {
@@ -30,18 +30,18 @@ std::vector<int> Every(int step, int first, std::size_t count) {
 
 TEST(PlaneVotes, AreForThePlaneOfMostVisibleArea) {
   const VoxelGrid grid = TwoPlanes();
-  const PlaneVotes votes(grid, Every(1, 0, grid.voxels.size()), kUp);
+  const PlaneVotes votes(grid, Every(1, 0, grid.voxels.size()), kGridUp);
   const auto plane = votes.MostVoted();
   ASSERT_TRUE(plane);
   // Directions within 45° share the votes, so that the distance is not that of the plane alone.
   EXPECT_GT(plane->normal.dot(-Eigen::Vector3f::UnitZ()), 0.7F);
-  EXPECT_NEAR(plane->normal.dot(kUp), 0, 1e-6);
+  EXPECT_NEAR(plane->normal.dot(kGridUp), 0, 1e-6);
   EXPECT_NEAR(plane->normal.norm(), 1, 1e-6);
 }
 
 TEST(PlaneVotes, AreTakenBackWithoutALeftover) {
   const VoxelGrid grid = TwoPlanes();
-  PlaneVotes votes(grid, Every(1, 0, grid.voxels.size()), kUp);
+  PlaneVotes votes(grid, Every(1, 0, grid.voxels.size()), kGridUp);
   votes.Remove(Every(2, 0, grid.voxels.size()));
   const auto plane = votes.MostVoted();
   ASSERT_TRUE(plane);
@@ -55,7 +55,7 @@ TEST(PlaneVotes, HoldWhatIsVeryFarAway) {
   VoxelGrid grid;
   grid.voxels.push_back(
       {.mean = {0, 0, 9000}, .normal = -Eigen::Vector3f::UnitZ(), .num_points = 1});
-  const PlaneVotes votes(grid, {0}, kUp);
+  const PlaneVotes votes(grid, {0}, kGridUp);
   ASSERT_TRUE(votes.MostVoted());
   EXPECT_LT(std::abs(votes.MostVoted()->HeightOf({0, 0, 9000})), 5);
 }

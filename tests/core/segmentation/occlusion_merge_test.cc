@@ -13,11 +13,11 @@
 namespace fovea {
 namespace {
 
-const Eigen::Vector3f kUp = -Eigen::Vector3f::UnitY();
+const Eigen::Vector3f kSceneUp = -Eigen::Vector3f::UnitY();
 const CameraIntrinsics kIntrinsics{.fx_px = 200, .fy_px = 200, .cx_px = 0, .cy_px = 0};
 const cv::Vec3b kGrey(100, 100, 100);
 const cv::Vec3b kLightGrey(200, 200, 200);
-const cv::Vec3b kWhite(255, 255, 255);
+const cv::Vec3b kWhiteThing(255, 255, 255);
 
 struct Pixel {
   cv::Vec3f point;
@@ -26,15 +26,15 @@ struct Pixel {
   cv::Vec3b color = kGrey;
 };
 
-struct Scene {
+struct SceneOfPixels {
   VoxelGrid grid;
   std::vector<int> labels;
   cv::Mat points;
   cv::Mat color;
 };
 
-Scene MakeScene(int rows, int cols, const std::function<Pixel(int row, int col)>& pixel_at) {
-  Scene scene;
+SceneOfPixels MakeScene(int rows, int cols, const std::function<Pixel(int row, int col)>& pixel_at) {
+  SceneOfPixels scene;
   scene.points = cv::Mat(rows, cols, CV_32FC3);
   scene.color = cv::Mat(rows, cols, CV_8UC3);
   cv::Mat normals(rows, cols, CV_32FC3);
@@ -57,13 +57,13 @@ Scene MakeScene(int rows, int cols, const std::function<Pixel(int row, int col)>
   return scene;
 }
 
-std::vector<int> Merge(const Scene& scene, const OcclusionMergeOptions& options) {
+std::vector<int> Merge(const SceneOfPixels& scene, const OcclusionMergeOptions& options) {
   const auto colors = ColorsOfVoxels(scene.grid, LabOf(scene.color));
-  return MergeOccluded(scene.grid, scene.labels, scene.points, colors, kIntrinsics, kUp, options);
+  return MergeOccluded(scene.grid, scene.labels, scene.points, colors, kIntrinsics, kSceneUp, options);
 }
 
 // True if the merge gave both labels of the scene one number.
-bool AreJoined(const Scene& scene, int a, int b, const OcclusionMergeOptions& options) {
+bool AreJoined(const SceneOfPixels& scene, int a, int b, const OcclusionMergeOptions& options) {
   const auto merged = Merge(scene, options);
   int number_a = -1;
   int number_b = -2;
@@ -87,7 +87,7 @@ struct Halves {
 
 // An upright plane at z = 1 of 40 × 120 pixels of 5 mm, its middle third hidden by something at
 // z = 0.8.
-Scene HiddenMiddle(const Halves& halves) {
+SceneOfPixels HiddenMiddle(const Halves& halves) {
   return MakeScene(40, 120, [&](int row, int col) -> Pixel {
     const float x = 0.005F * (static_cast<float>(col) + 0.5F);
     const float y = 0.005F * (static_cast<float>(row) + 0.5F);
@@ -109,7 +109,7 @@ constexpr OcclusionMergeOptions kHollow = Hollow(5);
 constexpr OcclusionMergeOptions kBehind{.min_shared_surface = 0.5, .min_hollow_curvature_per_m = 0};
 
 TEST(MergeOccluded, JoinsThePartsOfAPlaneBehindAnOccluder) {
-  const Scene scene = HiddenMiddle({});
+  const SceneOfPixels scene = HiddenMiddle({});
   const auto merged = Merge(scene, kBehind);
   for (std::size_t v = 0; v < merged.size(); ++v) {
     EXPECT_EQ(merged[v], scene.labels[v] == kOccluder ? 2 : 1);
@@ -123,7 +123,7 @@ TEST(MergeOccluded, KeepsPlanesApartThatAreOffset) {
 }
 
 TEST(MergeOccluded, KeepsPlanesApartThatAreTurned) {
-  Scene scene = HiddenMiddle({});
+  SceneOfPixels scene = HiddenMiddle({});
   const auto turn_right_half = [&](float slope) {
     for (std::size_t v = 0; v < scene.labels.size(); ++v) {
       if (scene.labels[v] != kRight) continue;
@@ -137,7 +137,7 @@ TEST(MergeOccluded, KeepsPlanesApartThatAreTurned) {
 }
 
 TEST(MergeOccluded, KeepsDifferentColorsApart) {
-  EXPECT_FALSE(AreJoined(HiddenMiddle({.right_color = kWhite}), kLeft, kRight, kBehind));
+  EXPECT_FALSE(AreJoined(HiddenMiddle({.right_color = kWhiteThing}), kLeft, kRight, kBehind));
   EXPECT_TRUE(AreJoined(HiddenMiddle({.right_color = kLightGrey}), kLeft, kRight, kBehind));
 }
 
@@ -156,7 +156,7 @@ TEST(MergeOccluded, NeedsAnOccluder) {
 }
 
 TEST(MergeOccluded, IsOffAtZero) {
-  const Scene scene = HiddenMiddle({});
+  const SceneOfPixels scene = HiddenMiddle({});
   EXPECT_EQ(Merge(scene, Hollow(0)), scene.labels);
   EXPECT_EQ(Merge(scene, kHollow), scene.labels);
 }
@@ -167,7 +167,7 @@ constexpr int kOutside = 2;
 // An upright cup of radius 4 cm at z = 1, seen from above its rim: the upper rows show 2 cm of the
 // far wall's inside, the lower rows the near wall's outside. `back_sign` -1 bends the far wall
 // towards the camera instead; it is raised by `lift_m`.
-Scene Cup(float back_sign = 1, float lift_m = 0) {
+SceneOfPixels Cup(float back_sign = 1, float lift_m = 0) {
   constexpr float kRadius = 0.04F;
   return MakeScene(60, 78, [&](int row, int col) -> Pixel {
     const float x = 0.001F * (static_cast<float>(col) - 38.5F);
@@ -198,7 +198,7 @@ TEST(MergeOccluded, InsideAndOutsideShareARim) {
 }
 
 TEST(MergeOccluded, WhatStandsBesideACupIsNotItsOutside) {
-  Scene scene = Cup();
+  SceneOfPixels scene = Cup();
   for (Voxel& voxel : scene.grid.voxels) {  // the outer wall, moved aside by half its width
     if (voxel.mean.z() < 1 - 0.001F) voxel.mean.x() += 0.04F;
   }
@@ -206,7 +206,7 @@ TEST(MergeOccluded, WhatStandsBesideACupIsNotItsOutside) {
 }
 
 TEST(MergeOccluded, WhatFacesTheAxisOfACupIsNotItsOutside) {
-  Scene scene = Cup();
+  SceneOfPixels scene = Cup();
   for (Voxel& voxel : scene.grid.voxels) {  // the outer wall, moved behind the axis
     if (voxel.mean.z() < 1 - 0.001F) voxel.mean.z() += 0.06F;
   }

@@ -9,7 +9,7 @@
 namespace fovea {
 namespace {
 
-const Eigen::Vector3f kUp = -Eigen::Vector3f::UnitY();
+const Eigen::Vector3f kGridUp = -Eigen::Vector3f::UnitY();
 const Eigen::Vector3f kAxis(0.1F, 0, 1);
 constexpr float kRadius = 0.05F;
 
@@ -22,9 +22,9 @@ VoxelGrid Cylinder(bool inside, float arc_rad, float tilt_rad = 0) {
     const float angle = arc_rad * (static_cast<float>(i) / 40 - 0.5F);
     const Eigen::Vector3f way(std::sin(angle), 0, (inside ? 1.0F : -1.0F) * std::cos(angle));
     const Eigen::Vector3f normal =
-        std::cos(tilt_rad) * (inside ? -1.0F : 1.0F) * way + std::sin(tilt_rad) * kUp;
+        std::cos(tilt_rad) * (inside ? -1.0F : 1.0F) * way + std::sin(tilt_rad) * kGridUp;
     for (int row = 0; row < 5; ++row) {
-      grid.voxels.push_back({.mean = kAxis + kRadius * way + 0.01F * static_cast<float>(row) * kUp,
+      grid.voxels.push_back({.mean = kAxis + kRadius * way + 0.01F * static_cast<float>(row) * kGridUp,
                              .normal = normal});
     }
   }
@@ -40,7 +40,7 @@ std::vector<int> AllOf(const VoxelGrid& grid) {
 TEST(FitRoundness, FindsTheCylinderFromInsideAndOutside) {
   for (const bool inside : {true, false}) {
     const VoxelGrid grid = Cylinder(inside, 2);
-    const Roundness roundness = FitRoundness(grid, AllOf(grid), kUp);
+    const Roundness roundness = FitRoundness(grid, AllOf(grid), kGridUp);
     EXPECT_NEAR(roundness.curvature_per_m, (inside ? -1 : 1) / kRadius, 1e-3);
     EXPECT_NEAR(roundness.radius_m, kRadius, 1e-5);
     EXPECT_NEAR((roundness.axis - kAxis).norm(), 0, 1e-5);
@@ -49,7 +49,7 @@ TEST(FitRoundness, FindsTheCylinderFromInsideAndOutside) {
 
 TEST(FitRoundness, InclinedWallsKeepTheirRadius) {
   const VoxelGrid bowl = Cylinder(true, 2, std::numbers::pi_v<float> / 3);
-  const Roundness roundness = FitRoundness(bowl, AllOf(bowl), kUp);
+  const Roundness roundness = FitRoundness(bowl, AllOf(bowl), kGridUp);
   EXPECT_NEAR(roundness.curvature_per_m, -0.5 / kRadius, 1e-3);
   EXPECT_NEAR(roundness.radius_m, kRadius, 1e-5);
   EXPECT_NEAR((roundness.axis - kAxis).norm(), 0, 1e-5);
@@ -59,7 +59,7 @@ TEST(FitRoundness, APlaneAndNothingAreNotRound) {
   VoxelGrid plane = Cylinder(true, 2);
   for (Voxel& voxel : plane.voxels) voxel.normal = -Eigen::Vector3f::UnitZ();
   for (const auto& voxels : {AllOf(plane), std::vector<int>{}}) {
-    const Roundness roundness = FitRoundness(plane, voxels, kUp);
+    const Roundness roundness = FitRoundness(plane, voxels, kGridUp);
     EXPECT_EQ(roundness.curvature_per_m, 0);
     EXPECT_EQ(roundness.radius_m, 0);
   }
@@ -67,17 +67,17 @@ TEST(FitRoundness, APlaneAndNothingAreNotRound) {
 
 TEST(MeanFacing, TellsInsideFromOutside) {
   const VoxelGrid inside = Cylinder(true, 2), outside = Cylinder(false, 2);
-  EXPECT_NEAR(MeanFacing(inside, AllOf(inside), kAxis, kUp), -1, 1e-5);
-  EXPECT_NEAR(MeanFacing(outside, AllOf(outside), kAxis, kUp), 1, 1e-5);
+  EXPECT_NEAR(MeanFacing(inside, AllOf(inside), kAxis, kGridUp), -1, 1e-5);
+  EXPECT_NEAR(MeanFacing(outside, AllOf(outside), kAxis, kGridUp), 1, 1e-5);
   // The same outside stands elsewhere: behind the axis it faces it.
   EXPECT_LT(
-      MeanFacing(outside, AllOf(outside), kAxis - 2 * kRadius * Eigen::Vector3f::UnitZ(), kUp),
+      MeanFacing(outside, AllOf(outside), kAxis - 2 * kRadius * Eigen::Vector3f::UnitZ(), kGridUp),
       -0.5);
 }
 
 TEST(MeanFacing, IsZeroWhereNothingFacesSideways) {
   const VoxelGrid level = Cylinder(true, 2, std::numbers::pi_v<float> / 2);
-  EXPECT_EQ(MeanFacing(level, AllOf(level), kAxis, kUp), 0);
+  EXPECT_EQ(MeanFacing(level, AllOf(level), kAxis, kGridUp), 0);
 }
 
 }  // namespace

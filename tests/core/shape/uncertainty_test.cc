@@ -12,7 +12,7 @@ namespace {
 
 using scenes::ShapeKind;
 
-Solid Box() {
+Solid KnownBox() {
   Solid box;
   box.half_length_m = 0.1F;
   box.half_width_m = 0.06F;
@@ -40,20 +40,20 @@ SeenObject SeenFrom(float camera_h, float noise_m, bool with_top) {
 }
 
 TEST(Uncertainty, IsLargeOfWhatIsHidden) {
-  const BoxUncertainty front = UncertaintyOf(SeenFrom(0.08F, 0.003F, false), Box(), 0.1F);
+  const BoxUncertainty front = UncertaintyOf(SeenFrom(0.08F, 0.003F, false), KnownBox(), 0.1F);
   // Nothing tells how far it reaches back.
   EXPECT_GT(front.size_sigma_m.y(), 0.03F);
   EXPECT_GT(std::sqrt(front.pose_covariance(1, 1)), 0.015F);
   EXPECT_LT(front.size_sigma_m.y(), 0.2F);
-  const BoxUncertainty both = UncertaintyOf(SeenFrom(0.8F, 0.003F, true), Box(), 0.1F);
+  const BoxUncertainty both = UncertaintyOf(SeenFrom(0.8F, 0.003F, true), KnownBox(), 0.1F);
   // The top does not end the box either, but it is seen to be at 15 cm.
   EXPECT_LT(both.size_sigma_m.z(), front.size_sigma_m.z());
   EXPECT_LT(both.pose_covariance(2, 2), front.pose_covariance(2, 2));
 }
 
 TEST(Uncertainty, GrowsWithTheNoise) {
-  const BoxUncertainty clear = UncertaintyOf(SeenFrom(0.8F, 0.002F, true), Box(), 0.1F);
-  const BoxUncertainty noisy = UncertaintyOf(SeenFrom(0.8F, 0.02F, true), Box(), 0.1F);
+  const BoxUncertainty clear = UncertaintyOf(SeenFrom(0.8F, 0.002F, true), KnownBox(), 0.1F);
+  const BoxUncertainty noisy = UncertaintyOf(SeenFrom(0.8F, 0.02F, true), KnownBox(), 0.1F);
   EXPECT_GT(noisy.size_sigma_m.z(), clear.size_sigma_m.z());
   EXPECT_GT(noisy.pose_covariance(3, 3), clear.pose_covariance(3, 3));
 }

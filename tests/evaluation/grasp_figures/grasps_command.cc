@@ -11,11 +11,11 @@
 namespace fovea::evaluation {
 namespace {
 
-struct Flags : GeneratedFlags {
+struct GraspsFlags : GeneratedFlags {
   GraspQuestions questions;
 };
 
-void Run(const Flags& flags) {
+void Run(const GraspsFlags& flags) {
   const GraspRun run = RunGrasps(flags, flags.questions);
   PrintGrasps(std::cout, run);
   WriteJson(flags.json, ToJson(run));
@@ -25,7 +25,7 @@ void Run(const Flags& flags) {
 }  // namespace
 
 void AddGraspsCommand(CLI::App& app) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<GraspsFlags>();
   CLI::App* command = app.add_subcommand(
       "grasps", "Check the grasps of generated scenes against the true solids in them");
   AddGeneratedFlags(*command, *flags);

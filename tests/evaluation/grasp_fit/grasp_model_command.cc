@@ -10,13 +10,13 @@
 namespace fovea::evaluation {
 namespace {
 
-struct Flags : GeneratedFlags {
+struct GraspModelFlags : GeneratedFlags {
   int num_rounds = 2;
   std::string source;
 };
 
 // What a model takes for the likeliest is where it errs in its favour, so the next one hears of it.
-void Run(const Flags& flags) {
+void Run(const GraspModelFlags& flags) {
   GraspModel model = FittedGraspModel();
   GraspTrials trials;
   GeneratedFlags scenes = flags;
@@ -31,7 +31,7 @@ void Run(const Flags& flags) {
 }  // namespace
 
 void AddGraspModelCommand(CLI::App& app) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<GraspModelFlags>();
   CLI::App* command = app.add_subcommand(
       "grasp-model", "Fit how likely grasps are to succeed to trials in generated scenes");
   AddGeneratedFlags(*command, *flags);

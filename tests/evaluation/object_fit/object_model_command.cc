@@ -26,7 +26,7 @@ namespace {
 constexpr std::array<double, 3> kVoxelShares = {1, 0.88, 1.13};
 constexpr int kMaxIterations = 150;
 
-struct Flags {
+struct ObjectModelFlags {
   std::vector<std::string> boxes;  // DIR or DIR=WEIGHT
   std::vector<std::string> mosd;
   std::vector<std::string> plain;
@@ -38,7 +38,7 @@ struct Flags {
   std::vector<std::string> settings;  // name=value
 };
 
-DetectorOptions OptionsOf(const Flags& flags) {
+DetectorOptions OptionsOf(const ObjectModelFlags& flags) {
   DetectorOptions options = OptionsOfProfile("default");
   ApplySettings(options, flags.settings);
   return options;
@@ -52,7 +52,7 @@ std::pair<std::string, double> Weighted(const std::string& text) {
 
 // Samples `count` scenes with each size of voxels, the original first.
 template <typename LoadScene>
-void Sample(const std::string& what, std::size_t count, double weight, const Flags& flags,
+void Sample(const std::string& what, std::size_t count, double weight, const ObjectModelFlags& flags,
             const LoadScene& load, std::vector<TreeSample>& samples) {
   const std::size_t first = samples.size();
   samples.resize(first + count * kVoxelShares.size());
@@ -73,7 +73,7 @@ void Sample(const std::string& what, std::size_t count, double weight, const Fla
   });
 }
 
-std::vector<TreeSample> SampleAll(const Flags& flags, std::vector<BoxedFrame>& frames) {
+std::vector<TreeSample> SampleAll(const ObjectModelFlags& flags, std::vector<BoxedFrame>& frames) {
   std::vector<TreeSample> samples;
   const auto add_labelled = [&](const std::string& text, LabelEncoding encoding) {
     const auto [folder, weight] = Weighted(text);
@@ -108,7 +108,7 @@ struct LeftOut {
 };
 
 // The frames of one group of sources by a model that was fitted to everything but it.
-LeftOut LeaveOut(const std::string& group, const Flags& flags,
+LeftOut LeaveOut(const std::string& group, const ObjectModelFlags& flags,
                  const std::vector<TreeSample>& samples, const std::vector<BoxedFrame>& frames,
                  const ObjectModel& start) {
   const ObjectModel model = FitModel(samples, start, group, flags.penalty, kMaxIterations);
@@ -131,7 +131,7 @@ LeftOut LeaveOut(const std::string& group, const Flags& flags,
   return left_out;
 }
 
-LeftOut LeaveOneOut(const Flags& flags, const std::vector<TreeSample>& samples,
+LeftOut LeaveOneOut(const ObjectModelFlags& flags, const std::vector<TreeSample>& samples,
                     const std::vector<BoxedFrame>& frames, const ObjectModel& start) {
   std::set<std::string> names;
   for (const BoxedFrame& frame : frames) names.insert(GroupOf(frame.source));
@@ -194,7 +194,7 @@ void PrintInTree(const std::vector<TreeSample>& samples, const std::vector<Boxed
   fmt::print("{:<20} {:>4} of {:>4} in the tree\n", "all", all_found, all_required);
 }
 
-void Run(const Flags& flags) {
+void Run(const ObjectModelFlags& flags) {
   std::vector<BoxedFrame> frames;
   const std::vector<TreeSample> samples = SampleAll(flags, frames);
   PrintInTree(samples, frames);
@@ -224,7 +224,7 @@ void Run(const Flags& flags) {
 }  // namespace
 
 void AddObjectModelCommand(CLI::App& app) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<ObjectModelFlags>();
   CLI::App* command = app.add_subcommand(
       "object-model", "Fit the model that tells objects from background and parts");
   auto* data = command->add_option_group("scenes");

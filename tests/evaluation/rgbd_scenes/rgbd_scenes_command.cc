@@ -13,7 +13,7 @@
 namespace fovea::evaluation {
 namespace {
 
-struct Flags {
+struct RgbdScenesFlags {
   std::string data;
   std::vector<double> intrinsics = {570.3, 570.3, 320, 240};
   std::string profile = "paper";
@@ -33,7 +33,7 @@ void PrintRow(const Scenario& scenario, double gamma, const DetectionRate& rate)
   std::cout << '\n' << std::flush;
 }
 
-void Run(const Flags& flags) {
+void Run(const RgbdScenesFlags& flags) {
   const std::vector<double>& k = flags.intrinsics;
   Chart chart;
   chart.title = "RGB-D Scenes";
@@ -70,7 +70,7 @@ void Run(const Flags& flags) {
 }  // namespace
 
 void AddRgbdScenesCommand(CLI::App& app) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<RgbdScenesFlags>();
   CLI::App* command = app.add_subcommand(
       "rgbd-scenes", "Share of annotated objects detected in RGB-D Scenes (the paper's Table 4)");
   command

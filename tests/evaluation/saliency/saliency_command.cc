@@ -15,7 +15,7 @@
 namespace fovea::evaluation {
 namespace {
 
-struct Flags {
+struct SaliencyFlags {
   std::string images;
   std::string fixations;
   std::vector<std::string> methods = SaliencyMethodNames();
@@ -41,7 +41,7 @@ void WriteMap(const std::string& folder, const FixatedImage& image, const std::s
   if (!cv::imwrite(path, picture)) throw std::runtime_error(path + ": cannot be written");
 }
 
-void Run(const Flags& flags) {
+void Run(const SaliencyFlags& flags) {
   if (!flags.maps.empty()) std::filesystem::create_directories(flags.maps);
   const std::vector<FixatedImage> images = LoadFixations(flags.fixations);
   std::vector<SaliencyMethod> methods;
@@ -93,7 +93,7 @@ void AddScoring(CLI::App& command, SaliencyRunOptions& run) {
 }  // namespace
 
 void AddSaliencyCommand(CLI::App& app) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<SaliencyFlags>();
   CLI::App* command = app.add_subcommand("saliency", "Score saliency maps against fixations");
   command->add_option("--images", flags->images, "Folder of the images")
       ->required()

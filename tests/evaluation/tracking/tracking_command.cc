@@ -13,7 +13,7 @@
 namespace fovea::evaluation {
 namespace {
 
-struct Flags {
+struct TrackingFlags {
   std::vector<std::string> motions = StreamMotions();
   std::vector<std::string> kinds = {"tabletop", "cluttered", "stacked",  "touching",
                                     "occluded", "household", "supplies", "floor"};
@@ -33,7 +33,7 @@ scenes::SensorKind SensorOf(const std::string& name) {
 }
 
 // Kinds and sensors in turn, so that a few streams have some of all.
-std::vector<StreamSpec> SpecsOf(const Flags& flags, const std::string& motion) {
+std::vector<StreamSpec> SpecsOf(const TrackingFlags& flags, const std::string& motion) {
   std::vector<StreamSpec> specs;
   for (int i = 0; i < flags.num_streams; ++i) {
     const std::string& kind = flags.kinds[i % flags.kinds.size()];
@@ -44,7 +44,7 @@ std::vector<StreamSpec> SpecsOf(const Flags& flags, const std::string& motion) {
   return specs;
 }
 
-void Run(const Flags& flags) {
+void Run(const TrackingFlags& flags) {
   const DetectorOptions options = OptionsOfProfile(flags.profile);
   const Masks masks = flags.true_masks ? Masks::kTrue : Masks::kDetected;
   nlohmann::json rows = nlohmann::json::array();
@@ -68,7 +68,7 @@ void Run(const Flags& flags) {
 }  // namespace
 
 void AddTrackingCommand(CLI::App& app) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<TrackingFlags>();
   CLI::App* command = app.add_subcommand(
       "tracking",
       "Identities in generated streams of ten frames a second, with the camera's poses and "
