@@ -29,4 +29,14 @@ Spread SpreadOf(const std::vector<double>& values) {
   return spread;
 }
 
+double LineAt(double x, const std::vector<double>& xs, const std::vector<double>& ys) {
+  const double mean_x = SpreadOf(xs).mean, mean_y = SpreadOf(ys).mean;
+  double products = 0, squares = 0;
+  for (std::size_t i = 0; i < xs.size(); ++i) {
+    products += (xs[i] - mean_x) * (ys[i] - mean_y);
+    squares += (xs[i] - mean_x) * (xs[i] - mean_x);
+  }
+  return squares > 0 ? mean_y + products / squares * (x - mean_x) : mean_y;
+}
+
 }  // namespace fovea::evaluation

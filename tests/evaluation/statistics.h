@@ -18,4 +18,8 @@ struct Spread {
 
 Spread SpreadOf(const std::vector<double>& values);
 
+// What the straight line through the points (least squares) says of `x`; their mean if all `xs` are
+// the same, 0 of none. `xs` and `ys`: as many.
+double LineAt(double x, const std::vector<double>& xs, const std::vector<double>& ys);
+
 }  // namespace fovea::evaluation

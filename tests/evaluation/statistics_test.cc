@@ -18,6 +18,9 @@ TEST(Statistics, ByHand) {
   EXPECT_DOUBLE_EQ(SpreadOf({1, 2, 6}).mean, 3);
   EXPECT_DOUBLE_EQ(SpreadOf({1, 2, 6}).deviation, std::sqrt(7));
   EXPECT_DOUBLE_EQ(SpreadOf({5}).deviation, 0);
+  EXPECT_DOUBLE_EQ(LineAt(10, {1, 2, 3}, {2, 5, 5}), 16);  // 1 + 1.5 x
+  EXPECT_DOUBLE_EQ(LineAt(10, {2, 2}, {1, 4}), 2.5);
+  EXPECT_DOUBLE_EQ(LineAt(10, {}, {}), 0);
 }
 
 TEST(ForEachIndex, CallsEachOnceAndPassesFailuresOn) {

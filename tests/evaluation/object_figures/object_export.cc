@@ -66,7 +66,7 @@ nlohmann::json ToJson(const ObjectRun& run) {
                            {"right", run.leaning.right}}},
                          {"stands_right", run.stands_right},
                          {"objects_ms", Median(run.objects_ms)},
-                         {"objects_ms_for_ten", Median(run.per_ten_ms)},
+                         {"objects_ms_for_ten", TenObjectsMs(run)},
                          {"shape_confusions", ConfusionsOf(run)},
                          {"shape_names", kShapeNames}};
   for (const BoxFigures& figures : BoxFiguresOf(run)) json["boxes"][figures.name] = ToJson(figures);

@@ -77,7 +77,7 @@ void PrintObjects(std::ostream& out, const ObjectRun& run) {
              run.leaning.truth, run.leaning.answered, 100 * leaning.precision,
              100 * leaning.recall);
   fmt::print(out, "stage \"objects\" {:.2f} ms (90 % below {:.2f}), for ten objects {:.2f} ms\n",
-             Median(run.objects_ms), Quantile(run.objects_ms, 0.9), Median(run.per_ten_ms));
+             Median(run.objects_ms), Quantile(run.objects_ms, 0.9), TenObjectsMs(run));
 }
 
 }  // namespace fovea::evaluation

@@ -11,6 +11,7 @@
 #include "tests/evaluation/generated/generated_run.h"
 #include "tests/evaluation/generated/true_class.h"
 #include "tests/evaluation/object_figures/true_supports.h"
+#include "tests/evaluation/statistics.h"
 
 namespace fovea::evaluation {
 namespace {
@@ -104,9 +105,8 @@ void AddLeaning(const GeneratedScene& scene, const GeneratedFrame& frame, Relati
 void AddTimes(const Detections& detections, ObjectRun& run) {
   for (const StageTime& time : detections.stage_times) {
     if (time.stage != "objects") continue;
+    run.num_objects.push_back(static_cast<double>(detections.objects.size()));
     run.objects_ms.push_back(time.duration_ms);
-    if (detections.objects.empty()) continue;
-    run.per_ten_ms.push_back(10 * time.duration_ms / double(detections.objects.size()));
   }
 }
 
@@ -132,6 +132,8 @@ void Append(std::vector<Value>& to, std::vector<Value>& from) {
 
 }  // namespace
 
+double TenObjectsMs(const ObjectRun& run) { return LineAt(10, run.num_objects, run.objects_ms); }
+
 ObjectRun RunObjects(const GeneratedFlags& flags) {
   std::vector<ObjectRun> runs(NumScenes(flags));
   ForEachGeneratedScene(flags, OptionsOf(flags), [&](std::size_t i, const GeneratedScene& scene) {
@@ -141,7 +143,7 @@ ObjectRun RunObjects(const GeneratedFlags& flags) {
   for (ObjectRun& run : runs) {
     Append(all.objects, run.objects);
     Append(all.objects_ms, run.objects_ms);
-    Append(all.per_ten_ms, run.per_ten_ms);
+    Append(all.num_objects, run.num_objects);
     all.on_objects.truth += run.on_objects.truth;
     all.on_objects.answered += run.on_objects.answered;
     all.on_objects.right += run.on_objects.right;

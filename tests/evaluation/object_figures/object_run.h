@@ -37,9 +37,12 @@ struct ObjectRun {
   // Matched objects whose stands_on is exactly right, furniture and nothing answered taken for the
   // same; objects that were not matched count as furniture on both sides.
   int stands_right = 0;
-  std::vector<double> objects_ms;  // of stage "objects", one for each frame
-  std::vector<double> per_ten_ms;  // the same for ten objects, of frames with some
+  std::vector<double> num_objects;  // of each frame
+  std::vector<double> objects_ms;   // and its stage "objects"
 };
+
+// What the stage takes where there are ten objects: what each of them adds to what it takes anyway.
+double TenObjectsMs(const ObjectRun& run);
 
 ObjectRun RunObjects(const GeneratedFlags& flags);
 
