@@ -1,7 +1,6 @@
 #include "core/detector.h"
 
 #include <functional>
-#include <limits>
 #include <opencv2/core.hpp>
 #include <utility>
 
@@ -38,8 +37,7 @@ Trace TraceOf(Search search, const cv::Mat& depth, const PixelBlocks& blocks,
       LabelsOfChosen(found.tree, found.tree.LikelyNodes(), found.segments);
   search.scene.grid.voxel_of_pixel = blocks.InPixels(search.scene.grid.voxel_of_pixel);
   const cv::Mat everywhere = search.depth == search.depth;
-  return {FillFromBlocks(depth, search.depth, everywhere, std::numeric_limits<double>::infinity(),
-                         blocks),
+  return {FillFromBlocks(depth, search.depth, everywhere, blocks),
           blocks.InPixels(search.salience.color),
           blocks.InPixels(search.salience.depth),
           std::move(search.seeds),
@@ -87,8 +85,8 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& op
   }
   // Pixels show what was measured there, and what stands in for what cannot be.
   const cv::Mat depth_of_blocks = ChannelZ(scene.points);
-  const cv::Mat shown =
-      FillFromBlocks(depth, depth_of_blocks, scene.standing, options.max_depth_m, blocks);
+  const cv::Mat near = counts.num_too_far > 0 ? DepthUpTo(depth, options.max_depth_m) : depth;
+  const cv::Mat shown = FillFromBlocks(near, depth_of_blocks, scene.standing, blocks);
   result.labels = LabelsOfPixels(LabelImage(scene.grid, search.found.objects), depth_of_blocks,
                                  shown, options.max_depth_m, blocks);
   DescribeObjects(frame, {shown, frame.intrinsics}, {search.saliency, blocks.edge_px},

@@ -6,7 +6,6 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "core/depth/measured_depth.h"
 #include "core/types/blocks.h"
 #include "core/types/interruption.h"
 
@@ -92,14 +91,14 @@ RgbdFrame InBlocks(const RgbdFrame& frame, const cv::Mat& depth_m, const PixelBl
 }
 
 cv::Mat FillFromBlocks(const cv::Mat& depth_m, const cv::Mat& depth_of_blocks, const cv::Mat& which,
-                       double max_depth_m, const PixelBlocks& blocks) {
+                       const PixelBlocks& blocks) {
   InterruptionPoint();
   std::vector<cv::Point> filling;
   cv::findNonZero(which, filling);
-  cv::Mat filled = DepthUpTo(depth_m, max_depth_m);
+  if (filling.empty()) return depth_m;
+  cv::Mat filled = depth_m.clone();
   for (const cv::Point& block : filling) {
     const float depth_of_block = depth_of_blocks.at<float>(block);
-    if (!(depth_of_block <= static_cast<float>(max_depth_m))) continue;
     const cv::Rect pixels = blocks.PixelsOf(block);
     for (int row = pixels.y; row < pixels.br().y; ++row) {
       const float* depth = depth_m.ptr<float>(row);

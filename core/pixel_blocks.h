@@ -39,10 +39,9 @@ PixelBlocks BlocksOf(const RgbdFrame& frame, const VoxelOptions& voxels);
 RgbdFrame InBlocks(const RgbdFrame& frame, const cv::Mat& depth_m, const PixelBlocks& blocks);
 
 // A copy of `depth_m` (CV_32FC1, NaN = none) in which pixels that have none get that of their
-// block, of those blocks that are not 0 in `which` (CV_8UC1); what is beyond `max_depth_m` becomes
-// none.
+// block, of those blocks that are not 0 in `which` (CV_8UC1); itself if there are no such blocks.
 cv::Mat FillFromBlocks(const cv::Mat& depth_m, const cv::Mat& depth_of_blocks, const cv::Mat& which,
-                       double max_depth_m, const PixelBlocks& blocks);
+                       const PixelBlocks& blocks);
 
 // The label of each pixel: that of its block or, where the surface that this shows is not the
 // pixel's, of the block around it whose surface is the nearest to it; 0 where none is near or the

@@ -77,7 +77,7 @@ TEST(FillFromBlocks, LeavesWhatPixelsHave) {
   depth_m.at<float>(0) = 1;
   of_blocks.at<float>(1) = kNone;
   const cv::Mat filled =
-      FillFromBlocks(depth_m, of_blocks, of_blocks == of_blocks, 10, {2, depth_m.size()});
+      FillFromBlocks(depth_m, of_blocks, of_blocks == of_blocks, {2, depth_m.size()});
   EXPECT_EQ(filled.at<float>(0), 1);
   EXPECT_EQ(filled.at<float>(1), 2);
   EXPECT_TRUE(std::isnan(filled.at<float>(2)));
@@ -89,21 +89,16 @@ TEST(FillFromBlocks, FillsTheseBlocksAlone) {
   const cv::Mat depth_m(2, 4, CV_32FC1, cv::Scalar(kNone));
   const cv::Mat of_blocks = (cv::Mat_<float>(1, 2) << 1, 2);
   const cv::Mat which = (cv::Mat_<std::uint8_t>(1, 2) << 0, 255);
-  const cv::Mat filled = FillFromBlocks(depth_m, of_blocks, which, 10, {2, depth_m.size()});
+  const cv::Mat filled = FillFromBlocks(depth_m, of_blocks, which, {2, depth_m.size()});
   EXPECT_EQ(cv::countNonZero(filled == 2), 4);
   EXPECT_TRUE(std::isnan(filled.at<float>(1, 1)));
 }
 
-TEST(FillFromBlocks, WhatIsTooFarIsNone) {
+TEST(FillFromBlocks, CopiesNothingWhereNothingIsToBeFilled) {
   const cv::Mat depth_m = (cv::Mat_<float>(1, 4) << 1, 3, kNone, kNone);
-  const cv::Mat of_blocks = (cv::Mat_<float>(1, 2) << 1, 3);
-  for (const double limit_m : {2.0, 3.0}) {
-    const cv::Mat filled =
-        FillFromBlocks(depth_m, of_blocks, of_blocks == of_blocks, limit_m, {2, depth_m.size()});
-    EXPECT_EQ(filled.at<float>(0), 1);
-    EXPECT_EQ(std::isnan(filled.at<float>(1)), limit_m < 3);
-    EXPECT_EQ(std::isnan(filled.at<float>(2)), limit_m < 3);
-  }
+  const cv::Mat none = cv::Mat::zeros(1, 2, CV_8UC1);
+  EXPECT_EQ(FillFromBlocks(depth_m, cv::Mat::ones(1, 2, CV_32FC1), none, {2, depth_m.size()}).data,
+            depth_m.data);
 }
 
 TEST(LabelsOfPixels, FollowTheSurfaceThatAPixelShows) {
