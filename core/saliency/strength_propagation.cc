@@ -58,7 +58,7 @@ class Propagation {
   }
 
   cv::Mat Strengths(int cols) const {
-    return strengths_.colRange(kBlock_px - scale_, kBlock_px - scale_ + cols).clone();
+    return strengths_.colRange(kBlock_px - scale_, kBlock_px - scale_ + cols);
   }
 
  private:

@@ -8,16 +8,25 @@
 #include "core/types/helpers.h"
 #include "core/types/interruption.h"
 #include "core/types/lab.h"
+#include "core/types/widest_registers.h"
 
 namespace fovea {
 namespace {
 
-void Accumulate(const cv::Mat& strength, cv::Mat& saliency) {
-  for (int y = 0; y < saliency.rows; ++y) {
-    const float* from = strength.ptr<float>(y);
-    float* to = saliency.ptr<float>(y);
-    for (int x = 0; x < saliency.cols; ++x) to[x] += 1.0F - from[x];
-  }
+// The sum of 1 − S over all of them, in their order.
+cv::Mat SumOfContrasts(const std::vector<cv::Mat>& strengths) {
+  InterruptionPoint();
+  cv::Mat sum = cv::Mat::zeros(strengths.front().size(), CV_32F);
+  RunInWidestRegisters([&] {
+    for (int y = 0; y < sum.rows; ++y) {
+      float* to = sum.ptr<float>(y);
+      for (const cv::Mat& strength : strengths) {
+        const float* from = strength.ptr<float>(y);
+        for (int x = 0; x < sum.cols; ++x) to[x] += 1.0F - from[x];
+      }
+    }
+  });
+  return sum;
 }
 
 // At all scales, of all channels.
@@ -61,11 +70,7 @@ cv::Mat StrengthSaliency(const cv::Mat& color_rgb, const StrengthSaliencyOptions
     for (cv::Mat& channel : channels) cv::normalize(channel, channel, 0, 255, cv::NORM_MINMAX);
   }
 
-  cv::Mat saliency = cv::Mat::zeros(lab.size(), CV_32F);
-  for (const cv::Mat& strength : PropagateAll(channels, options.num_scales)) {
-    Accumulate(strength, saliency);
-  }
-  InterruptionPoint();
+  cv::Mat saliency = SumOfContrasts(PropagateAll(channels, options.num_scales));
   NormalizeL2(saliency);
   return EnlargeBlocks(saliency, options.downscale, color_rgb.size());
 }
