@@ -1,5 +1,6 @@
 #include "client/observer/http_server.h"
 
+#include <array>
 #include <atomic>
 #include <boost/asio.hpp>
 #include <boost/asio/ssl.hpp>
@@ -8,7 +9,10 @@
 #include <boost/beast/ssl.hpp>
 #include <chrono>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>  // Boost.Asio 1.74 forgets it
 
@@ -41,12 +45,18 @@ constexpr std::pair<const char*, const char*> kSecurityHeaders[]{
     {"Cross-Origin-Opener-Policy", "same-origin"},
     {"Cross-Origin-Resource-Policy", "same-origin"}};
 
-template <typename Message>
-void SetHeaders(const HttpResponse& response, Message& message) {
-  message.set(http::field::content_type, response.type);
-  message.set(http::field::cache_control, "no-store");
-  for (const auto& [name, value] : kSecurityHeaders) message.set(name, value);
-  for (const auto& [name, value] : response.headers) message.set(name, value);
+// The status line and fields. A stream of events ends with its connection.
+std::string HeadOf(const HttpResponse& response, unsigned version, bool keep_alive) {
+  http::response<http::empty_body> head(static_cast<http::status>(response.status), version);
+  head.set(http::field::content_type, response.type);
+  head.set(http::field::cache_control, "no-store");
+  for (const auto& [name, value] : kSecurityHeaders) head.set(name, value);
+  for (const auto& [name, value] : response.headers) head.set(name, value);
+  head.keep_alive(keep_alive);
+  if (!response.events) head.content_length(response.body->size());
+  std::ostringstream text;
+  text << head;
+  return text.str();
 }
 
 HttpRequest RequestOf(const http::request<http::string_body>& message, bool* is_good) {
@@ -72,24 +82,12 @@ tcp::endpoint EndpointOf(const std::string& listen, asio::io_context& context) {
   return *resolver.resolve(host, listen.substr(colon + 1), tcp::resolver::passive).begin();
 }
 
-// The bytes are shared, not copied.
+// One after the other; they stay where they are.
 template <typename Stream>
-awaitable<void> WriteBody(Stream& stream, const HttpResponse& response, unsigned version,
-                          bool keep_alive) {
-  http::response<http::buffer_body> message(static_cast<http::status>(response.status), version);
-  SetHeaders(response, message);
-  message.keep_alive(keep_alive);
-  message.content_length(response.body->size());
-  message.body().data = const_cast<char*>(response.body->data());  // it is only read
-  message.body().size = response.body->size();
-  message.body().more = false;
-  http::response_serializer<http::buffer_body> serializer(message);
+awaitable<void> Send(Stream& stream, std::string_view first, std::string_view rest = {}) {
+  const std::array<asio::const_buffer, 2> texts = {asio::buffer(first), asio::buffer(rest)};
   beast::get_lowest_layer(stream).expires_after(kWriteTime);
-  if (response.body->empty()) {
-    co_await http::async_write_header(stream, serializer, use_awaitable);
-  } else {
-    co_await http::async_write(stream, serializer, use_awaitable);
-  }
+  co_await asio::async_write(stream, texts, use_awaitable);
 }
 
 // Wakes a coroutine from any thread; outlives whoever waits.
@@ -116,19 +114,9 @@ class Wake : public std::enable_shared_from_this<Wake> {
 };
 
 template <typename Stream>
-awaitable<void> SendText(Stream& stream, std::string text) {
-  beast::get_lowest_layer(stream).expires_after(kWriteTime);
-  co_await asio::async_write(stream, asio::buffer(text), use_awaitable);
-}
-
-template <typename Stream>
 awaitable<void> SendEvents(Stream& stream, const HttpResponse& response, unsigned version) {
-  http::response<http::empty_body> message(http::status::ok, version);
-  SetHeaders(response, message);
-  message.keep_alive(false);
-  http::response_serializer<http::empty_body> serializer(message);
-  beast::get_lowest_layer(stream).expires_after(kWriteTime);
-  co_await http::async_write_header(stream, serializer, use_awaitable);
+  const std::string head = HeadOf(response, version, false);
+  co_await Send(stream, head);
   const auto executor = co_await asio::this_coro::executor;
   const auto wake = std::make_shared<Wake>(executor);
   response.events->OnNews([wake] { wake->Call(); });
@@ -141,15 +129,15 @@ awaitable<void> SendEvents(Stream& stream, const HttpResponse& response, unsigne
                                                       });
   asio::steady_timer pause(executor);
   while (!*has_left) {
-    std::string text = response.events->Take();
+    const std::string text = response.events->Take();
     if (!text.empty()) {
-      co_await SendText(stream, std::move(text));
+      co_await Send(stream, text);
       pause.expires_after(kEventPause);
       co_await pause.async_wait(use_awaitable);
       co_await wake->Wait(kKeepAlive);
       continue;
     }
-    co_await SendText(stream, ": nothing new\n\n");  // one that left without a word is noticed, too
+    co_await Send(stream, ": nothing new\n\n");  // one that left without a word is noticed, too
     co_await wake->Wait(kKeepAlive);
   }
 }
@@ -240,7 +228,8 @@ class HttpServer::Impl {
         co_return;
       }
       goes_on = message.keep_alive();
-      co_await WriteBody(stream, response, message.version(), goes_on);
+      const std::string head = HeadOf(response, message.version(), goes_on);
+      co_await Send(stream, head, *response.body);
     }
   }
 
