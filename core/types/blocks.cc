@@ -41,9 +41,11 @@ void Enlarge(const cv::Mat& map, int size_px, cv::Mat& enlarged) {
 cv::Mat ReduceByBlocks(const cv::Mat& image, int size_px) {
   if (size_px == 1) return image;
   const cv::Size blocks(NumBlocks(image.cols, size_px), NumBlocks(image.rows, size_px));
-  cv::Mat padded, reduced;
-  cv::copyMakeBorder(image, padded, 0, blocks.height * size_px - image.rows, 0,
-                     blocks.width * size_px - image.cols, cv::BORDER_REPLICATE);
+  cv::Mat padded = image, reduced;
+  if (const cv::Size whole = blocks * size_px; whole != image.size()) {
+    cv::copyMakeBorder(image, padded, 0, whole.height - image.rows, 0, whole.width - image.cols,
+                       cv::BORDER_REPLICATE);
+  }
   cv::resize(padded, reduced, blocks, 0, 0, cv::INTER_AREA);
   return reduced;
 }
