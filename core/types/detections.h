@@ -26,7 +26,7 @@ namespace fovea {
 struct SupportSurface {
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();
   float offset_m = 0;  // d
-  std::size_t num_points = 0;
+  std::size_t num_points = 0;  // on it, of those that it was fitted to
 
   // Signed height of a point above the surface.
   float HeightOf(const Eigen::Vector3f& point) const { return normal.dot(point) + offset_m; }

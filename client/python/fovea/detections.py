@@ -34,7 +34,8 @@ class Gravity:
 
 @dataclass(frozen=True, eq=False)
 class SupportSurface:
-    """The plane normal · p + offset = 0. The normal is a unit vector that points up."""
+    """The plane normal · p + offset = 0. The normal is a unit vector that points up; the points are
+    those on it of all that it was fitted to."""
 
     normal: FloatArray
     offset: float
