@@ -25,7 +25,7 @@ namespace fovea {
 // The plane n·x + d = 0 that objects stand on; the normal n is a unit vector that points up.
 struct SupportSurface {
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();
-  float offset_m = 0;  // d
+  float offset_m = 0;          // d
   std::size_t num_points = 0;  // on it, of those that it was fitted to
 
   // Signed height of a point above the surface.

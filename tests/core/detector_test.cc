@@ -267,6 +267,28 @@ TEST(Detect, LeavesFlyingPixelsOut) {
   EXPECT_THAT(DepthsAtRims(truth, 90), SizeIs(testing::Gt(0)));
 }
 
+TEST(Detect, WhatIsTooFarEndsAThingAsTheImageDoes) {
+  const DetectorOptions options = OptionsOfProfile("default");
+  const RgbdFrame whole = TabletopTruth().frame;
+  int middle = 0;  // column, of the rightmost object
+  for (const DetectedObject& object : Detect(whole, options).objects) {
+    middle = std::max(middle, object.bounds_px.x + object.bounds_px.width / 2);
+  }
+  const int cols = std::min(whole.depth_m.cols, middle + middle / 10);
+  ASSERT_GT(cols, middle + 5);
+  const float beyond = static_cast<float>(options.max_depth_m) + 1;
+  for (const float depth : {std::numeric_limits<float>::quiet_NaN(), beyond}) {
+    RgbdFrame frame = whole;
+    frame.color_rgb = whole.color_rgb.colRange(0, cols).clone();
+    frame.depth_m = whole.depth_m.colRange(0, cols).clone();
+    frame.depth_m.colRange(middle, cols) = depth;
+    const auto objects = Detect(frame, options).objects;
+    EXPECT_TRUE(std::any_of(objects.begin(), objects.end(), [&](const DetectedObject& object) {
+      return object.truncated && object.bounds_px.br().x > middle - 5;
+    })) << depth;
+  }
+}
+
 TEST(Detect, NamesWhatIsWrongWithAFrame) {
   RgbdFrame frame = Tabletop();
   frame.intrinsics.fx_px = std::numeric_limits<double>::quiet_NaN();

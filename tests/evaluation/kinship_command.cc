@@ -34,7 +34,8 @@ struct Rows {
   std::vector<std::size_t> folds;  // by scene
 };
 
-void AddFolder(const std::string& text, LabelEncoding encoding, const KinshipFlags& flags, Rows& rows) {
+void AddFolder(const std::string& text, LabelEncoding encoding, const KinshipFlags& flags,
+               Rows& rows) {
   const std::size_t equals = text.find('=');
   const std::string folder = text.substr(0, equals);
   const double folder_weight = equals == std::string::npos ? 1 : std::stod(text.substr(equals + 1));

@@ -63,14 +63,16 @@ TEST(RegisterDepth, TakesEveryBadDepthForNone) {
   depth.row(2) = -1;
   depth.row(3) = std::numeric_limits<float>::infinity();
   depth.row(4) = -std::numeric_limits<float>::infinity();
-  EXPECT_EQ(CountMeasured(RegisterDepth(depth, kDepthCamera, Shift(0, 0, 0), kDepthCamera, kSize)), 0);
+  EXPECT_EQ(CountMeasured(RegisterDepth(depth, kDepthCamera, Shift(0, 0, 0), kDepthCamera, kSize)),
+            0);
 }
 
 TEST(RegisterDepth, ShiftsByTheParallax) {
   cv::Mat depth(kSize, CV_32FC1, cv::Scalar(kNan));
   depth.at<float>(12, 8) = 1.25F;
   // 0.05 m · 100 px / 1.25 m = 4 px right, and 9 px of 0.125 m down.
-  const cv::Mat shifted = RegisterDepth(depth, kDepthCamera, Shift(0.05, 0.125, 0), kDepthCamera, kSize);
+  const cv::Mat shifted =
+      RegisterDepth(depth, kDepthCamera, Shift(0.05, 0.125, 0), kDepthCamera, kSize);
   EXPECT_EQ(CountMeasured(shifted), 1);
   EXPECT_FLOAT_EQ(shifted.at<float>(12 + 9, 8 + 4), 1.25F);
 }
@@ -127,7 +129,8 @@ TEST(RegisterDepth, HasNoHolesWhereColorIsFiner) {
 TEST(RegisterDepth, KeepsASinglePixelsFootprint) {
   cv::Mat depth(kSize, CV_32FC1, cv::Scalar(kNan));
   depth.at<float>(12, 8) = 1;
-  const cv::Mat fine = RegisterDepth(depth, kDepthCamera, Shift(0, 0, 0), Finer(kDepthCamera, 3), kSize * 3);
+  const cv::Mat fine =
+      RegisterDepth(depth, kDepthCamera, Shift(0, 0, 0), Finer(kDepthCamera, 3), kSize * 3);
   EXPECT_EQ(CountMeasured(fine), 9);
   EXPECT_EQ(CountMeasured(fine({8 * 3, 12 * 3, 3, 3})), 9);
 }
@@ -161,8 +164,11 @@ TEST(RegisterDepth, DrawsNoSkinAcrossEdgesOfFinerColor) {
 
 TEST(RegisterDepth, DropsWhatIsBehindTheColorCamera) {
   const cv::Mat depth(kSize, CV_32FC1, cv::Scalar(1.0F));
-  EXPECT_EQ(CountMeasured(RegisterDepth(depth, kDepthCamera, Shift(0, 0, -2), kDepthCamera, kSize)), 0);
-  EXPECT_EQ(CountMeasured(RegisterDepth(depth, kDepthCamera, Shift(0, 0, -0.995), kDepthCamera, kSize)), 0);
+  EXPECT_EQ(CountMeasured(RegisterDepth(depth, kDepthCamera, Shift(0, 0, -2), kDepthCamera, kSize)),
+            0);
+  EXPECT_EQ(
+      CountMeasured(RegisterDepth(depth, kDepthCamera, Shift(0, 0, -0.995), kDepthCamera, kSize)),
+      0);
 }
 
 // Depths of all magnitudes beside one another, cameras in odd places: an answer of positive depths
@@ -211,7 +217,8 @@ TEST(RegisterDepth, RefusesToDrawWithoutEnd) {
 }
 
 TEST(RegisterDepth, RefusesEmptyImages) {
-  EXPECT_THROW(RegisterDepth({}, kDepthCamera, Shift(0, 0, 0), kDepthCamera, kSize), std::invalid_argument);
+  EXPECT_THROW(RegisterDepth({}, kDepthCamera, Shift(0, 0, 0), kDepthCamera, kSize),
+               std::invalid_argument);
   EXPECT_THROW(RegisterDepth(Relief(), kDepthCamera, Shift(0, 0, 0), kDepthCamera, {}),
                std::invalid_argument);
 }

@@ -33,7 +33,8 @@ struct SceneOfPixels {
   cv::Mat color;
 };
 
-SceneOfPixels MakeScene(int rows, int cols, const std::function<Pixel(int row, int col)>& pixel_at) {
+SceneOfPixels MakeScene(int rows, int cols,
+                        const std::function<Pixel(int row, int col)>& pixel_at) {
   SceneOfPixels scene;
   scene.points = cv::Mat(rows, cols, CV_32FC3);
   scene.color = cv::Mat(rows, cols, CV_8UC3);
@@ -59,7 +60,8 @@ SceneOfPixels MakeScene(int rows, int cols, const std::function<Pixel(int row, i
 
 std::vector<int> Merge(const SceneOfPixels& scene, const OcclusionMergeOptions& options) {
   const auto colors = ColorsOfVoxels(scene.grid, LabOf(scene.color));
-  return MergeOccluded(scene.grid, scene.labels, scene.points, colors, kIntrinsics, kSceneUp, options);
+  return MergeOccluded(scene.grid, scene.labels, scene.points, colors, kIntrinsics, kSceneUp,
+                       options);
 }
 
 // True if the merge gave both labels of the scene one number.

@@ -24,8 +24,9 @@ VoxelGrid Cylinder(bool inside, float arc_rad, float tilt_rad = 0) {
     const Eigen::Vector3f normal =
         std::cos(tilt_rad) * (inside ? -1.0F : 1.0F) * way + std::sin(tilt_rad) * kGridUp;
     for (int row = 0; row < 5; ++row) {
-      grid.voxels.push_back({.mean = kAxis + kRadius * way + 0.01F * static_cast<float>(row) * kGridUp,
-                             .normal = normal});
+      grid.voxels.push_back(
+          {.mean = kAxis + kRadius * way + 0.01F * static_cast<float>(row) * kGridUp,
+           .normal = normal});
     }
   }
   return grid;

@@ -30,13 +30,17 @@ std::vector<std::uint64_t> HiddenIds(const Detections& detections) {
 
 TEST(Tracker, KeepsIdsWhateverTheOrder) {
   Tracker tracker(9);
-  const Detections first =
-      View(0, 1).Add({-0.1F, 0, 0.8F}, kRedThing).Add({0.1F, 0, 0.8F}, kBlueThing).TrackBy(tracker, At(5));
+  const Detections first = View(0, 1)
+                               .Add({-0.1F, 0, 0.8F}, kRedThing)
+                               .Add({0.1F, 0, 0.8F}, kBlueThing)
+                               .TrackBy(tracker, At(5));
   EXPECT_THAT(Ids(first), ElementsAre(1, 2));
   EXPECT_EQ(first.tracking->epoch, 9U);
   EXPECT_EQ(first.objects[0].track->times_seen, 1U);
-  const Detections next =
-      View(0, 2).Add({0.1F, 0, 0.8F}, kBlueThing).Add({-0.1F, 0, 0.8F}, kRedThing).TrackBy(tracker, At(5.5));
+  const Detections next = View(0, 2)
+                              .Add({0.1F, 0, 0.8F}, kBlueThing)
+                              .Add({-0.1F, 0, 0.8F}, kRedThing)
+                              .TrackBy(tracker, At(5.5));
   EXPECT_THAT(Ids(next), ElementsAre(2, 1));
   EXPECT_EQ(next.objects[0].track->times_seen, 2U);
   EXPECT_EQ(next.objects[0].track->steadied_over, 2U);

@@ -52,8 +52,9 @@ std::pair<std::string, double> Weighted(const std::string& text) {
 
 // Samples `count` scenes with each size of voxels, the original first.
 template <typename LoadScene>
-void Sample(const std::string& what, std::size_t count, double weight, const ObjectModelFlags& flags,
-            const LoadScene& load, std::vector<TreeSample>& samples) {
+void Sample(const std::string& what, std::size_t count, double weight,
+            const ObjectModelFlags& flags, const LoadScene& load,
+            std::vector<TreeSample>& samples) {
   const std::size_t first = samples.size();
   samples.resize(first + count * kVoxelShares.size());
   std::mutex mutex;  // guards done
