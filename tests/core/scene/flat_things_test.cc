@@ -20,7 +20,9 @@ const cv::Vec3b kTableColor(120, 90, 60), kSteel(150, 160, 180), kBlue(30, 60, 1
 
 // A table 1 m below the camera that looks down on it, a voxel a pixel.
 struct Table {
-  Table() : color_rgb(kSide, kSide, CV_8UC3, kTableColor), is_background(kSide * kSide, 1) {
+  Table()
+      : color_rgb(kSide, kSide, CV_8UC3, kTableColor),
+        is_background(std::size_t{kSide} * kSide, 1) {
     grid.voxel_of_pixel.create(kSide, kSide, CV_32SC1);
     std::iota(grid.voxel_of_pixel.begin<int>(), grid.voxel_of_pixel.end<int>(), 0);
     for (int row = 0; row < kSide; ++row) {

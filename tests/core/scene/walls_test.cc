@@ -12,13 +12,24 @@ const Eigen::Vector3f kRoomUp = -Eigen::Vector3f::UnitY();
 constexpr SupportOptions kTolerance{.tolerance_m = 0.004, .tolerance_per_m = 0.006};
 constexpr WallOptions kWallOptions{.min_extent_m = 0.4};
 
+// Every 2 cm of a length, from its middle.
+std::vector<float> Places(float length_m) {
+  constexpr float kStep_m = 0.02F;
+  std::vector<float> places;
+  const int count = static_cast<int>(length_m / kStep_m + 0.5F) + 1;
+  for (int i = 0; i < count; ++i) {
+    places.push_back(kStep_m * static_cast<float>(i) - length_m / 2);
+  }
+  return places;
+}
+
 // A rectangle of voxels every 2 cm around `center`, as wide and high as asked for, with some noise.
 void AddUpright(VoxelGrid& grid, const Eigen::Vector3f& center, const Eigen::Vector3f& normal,
                 float width_m, float height_m) {
   std::mt19937 random(7);
   const Eigen::Vector3f side = kRoomUp.cross(normal);
-  for (float x = -width_m / 2; x <= width_m / 2; x += 0.02F) {
-    for (float y = -height_m / 2; y <= height_m / 2; y += 0.02F) {
+  for (const float x : Places(width_m)) {
+    for (const float y : Places(height_m)) {
       const float noise_m = static_cast<float>(random() % 1000) / 1000 * 0.008F - 0.004F;
       grid.voxels.push_back({.mean = center + x * side + y * kRoomUp + noise_m * normal,
                              .normal = normal,
@@ -79,7 +90,7 @@ TEST(FindWalls, AStripOfFloorDoesNotMakeAWallOfBoxesInOnePlane) {
   for (const float x : {-0.3F, 0.3F}) {
     AddUpright(grid, {x, 0, 1.2F}, -Eigen::Vector3f::UnitZ(), 0.2F, 0.3F);
   }
-  for (float x = -0.5F; x <= 0.5F; x += 0.02F) {
+  for (const float x : Places(1)) {
     grid.voxels.push_back(
         {.mean = {x, 0.16F, 1.2F}, .normal = -Eigen::Vector3f::UnitZ(), .num_points = 4});
   }

@@ -72,7 +72,7 @@ TEST(Tracker, KeepsWhatIsHiddenForTwoSeconds) {
       View view(0, static_cast<std::uint64_t>(time * 10) + 1);
       if (covered) view.Cover({100, 60, 120, 120}, 0.5F);
       if (!covered) view.Add({0, 0, 0.8F});
-      const Detections result = view.TrackBy(tracker, At(time));
+      Detections result = view.TrackBy(tracker, At(time));
       time += 0.25;
       return result;
     };
@@ -143,11 +143,12 @@ TEST(Tracker, IsBounded) {
   Tracker tracker(1);
   for (int i = 0; i < 4; ++i) {
     View view(0, i + 1);
+    const int layer = i / 2;
     for (int k = 0; k < 200; ++k) {
-      view.Add(
-          {0.03F * static_cast<float>(k % 20) - 0.3F, 0.05F * static_cast<float>(k / 20) - 0.25F,
-           0.8F + 0.02F * static_cast<float>(i / 2)},
-          kRedThing, 0.02F);
+      const int row = k / 20, col = k % 20;
+      view.Add({0.03F * static_cast<float>(col) - 0.3F, 0.05F * static_cast<float>(row) - 0.25F,
+                0.8F + 0.02F * static_cast<float>(layer)},
+               kRedThing, 0.02F);
     }
     const Detections result = view.TrackBy(tracker);
     for (int k = 0; k < 200; ++k) {
