@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numeric>
 #include <random>
 
@@ -15,10 +16,9 @@ constexpr WallOptions kWallOptions{.min_extent_m = 0.4};
 // Every 2 cm of a length, from its middle.
 std::vector<float> Places(float length_m) {
   constexpr float kStep_m = 0.02F;
-  std::vector<float> places;
-  const int count = static_cast<int>(length_m / kStep_m + 0.5F) + 1;
-  for (int i = 0; i < count; ++i) {
-    places.push_back(kStep_m * static_cast<float>(i) - length_m / 2);
+  std::vector<float> places(static_cast<std::size_t>(std::lround(length_m / kStep_m)) + 1);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    places[i] = kStep_m * static_cast<float>(i) - length_m / 2;
   }
   return places;
 }
