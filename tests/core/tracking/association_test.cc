@@ -9,9 +9,9 @@ namespace fovea {
 namespace {
 
 using ::testing::ElementsAre;
+using testing::kBlue;
+using testing::kRed;
 using testing::View;
-
-constexpr std::array<std::uint8_t, 3> kRed = {200, 30, 30}, kBlue = {30, 30, 200};
 
 std::vector<Track> TracksOf(const View& view) {
   std::vector<Track> tracks;

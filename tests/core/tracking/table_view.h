@@ -13,6 +13,7 @@ namespace fovea::testing {
 
 constexpr CameraIntrinsics kIntrinsics = {250, 250, 159.5, 119.5};
 const cv::Size kSize(320, 240);
+constexpr std::array<std::uint8_t, 3> kRed = {200, 30, 30}, kBlue = {30, 30, 200};
 
 // The camera stands at (x_m, 0, 0) and looks along z. Noise of the sensor by `seed`.
 inline RgbdFrame WallFrame(double x_m = 0, std::uint64_t seed = 0) {

@@ -11,10 +11,10 @@ namespace {
 
 using testing::At;
 using ::testing::ElementsAre;
+using testing::kBlue;
+using testing::kRed;
 using testing::PosedAt;
 using testing::View;
-
-constexpr std::array<std::uint8_t, 3> kRedThing = {200, 30, 30}, kBlueThing = {30, 30, 200};
 
 std::vector<std::uint64_t> Ids(const Detections& detections) {
   std::vector<std::uint64_t> ids;
@@ -30,17 +30,13 @@ std::vector<std::uint64_t> HiddenIds(const Detections& detections) {
 
 TEST(Tracker, KeepsIdsWhateverTheOrder) {
   Tracker tracker(9);
-  const Detections first = View(0, 1)
-                               .Add({-0.1F, 0, 0.8F}, kRedThing)
-                               .Add({0.1F, 0, 0.8F}, kBlueThing)
-                               .TrackBy(tracker, At(5));
+  const Detections first =
+      View(0, 1).Add({-0.1F, 0, 0.8F}, kRed).Add({0.1F, 0, 0.8F}, kBlue).TrackBy(tracker, At(5));
   EXPECT_THAT(Ids(first), ElementsAre(1, 2));
   EXPECT_EQ(first.tracking->epoch, 9U);
   EXPECT_EQ(first.objects[0].track->times_seen, 1U);
-  const Detections next = View(0, 2)
-                              .Add({0.1F, 0, 0.8F}, kBlueThing)
-                              .Add({-0.1F, 0, 0.8F}, kRedThing)
-                              .TrackBy(tracker, At(5.5));
+  const Detections next =
+      View(0, 2).Add({0.1F, 0, 0.8F}, kBlue).Add({-0.1F, 0, 0.8F}, kRed).TrackBy(tracker, At(5.5));
   EXPECT_THAT(Ids(next), ElementsAre(2, 1));
   EXPECT_EQ(next.objects[0].track->times_seen, 2U);
   EXPECT_EQ(next.objects[0].track->steadied_over, 2U);
@@ -108,8 +104,8 @@ TEST(Tracker, FollowsWhatAHandMoves) {
   for (int i = 0; i < 12; ++i) {
     const float x = -0.2F + 0.04F * static_cast<float>(i);
     last = View(0, i + 1)
-               .Add({x, 0, 0.7F}, kRedThing)
-               .Add({0, 0.1F, 0.8F}, kRedThing)
+               .Add({x, 0, 0.7F}, kRed)
+               .Add({0, 0.1F, 0.8F}, kRed)
                .TrackBy(tracker, At(0.1 * i));
     EXPECT_THAT(Ids(last), ElementsAre(1, 2)) << i;
   }
@@ -148,7 +144,7 @@ TEST(Tracker, IsBounded) {
       const int row = k / 20, col = k % 20;
       view.Add({0.03F * static_cast<float>(col) - 0.3F, 0.05F * static_cast<float>(row) - 0.25F,
                 0.8F + 0.02F * static_cast<float>(layer)},
-               kRedThing, 0.02F);
+               kRed, 0.02F);
     }
     const Detections result = view.TrackBy(tracker);
     for (int k = 0; k < 200; ++k) {
