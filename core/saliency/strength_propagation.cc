@@ -41,7 +41,7 @@ class Propagation {
     InterruptionPoint();
     const int left = kBlock_px - scale, right = cols_ - left - channel.cols;
     cv::copyMakeBorder(channel, features_, 0, 0, left, right, cv::BORDER_REPLICATE);
-    features_.convertTo(features_, CV_32F);
+    features_.convertTo(features_, CV_32F, StrengthBlock::kFeatureStep);
     SetStart(channel.cols - 2 * scale);
     MarkBesideBorder();
   }
@@ -157,7 +157,7 @@ class Propagation {
   LongLoop loop_;
   PendingBlocks down_;
   PendingBlocks up_;
-  cv::Mat features_;   // CV_32FC1, whole numbers 0 … 255, cols_ wide
+  cv::Mat features_;   // CV_32FC1, in steps of StrengthBlock::kFeatureStep, cols_ wide
   cv::Mat strengths_;  // CV_32FC1, cols_ wide
 };
 

@@ -62,14 +62,17 @@ std::vector<DiskRow> DiskRows(int radius_px) {
   return rows;
 }
 
-// The minima of a row over a row of the disk, taken into another row.
-FOVEA_INLINE void TakeMinima(const RunMinima& runs, const DiskRow& disk_row, int cols, float* to) {
+// The minima of a row over a row of the disk, taken into the rows above and below that have it in
+// theirs.
+FOVEA_INLINE void TakeMinima(const RunMinima& runs, const DiskRow& disk_row, int cols, float* above,
+                             float* below) {
   const float* left_run = runs.Level(disk_row.level) - disk_row.half_width;
   const float* right_run =
       runs.Level(disk_row.level) + disk_row.half_width + 1 - (1 << disk_row.level);
   for (int x = 0; x < cols; ++x) {
     const float run = std::min(left_run[x], right_run[x]);
-    to[x] = std::min(to[x], run);
+    above[x] = std::min(above[x], run);
+    below[x] = std::min(below[x], run);
   }
 }
 
@@ -78,20 +81,20 @@ FOVEA_INLINE void TakeMinima(const RunMinima& runs, const DiskRow& disk_row, int
 cv::Mat ErodeByDisk(const cv::Mat& map, int radius_px) {
   const std::vector<DiskRow> disk = DiskRows(radius_px);
   RunMinima runs(map.cols, radius_px, 2 * radius_px + 1);
-  cv::Mat eroded(map.size(), CV_32F, cv::Scalar::all(kOutside));
+  // With a margin for what lies outside of the image.
+  cv::Mat eroded(map.rows + 2 * radius_px, map.cols, CV_32F, cv::Scalar::all(kOutside));
   RunInWidestRegisters([&] {
     for (int y = 0; y < map.rows; ++y) {
       InterruptionPoint();
       runs.Set(map.ptr<float>(y));
+      const int center = y + radius_px;
       for (const DiskRow& row : disk) {
-        for (const int to : {y - row.rise, y + row.rise}) {
-          if (to < 0 || to >= map.rows) continue;
-          TakeMinima(runs, row, map.cols, eroded.ptr<float>(to));
-        }
+        TakeMinima(runs, row, map.cols, eroded.ptr<float>(center - row.rise),
+                   eroded.ptr<float>(center + row.rise));
       }
     }
   });
-  return eroded;
+  return eroded.rowRange(radius_px, radius_px + map.rows);
 }
 
 }  // namespace fovea

@@ -12,7 +12,7 @@ cv::Mat ErodeByDisk(const cv::Mat& map, int radius_px);
 
 // Morphological reconstruction by dilation of `marker` under `mask` with 8 neighbours: the limit
 // of dilating the marker by 3×3 and taking the minimum with the mask. Both CV_32FC1 of one size,
-// marker ≤ mask everywhere (larger marker values are lowered to the mask's).
+// not negative; marker ≤ mask everywhere (larger marker values are lowered to the mask's).
 cv::Mat ReconstructByDilation(const cv::Mat& marker, const cv::Mat& mask);
 
 // Connected (8 neighbours) plateaus of equal value whose neighbours are all lower. Returns
