@@ -7,13 +7,14 @@
 
 #include "core/saliency/nearness.h"
 #include "core/types/interruption.h"
+#include "core/types/widest_registers.h"
 
 namespace fovea {
 namespace {
 
 // map(p) = min(map(p), map(p + shift)) where p + shift lies in the image; in place, in an order
 // that reads every row before it changes.
-void TakeShiftedMinimum(cv::Mat& map, cv::Point shift) {
+FOVEA_INLINE void TakeShiftedMinimum(cv::Mat& map, cv::Point shift) {
   InterruptionPoint();
   const int first_x = std::max(0, -shift.x);
   const int count_x = map.cols - std::abs(shift.x);
@@ -34,7 +35,7 @@ void TakeShiftedMinimum(cv::Mat& map, cv::Point shift) {
 
 // Turns every value into the least along a line from its pixel, itself included. A run of 2n
 // samples is two runs of n, and any longer one is two overlapping runs.
-void TakeLineMinima(const ScanLine& line, cv::Mat& map) {
+FOVEA_INLINE void TakeLineMinima(const ScanLine& line, cv::Mat& map) {
   const int samples = line.count + 1;
   int covered = 1;
   for (; 2 * covered <= samples; covered *= 2) TakeShiftedMinimum(map, line.step * covered);
@@ -63,13 +64,15 @@ cv::Mat ContrastOfPixels(const cv::Mat& nearness, const std::array<ScanLine, 8>&
   for (const ScanLine& line : lines) {
     nearness.copyTo(minima);
     InterruptionPoint();
-    TakeLineMinima(line, minima);
-    for (int y = 0; y < nearness.rows; ++y) {
-      const float* own = nearness.ptr<float>(y);
-      const float* least = minima.ptr<float>(y);
-      float* sum = contrast.ptr<float>(y);
-      for (int x = 0; x < nearness.cols; ++x) sum[x] += own[x] - least[x];
-    }
+    RunInWidestRegisters([&] {
+      TakeLineMinima(line, minima);
+      for (int y = 0; y < nearness.rows; ++y) {
+        const float* own = nearness.ptr<float>(y);
+        const float* least = minima.ptr<float>(y);
+        float* sum = contrast.ptr<float>(y);
+        for (int x = 0; x < nearness.cols; ++x) sum[x] += own[x] - least[x];
+      }
+    });
   }
   contrast.setTo(0.0F, nearness == kNoNearness);
   return contrast;

@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 
 #include "core/types/interruption.h"
+#include "core/types/widest_registers.h"
 
 namespace fovea {
 namespace {
@@ -28,7 +29,7 @@ Kernel GaussianKernel() {
 }
 
 // Sums of the rows about each row, weighted by the kernel; what lies outside counts as 0.
-cv::Mat BlurColumns(const cv::Mat& map, const Kernel& kernel) {
+FOVEA_INLINE cv::Mat BlurColumns(const cv::Mat& map, const Kernel& kernel) {
   InterruptionPoint();
   cv::Mat blurred = cv::Mat::zeros(map.size(), CV_32F);
   for (int y = 0; y < map.rows; ++y) {
@@ -44,7 +45,7 @@ cv::Mat BlurColumns(const cv::Mat& map, const Kernel& kernel) {
 }
 
 // The same along rows.
-cv::Mat BlurRows(const cv::Mat& map, const Kernel& kernel) {
+FOVEA_INLINE cv::Mat BlurRows(const cv::Mat& map, const Kernel& kernel) {
   InterruptionPoint();
   cv::Mat blurred = cv::Mat::zeros(map.size(), CV_32F);
   for (int y = 0; y < map.rows; ++y) {
@@ -74,9 +75,10 @@ cv::Mat SmoothNearness(const cv::Mat& depth_m) {
       present[x] = HasDepth(depth[x]) ? 1.0F : 0.0F;
     }
   }
-  const Kernel kernel = GaussianKernel();
-  nearness = BlurColumns(BlurRows(nearness, kernel), kernel);
-  presence = BlurColumns(BlurRows(presence, kernel), kernel);
+  RunInWidestRegisters([&, kernel = GaussianKernel()] {
+    nearness = BlurColumns(BlurRows(nearness, kernel), kernel);
+    presence = BlurColumns(BlurRows(presence, kernel), kernel);
+  });
   InterruptionPoint();
   for (int y = 0; y < depth_m.rows; ++y) {
     const float* depth = depth_m.ptr<float>(y);
