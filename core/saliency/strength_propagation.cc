@@ -8,6 +8,7 @@
 // looked at, and at first those whose neighbours grew little: what comes from there is often
 // surpassed later.
 #include <algorithm>
+#include <cstdint>
 #include <opencv2/core.hpp>
 
 #include "core/saliency/strength_saliency.h"
@@ -39,9 +40,7 @@ class Propagation {
         down_(scale, end_ - scale, blocks_),
         up_(scale, end_ - scale, blocks_) {
     InterruptionPoint();
-    const int left = kBlock_px - scale, right = cols_ - left - channel.cols;
-    cv::copyMakeBorder(channel, features_, 0, 0, left, right, cv::BORDER_REPLICATE);
-    features_.convertTo(features_, CV_32F, StrengthBlock::kFeatureStep);
+    SetFeatures(channel);
     SetStart(channel.cols - 2 * scale);
     MarkBesideBorder();
   }
@@ -62,13 +61,28 @@ class Propagation {
   }
 
  private:
+  // Those of the image's border go on beyond it.
+  void SetFeatures(const cv::Mat& channel) {
+    features_.create(channel.rows, cols_, CV_32F);
+    for (int y = 0; y < channel.rows; ++y) {
+      const std::uint8_t* from = channel.ptr(y);
+      float* row = features_.ptr<float>(y);
+      float* to = row + kBlock_px - scale_;
+      for (int x = 0; x < channel.cols; ++x) to[x] = from[x] * StrengthBlock::kFeatureStep;
+      std::fill(row, to, to[0]);
+      std::fill(to + channel.cols, row + cols_, to[channel.cols - 1]);
+    }
+  }
+
   // One within `scale` of the ends, where nothing pulls, and 0 elsewhere.
   void SetStart(int cols_inside) {
     strengths_.create(features_.size(), CV_32F);
     for (int y = 0; y < strengths_.rows; ++y) {
       float* row = strengths_.ptr<float>(y);
-      std::fill_n(row, cols_, 1.0F);
-      if (y >= scale_ && y < end_) std::fill_n(row + kBlock_px, cols_inside, 0.0F);
+      float* inside = row + kBlock_px;
+      std::fill(row, inside, 1.0F);
+      std::fill_n(inside, cols_inside, y >= scale_ && y < end_ ? 0.0F : 1.0F);
+      std::fill(inside + cols_inside, row + cols_, 1.0F);
     }
   }
 

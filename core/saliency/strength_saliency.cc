@@ -1,6 +1,7 @@
 #include "core/saliency/strength_saliency.h"
 
 #include <cmath>
+#include <mutex>
 #include <opencv2/core.hpp>
 #include <vector>
 
@@ -13,35 +14,54 @@
 namespace fovea {
 namespace {
 
-// The sum of 1 − S over all of them, in their order.
-cv::Mat SumOfContrasts(const std::vector<cv::Mat>& strengths) {
-  InterruptionPoint();
-  cv::Mat sum = cv::Mat::zeros(strengths.front().size(), CV_32F);
-  RunInWidestRegisters([&] {
-    for (int y = 0; y < sum.rows; ++y) {
-      float* to = sum.ptr<float>(y);
-      for (const cv::Mat& strength : strengths) {
-        const float* from = strength.ptr<float>(y);
-        for (int x = 0; x < sum.cols; ++x) to[x] += 1.0F - from[x];
-      }
-    }
-  });
-  return sum;
-}
+// The sum of 1 − S over several maps, in their order, whichever is there first. None is kept for
+// longer than that takes.
+class SumOfContrasts {
+ public:
+  SumOfContrasts(cv::Size size, std::size_t count)
+      : sum_(cv::Mat::zeros(size, CV_32F)), waiting_(count) {}
 
-// At all scales, of all channels.
-std::vector<cv::Mat> PropagateAll(const std::vector<cv::Mat>& channels, int num_scales) {
-  std::vector<cv::Mat> strengths(channels.size() * static_cast<std::size_t>(num_scales));
+  void Add(std::size_t index, const cv::Mat& strengths) {
+    const std::lock_guard lock(mutex_);
+    waiting_[index] = strengths;
+    for (; next_ < waiting_.size() && !waiting_[next_].empty(); ++next_) {
+      AddContrast(waiting_[next_]);
+      waiting_[next_].release();
+    }
+  }
+  cv::Mat Sum() const { return sum_; }
+
+ private:
+  void AddContrast(const cv::Mat& strengths) {
+    RunInWidestRegisters([&] {
+      for (int y = 0; y < sum_.rows; ++y) {
+        const float* from = strengths.ptr<float>(y);
+        float* to = sum_.ptr<float>(y);
+        for (int x = 0; x < sum_.cols; ++x) to[x] += 1.0F - from[x];
+      }
+    });
+  }
+
+  std::mutex mutex_;
+  cv::Mat sum_;
+  std::size_t next_ = 0;
+  std::vector<cv::Mat> waiting_;
+};
+
+// Over all scales, of all channels.
+cv::Mat ContrastOfAll(const std::vector<cv::Mat>& channels, int num_scales) {
+  const std::size_t count = channels.size() * static_cast<std::size_t>(num_scales);
+  SumOfContrasts sum(channels.front().size(), count);
   std::vector<Task> tasks;
-  for (std::size_t i = 0; i < strengths.size(); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     tasks.emplace_back([&, i] {
       InterruptionPoint();
       const int scale = 1 + static_cast<int>(i / channels.size());
-      strengths[i] = PropagateStrength(channels[i % channels.size()], scale);
+      sum.Add(i, PropagateStrength(channels[i % channels.size()], scale));
     });
   }
   RunTogether(tasks);
-  return strengths;
+  return sum.Sum();
 }
 
 // In a fixed order, unlike cv::norm: the sum must not depend on the machine's vector width.
@@ -70,7 +90,7 @@ cv::Mat StrengthSaliency(const cv::Mat& color_rgb, const StrengthSaliencyOptions
     for (cv::Mat& channel : channels) cv::normalize(channel, channel, 0, 255, cv::NORM_MINMAX);
   }
 
-  cv::Mat saliency = SumOfContrasts(PropagateAll(channels, options.num_scales));
+  cv::Mat saliency = ContrastOfAll(channels, options.num_scales);
   NormalizeL2(saliency);
   return EnlargeBlocks(saliency, options.downscale, color_rgb.size());
 }

@@ -69,8 +69,13 @@ FOVEA_INLINE void TakeMinima(const RunMinima& runs, const DiskRow& disk_row, int
   const float* left_run = runs.Level(disk_row.level) - disk_row.half_width;
   const float* right_run =
       runs.Level(disk_row.level) + disk_row.half_width + 1 - (1 << disk_row.level);
+  const auto take = [=](int x) { return std::min(left_run[x], right_run[x]); };
+  if (above == below) {  // through the centre
+    for (int x = 0; x < cols; ++x) above[x] = std::min(above[x], take(x));
+    return;
+  }
   for (int x = 0; x < cols; ++x) {
-    const float run = std::min(left_run[x], right_run[x]);
+    const float run = take(x);
     above[x] = std::min(above[x], run);
     below[x] = std::min(below[x], run);
   }
