@@ -21,10 +21,13 @@ constexpr std::size_t kManyPoints = 500;  // tell a plane within a millimetre
 float DominatingHeight(const Points& points, const Eigen::Vector3f& up, float bin) {
   InterruptionPoint();
   std::map<int, std::size_t> histogram;
+  auto in = histogram.end();  // the bin of the point before, which is mostly that of the next
   LongLoop loop;
   for (const Eigen::Vector3f& p : points) {
     loop.Turn();
-    ++histogram[static_cast<int>(std::floor(up.dot(p) / bin))];
+    const int index = static_cast<int>(std::floor(up.dot(p) / bin));
+    if (in == histogram.end() || in->first != index) in = histogram.try_emplace(index).first;
+    ++in->second;
   }
   // Neighbouring bins count half, so that a surface that straddles a border is not missed.
   int best_bin = 0;

@@ -16,27 +16,28 @@ namespace {
 
 Eigen::Vector3f ToEigen(const cv::Vec3f& v) { return {v[0], v[1], v[2]}; }
 
-// The points whose normal is about vertical.
-std::vector<Eigen::Vector3f> LevelPoints(const cv::Mat& points, const NormalMap& normals,
-                                         const Eigen::Vector3f& up, double max_angle_deg) {
+struct LevelPoints {
+  std::vector<Eigen::Vector3f> points;  // those whose normal is about vertical
+  std::size_t num_normals = 0;          // of all directions
+};
+
+LevelPoints FindLevelPoints(const cv::Mat& points, const NormalMap& normals,
+                            const Eigen::Vector3f& up, double max_angle_deg) {
   const float min_cos = static_cast<float>(std::cos(max_angle_deg * std::numbers::pi / 180));
-  std::vector<Eigen::Vector3f> level;
+  LevelPoints level;
   const int step = normals.step_px;
   for (int row = 0; row < normals.vectors.rows; ++row) {
     InterruptionPoint();
     const cv::Vec3f* normal = normals.vectors.ptr<cv::Vec3f>(row);
+    const cv::Vec3f* point = points.ptr<cv::Vec3f>(row * step);
     for (int col = 0; col < normals.vectors.cols; ++col) {
-      if (ToEigen(normal[col]).dot(up) <= min_cos || std::isnan(normal[col][0])) continue;
-      level.push_back(ToEigen(points.at<cv::Vec3f>(row * step, col * step)));
+      if (std::isnan(normal[col][0])) continue;
+      ++level.num_normals;
+      if (ToEigen(normal[col]).dot(up) > min_cos)
+        level.points.push_back(ToEigen(point[col * step]));
     }
   }
   return level;
-}
-
-std::size_t CountNormals(const cv::Mat& normals) {
-  cv::Mat x;
-  cv::extractChannel(normals, x, 0);
-  return static_cast<std::size_t>(cv::countNonZero(x == x));  // false for NaN
 }
 
 // Every few pixels: enough for the cells of a footprint.
@@ -129,14 +130,14 @@ float SupportTolerance(float z_m, const SupportOptions& options) {
 std::vector<Support> FindSupports(const cv::Mat& points, const NormalMap& normals,
                                   const Eigen::Vector3f& gravity, const SupportOptions& options) {
   Eigen::Vector3f up = -gravity;
-  std::vector<Eigen::Vector3f> level = LevelPoints(points, normals, up, options.max_angle_deg);
-  const auto min_points = static_cast<std::size_t>(std::max(
-      3.0, std::ceil(options.min_share * static_cast<double>(CountNormals(normals.vectors)))));
+  auto [level, num_normals] = FindLevelPoints(points, normals, up, options.max_angle_deg);
+  const auto min_points = static_cast<std::size_t>(
+      std::max(3.0, std::ceil(options.min_share * static_cast<double>(num_normals))));
 
   std::vector<Support> supports;
   for (int attempt = 0; attempt < 3 * options.max_surfaces; ++attempt) {
     InterruptionPoint();
-    if (level.size() < 3 || static_cast<int>(supports.size()) == options.max_surfaces) break;
+    if (level.size() < 3) break;
     const SupportSurface surface = FitLevelSurface(level, up, options);
     const std::vector<Eigen::Vector3f> inliers = PointsNear(level, surface, options);
     InterruptionPoint();
@@ -148,6 +149,7 @@ std::vector<Support> FindSupports(const cv::Mat& points, const NormalMap& normal
       if (options.max_surfaces > 1 && supports.empty()) up = surface.normal;  // the better vertical
       supports.push_back(
           {surface, options.footprint_margin_m > 0 ? footprint : Footprint(), tolerance_share});
+      if (static_cast<int>(supports.size()) == options.max_surfaces) break;
     }
     if (!RemoveInliers(level, surface, options)) break;
   }
