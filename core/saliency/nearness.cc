@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <opencv2/core.hpp>
+#include <tuple>
+#include <vector>
 
 #include "core/types/interruption.h"
 #include "core/types/widest_registers.h"
@@ -28,34 +30,35 @@ Kernel GaussianKernel() {
   return kernel;
 }
 
-// Sums of the rows about each row, weighted by the kernel; what lies outside counts as 0.
-FOVEA_INLINE cv::Mat BlurColumns(const cv::Mat& map, const Kernel& kernel) {
-  InterruptionPoint();
-  cv::Mat blurred = cv::Mat::zeros(map.size(), CV_32F);
-  for (int y = 0; y < map.rows; ++y) {
-    float* to = blurred.ptr<float>(y);
-    const int last = std::min(y + kBlurRadius_px, map.rows - 1);
-    for (int from_y = std::max(y - kBlurRadius_px, 0); from_y <= last; ++from_y) {
-      const float weight = kernel[static_cast<std::size_t>(from_y - y + kBlurRadius_px)];
-      const float* from = map.ptr<float>(from_y);
-      for (int x = 0; x < map.cols; ++x) to[x] += weight * from[x];
-    }
+// Sums over the pixels about each of a row, weighted by the kernel. `from`: for each of the
+// kernel's weights the row that it weighs.
+using KernelRows = std::array<const float*, std::tuple_size_v<Kernel>>;
+
+FOVEA_INLINE void BlurRow(const KernelRows& from, const Kernel& kernel, int cols, float* to) {
+  for (int x = 0; x < cols; ++x) {
+    float sum = 0;
+    for (std::size_t i = 0; i < kernel.size(); ++i) sum += kernel[i] * from[i][x];
+    to[x] = sum;
   }
-  return blurred;
 }
 
-// The same along rows.
-FOVEA_INLINE cv::Mat BlurRows(const cv::Mat& map, const Kernel& kernel) {
+// Along rows, then along columns; what lies outside counts as 0.
+FOVEA_INLINE cv::Mat Blur(const cv::Mat& map, const Kernel& kernel) {
   InterruptionPoint();
-  cv::Mat blurred = cv::Mat::zeros(map.size(), CV_32F);
+  // With a margin above and below.
+  cv::Mat rows = cv::Mat::zeros(map.rows + 2 * kBlurRadius_px, map.cols, CV_32F);
+  std::vector<float> row(static_cast<std::size_t>(map.cols + 2 * kBlurRadius_px));
+  KernelRows from;
+  for (std::size_t i = 0; i < from.size(); ++i) from[i] = row.data() + i;
   for (int y = 0; y < map.rows; ++y) {
-    const float* from = map.ptr<float>(y);
-    float* to = blurred.ptr<float>(y);
-    for (int shift = -kBlurRadius_px; shift <= kBlurRadius_px; ++shift) {
-      const float weight = kernel[static_cast<std::size_t>(shift + kBlurRadius_px)];
-      const int end = std::min(map.cols, map.cols - shift);
-      for (int x = std::max(0, -shift); x < end; ++x) to[x] += weight * from[x + shift];
-    }
+    std::copy_n(map.ptr<float>(y), map.cols, row.begin() + kBlurRadius_px);
+    BlurRow(from, kernel, map.cols, rows.ptr<float>(y + kBlurRadius_px));
+  }
+  cv::Mat blurred(map.size(), CV_32F);
+  for (int y = 0; y < map.rows; ++y) {
+    for (std::size_t i = 0; i < from.size(); ++i)
+      from[i] = rows.ptr<float>(y + static_cast<int>(i));
+    BlurRow(from, kernel, map.cols, blurred.ptr<float>(y));
   }
   return blurred;
 }
@@ -76,8 +79,8 @@ cv::Mat SmoothNearness(const cv::Mat& depth_m) {
     }
   }
   RunInWidestRegisters([&, kernel = GaussianKernel()] {
-    nearness = BlurColumns(BlurRows(nearness, kernel), kernel);
-    presence = BlurColumns(BlurRows(presence, kernel), kernel);
+    nearness = Blur(nearness, kernel);
+    presence = Blur(presence, kernel);
   });
   InterruptionPoint();
   for (int y = 0; y < depth_m.rows; ++y) {

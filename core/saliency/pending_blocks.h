@@ -4,66 +4,67 @@
 #include <hwy/base.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
 namespace fovea {
 
-// The largest strength among those of a block that have grown (0: none has): over all its pixels,
-// over those near its left end and near its right end.
+// The largest strength among those of a block that have grown (0: none has): over its pixels near
+// its left end, over all of them, over those near its right end.
 struct Growth {
-  float all = 0, left = 0, right = 0;
+  float left = 0, all = 0, right = 0;
 };
 
 // The blocks that the sweeps in one direction still have to look at, each with the largest strength
 // that has grown beside it; 0: none.
 class PendingBlocks {
  public:
-  // For `num_rows` rows of `num_blocks` blocks from `first_row` on.
-  PendingBlocks(int first_row, int num_rows, int num_blocks)
-      : first_row_(first_row),
+  // For `num_rows` rows of `num_blocks` blocks. The first and last `border` rows may be marked, but
+  // there is nothing to look at.
+  PendingBlocks(int num_rows, int border, int num_blocks)
+      : border_(border),
         num_blocks_(num_blocks),
-        strengths_(static_cast<std::size_t>(num_rows) * static_cast<std::size_t>(num_blocks)),
+        stride_(num_blocks + kMargin),
+        strengths_(static_cast<std::size_t>(num_rows) * static_cast<std::size_t>(stride_)),
         largest_of_row_(static_cast<std::size_t>(num_rows)) {}
 
-  // That the block has grown so, for what lies above or below it. Outside the image nothing
-  // happens.
+  // That the block has grown so, for what lies above or below it.
   HWY_INLINE void Mark(int y, int block, const Growth& growth) {
-    const int row = y - first_row_;
-    if (row < 0 || row >= static_cast<int>(largest_of_row_.size())) return;
-    float* strengths = Row(row);
-    if (block > 0) Raise(strengths[block - 1], growth.left);
-    Raise(strengths[block], growth.all);
-    if (block + 1 < num_blocks_) Raise(strengths[block + 1], growth.right);
-    Raise(largest_of_row_[static_cast<std::size_t>(row)],
+    float* around = Row(y) + block - 1;
+    const float grown[kMargin + 1] = {growth.left, growth.all, growth.right, 0};
+    for (int i = 0; i <= kMargin; ++i) Raise(around[i], grown[i]);
+    Raise(largest_of_row_[static_cast<std::size_t>(y)],
           std::max(std::max(growth.left, growth.all), growth.right));
   }
 
   HWY_INLINE bool RowHas(int y, float least) const {
-    return largest_of_row_[static_cast<std::size_t>(y - first_row_)] >= least;
+    return largest_of_row_[static_cast<std::size_t>(y)] >= least;
   }
   // The strength that a block waits beside, and takes it out; 0 if that is less than `least`.
   HWY_INLINE float Take(int y, int block, float least) {
-    float& strength = Row(y - first_row_)[block];
+    float& strength = Row(y)[block];
     return strength < least ? 0 : std::exchange(strength, 0.0F);
   }
   HWY_INLINE void FinishRow(int y) {
-    const float* strengths = Row(y - first_row_);
-    largest_of_row_[static_cast<std::size_t>(y - first_row_)] =
+    const float* strengths = Row(y);
+    largest_of_row_[static_cast<std::size_t>(y)] =
         *std::max_element(strengths, strengths + num_blocks_);
   }
   float Largest() const {
-    return *std::max_element(largest_of_row_.begin(), largest_of_row_.end());
+    return *std::max_element(largest_of_row_.begin() + border_, largest_of_row_.end() - border_);
   }
 
  private:
-  static HWY_INLINE void Raise(float& value, float to) { value = std::max(value, to); }
-  HWY_INLINE float* Row(int row) {
-    return strengths_.data() + static_cast<std::ptrdiff_t>(row) * num_blocks_;
-  }
+  // One block before a row and two after it, so that marks fill a register and ask for no bounds.
+  static constexpr int kMargin = 3;
 
-  int first_row_;
+  static HWY_INLINE void Raise(float& value, float to) { value = std::max(value, to); }
+  HWY_INLINE float* Row(int y) { return strengths_.data() + std::ptrdiff_t{y} * stride_ + 1; }
+
+  int border_;
   int num_blocks_;                     // in a row
+  int stride_;                         // with its margin
   std::vector<float> strengths_;       // row-major
   std::vector<float> largest_of_row_;  // so that rows without any cost nothing
 };

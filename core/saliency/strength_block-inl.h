@@ -62,18 +62,22 @@ class StrengthBlock {
     }
   }
 
-  // The same for the neighbours `scale` to the left and to the right, over and over: a strength may
-  // pass through several pixels of the block. The pointers are those of the block itself.
-  HWY_INLINE void PullAlongRow(const float* features, const float* strengths, int scale) {
+  // The same for the neighbours `scale` to the left and to the right, some times over: a strength
+  // may pass through several pixels of the block. Returns whether it may go on. The pointers are
+  // those of the block itself.
+  HWY_INLINE bool PullAlongRow(const float* features, const float* strengths, int scale) {
     Lanes left_factors[kParts], right_factors[kParts];
     for (int part = 0; part < kParts; ++part) {
       left_factors[part] = Factor(features_[part], Load(features - scale, part));
       right_factors[part] = Factor(features_[part], Load(features + scale, part));
     }
     Row row(strengths, scale);
-    do {
+    bool goes_on = true;
+    for (int turn = scale == 1 ? 3 : 1; goes_on && turn > 0; --turn) {  // so many cost least
       row.Set(strengths_);
-    } while (Raise(row, left_factors, right_factors));
+      goes_on = Raise(row, left_factors, right_factors);
+    }
+    return goes_on;
   }
 
   // What has grown since it was loaded. `few`: how many pixels are near an end.
@@ -89,7 +93,7 @@ class StrengthBlock {
     }
     const float most = Largest(all);
     if (most == 0) return {};
-    return {most, Largest(left), Largest(right)};
+    return {Largest(left), most, Largest(right)};
   }
 
   HWY_INLINE void Store(float* strengths) const {

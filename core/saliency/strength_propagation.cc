@@ -37,8 +37,8 @@ class Propagation {
         end_(channel.rows - scale),
         blocks_((channel.cols - 2 * scale + kBlock_px - 1) / kBlock_px),
         cols_((blocks_ + 2) * kBlock_px),
-        down_(scale, end_ - scale, blocks_),
-        up_(scale, end_ - scale, blocks_) {
+        down_(channel.rows, scale, blocks_),
+        up_(down_) {
     InterruptionPoint();
     SetFeatures(channel);
     SetStart(channel.cols - 2 * scale);
@@ -100,6 +100,11 @@ class Propagation {
     }
   }
 
+  struct Pulled {
+    Growth growth;
+    bool goes_on = false;  // the block may grow by itself
+  };
+
   // The pending blocks of a row pull from above (side = -1) or below (+1). Returns whether there
   // were any.
   HWY_INLINE bool Sweep(PendingBlocks& pending, int y, int side) {
@@ -110,14 +115,14 @@ class Propagation {
       const std::ptrdiff_t at = std::ptrdiff_t{y} * cols_ + std::ptrdiff_t{block + 1} * kBlock_px;
       if (beside == 0 || !StrengthBlock::CanGrow(strengths_.ptr<float>() + at, beside)) continue;
       loop_.Turn();
-      const Growth growth = Pull(at, side);
-      if (growth.all > 0) MarkNeighbours(y, block, growth);
+      const Pulled pulled = Pull(at, side);
+      if (pulled.growth.all > 0) MarkNeighbours(y, block, pulled);
     }
     pending.FinishRow(y);
     return true;
   }
 
-  HWY_INLINE Growth Pull(std::ptrdiff_t at, int side) {
+  HWY_INLINE Pulled Pull(std::ptrdiff_t at, int side) {
     switch (scale_) {  // the paper's are compiled with their offsets known
       case 1:
         return PullAtScale(at, side, 1);
@@ -133,7 +138,7 @@ class Propagation {
   }
 
   // Raises a block by the part of its ring on one side and in its own row.
-  HWY_INLINE Growth PullAtScale(std::ptrdiff_t at, int side, int scale) {
+  HWY_INLINE Pulled PullAtScale(std::ptrdiff_t at, int side, int scale) {
     const float* features = features_.ptr<float>() + at;
     float* strengths = strengths_.ptr<float>() + at;
     StrengthBlock own(features, strengths);
@@ -146,17 +151,18 @@ class Propagation {
       pull_from(side * step, +scale);
     }
     for (int shift = -scale; shift <= scale; ++shift) pull_from(side * scale, shift);
-    own.PullAlongRow(features, strengths, scale);
+    const bool goes_on = own.PullAlongRow(features, strengths, scale);
     const Growth growth = own.GrowthSoFar(scale);
     if (growth.all > 0) own.Store(strengths);
-    return growth;
+    return {growth, goes_on};
   }
 
   // Only growth within `scale` of a block's end reaches the next block.
-  HWY_INLINE void MarkNeighbours(int y, int block, const Growth& growth) {
-    // The next sweep of either kind meets the blocks beside this one; one of them suffices.
+  HWY_INLINE void MarkNeighbours(int y, int block, const Pulled& pulled) {
+    const Growth& growth = pulled.growth;
+    // The next sweep of either kind meets the blocks beside this one, and itself; one suffices.
     down_.Mark(y, block, {.right = growth.right});
-    up_.Mark(y, block, {.left = growth.left});
+    up_.Mark(y, block, {.left = growth.left, .all = pulled.goes_on ? growth.all : 0});
     for (int step = 1; step <= scale_; ++step) {
       down_.Mark(y + step, block, growth);
       up_.Mark(y - step, block, growth);
