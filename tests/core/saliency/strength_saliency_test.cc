@@ -189,11 +189,15 @@ TEST(PropagateStrength, IsOneEverywhereOnAConstantChannel) {
 }
 
 TEST(PropagateStrength, FallsByTheContrastOfAStep) {
-  cv::Mat channel(20, 20, CV_8U, cv::Scalar(100));
-  channel(cv::Rect(6, 6, 8, 8)) = 151;  // 51 = 255 / 5
-  cv::Mat expected = cv::Mat::ones(20, 20, CV_32F);
-  expected(cv::Rect(6, 6, 8, 8)) = 1.0F - 51.0F / 255.0F;
-  ExpectSameBits(PropagateStrength(channel, 1), expected);
+  const cv::Rect patch(6, 6, 8, 8);
+  for (int contrast = 0; contrast <= 255; ++contrast) {
+    SCOPED_TRACE(testing::Message() << "contrast " << contrast);
+    cv::Mat channel = cv::Mat::zeros(20, 20, CV_8U);
+    channel(patch) = contrast;
+    cv::Mat expected = cv::Mat::ones(20, 20, CV_32F);
+    expected(patch) = 1.0F - static_cast<float>(contrast) / 255.0F;
+    ExpectSameBits(PropagateStrength(channel, 1), expected);
+  }
 }
 
 TEST(PropagateStrength, TakesAPartOfALargerImage) {

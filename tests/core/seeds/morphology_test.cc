@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 #include <queue>
 #include <random>
 #include <vector>
@@ -100,6 +101,8 @@ cv::Mat BruteForceMaxima(const cv::Mat& map) {
 }
 
 const std::vector<cv::Size> kSizes{{1, 1}, {1, 8}, {8, 1}, {2, 3}, {7, 7}, {16, 9}, {31, 22}};
+// Rows are looked at in parts of 64 pixels.
+const std::vector<cv::Size> kWideSizes{{64, 5}, {65, 1}, {65, 4}, {128, 3}, {140, 9}};
 
 TEST(ErodeByDisk, IsTheMinimumOverTheDisk) {
   std::mt19937 random(20);
@@ -132,9 +135,11 @@ TEST(ErodeByDisk, TakesNegativeValues) {
 }
 
 TEST(ReconstructByDilation, IsTheLimitOfDilationUnderTheMask) {
+  std::vector<cv::Size> sizes = kSizes;
+  sizes.insert(sizes.end(), kWideSizes.begin(), kWideSizes.end());
   std::mt19937 random(1993);
-  for (int trial = 0; trial < 60; ++trial) {
-    const cv::Size size = kSizes[static_cast<std::size_t>(trial) % kSizes.size()];
+  for (int trial = 0; trial < 120; ++trial) {
+    const cv::Size size = sizes[static_cast<std::size_t>(trial) % sizes.size()];
     SCOPED_TRACE(testing::Message() << "seed 1993, trial " << trial << ", " << size);
     const cv::Mat mask = RandomMap(size, trial % 2 == 0 ? 6 : 1000, random);
     const cv::Mat marker = cv::max(mask - RandomMap(size, trial % 3 == 0 ? 4 : 900, random), 0);
@@ -143,13 +148,36 @@ TEST(ReconstructByDilation, IsTheLimitOfDilationUnderTheMask) {
 }
 
 TEST(ReconstructByDilation, FollowsACorridorOfManyTurns) {
-  cv::Mat mask = cv::Mat::zeros(21, 20, CV_32F);
-  for (int y = 0; y < mask.rows; y += 2) mask.row(y) = 1.0F;
-  for (int y = 1; y < mask.rows; y += 2) mask.at<float>(y, y % 4 == 1 ? 19 : 0) = 1.0F;
-  for (cv::Point start : {cv::Point(0, 0), cv::Point(0, 20), cv::Point(10, 10)}) {
+  for (const int cols : {20, 150}) {
+    cv::Mat rows = cv::Mat::zeros(21, cols, CV_32F);
+    for (int y = 0; y < rows.rows; y += 2) rows.row(y) = 1.0F;
+    for (int y = 1; y < rows.rows; y += 2) rows.at<float>(y, y % 4 == 1 ? cols - 1 : 0) = 1.0F;
+    for (const cv::Mat& mask : {rows, cv::Mat(rows.t())}) {
+      const cv::Point last(mask.cols - 1, mask.rows - 1);
+      for (const cv::Point& start : {cv::Point(0, 0), last, cv::Point(10, 10)}) {
+        cv::Mat marker = cv::Mat::zeros(mask.size(), CV_32F);
+        marker.at<float>(start) = 1.0F;
+        ExpectEqual(ReconstructByDilation(marker, mask), mask);
+      }
+    }
+  }
+}
+
+// Ways that turn again and again, across the parts of rows too.
+TEST(ReconstructByDilation, FollowsWaysThroughNoise) {
+  std::mt19937 random(407);
+  for (int trial = 0; trial < 200; ++trial) {
+    SCOPED_TRACE(testing::Message() << "seed 407, trial " << trial);
+    cv::Mat mask(40, 200, CV_32F);
+    for (auto& value : cv::Mat_<float>(mask)) value = random() % 100 < 42 ? 1.0F : 0.0F;
+    const cv::Point start(static_cast<int>(random() % 200), static_cast<int>(random() % 40));
+    mask.at<float>(start) = 1.0F;
     cv::Mat marker = cv::Mat::zeros(mask.size(), CV_32F);
     marker.at<float>(start) = 1.0F;
-    ExpectEqual(ReconstructByDilation(marker, mask), mask);
+    cv::Mat filled = mask.clone();
+    cv::floodFill(filled, start, 2, nullptr, 0, 0, 8);
+    const cv::Mat expected = cv::max(filled - 1, 0);
+    EXPECT_EQ(cv::countNonZero(ReconstructByDilation(marker, mask) != expected), 0);
   }
 }
 
