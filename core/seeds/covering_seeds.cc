@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <queue>
 #include <utility>
 
 #include "core/segmentation/adjacency.h"
@@ -40,34 +39,38 @@ Neighbors NeighborsOf(const VoxelGrid& grid, const std::vector<char>& is_backgro
 class SurfaceDistance {
  public:
   SurfaceDistance(const VoxelGrid& grid, const std::vector<char>& is_background)
-      : neighbors_(NeighborsOf(grid, is_background)), distance_(grid.voxels.size(), kUnreached) {}
+      : neighbors_(NeighborsOf(grid, is_background)),
+        distance_(grid.voxels.size(), kUnreached),
+        is_queued_(grid.voxels.size()) {}
 
   float Of(int voxel) const { return distance_[voxel]; }
 
+  // In order of steps instead of distance: the distances are the same, and no heap is kept.
   void AddSource(int source) {
-    distance_[source] = 0;
     LongLoop loop;
-    queue_.emplace(0.0F, source);
-    while (!queue_.empty()) {
+    queue_.clear();
+    Reach(source, 0);
+    for (std::size_t next = 0; next < queue_.size(); ++next) {
       loop.Turn();
-      const auto [distance, voxel] = queue_.top();
-      queue_.pop();
-      if (distance > distance_[voxel]) continue;
+      const int voxel = queue_[next];
+      is_queued_[voxel] = 0;
       for (const Step& step : neighbors_.Of(voxel)) {
-        const float beyond = distance + step.length_m;
-        if (beyond >= distance_[step.voxel]) continue;
-        distance_[step.voxel] = beyond;
-        queue_.emplace(beyond, step.voxel);
+        Reach(step.voxel, distance_[voxel] + step.length_m);
       }
     }
   }
 
  private:
-  using Entry = std::pair<float, int>;
+  void Reach(int voxel, float distance) {
+    if (distance >= distance_[voxel]) return;
+    distance_[voxel] = distance;
+    if (std::exchange(is_queued_[voxel], 1) == 0) queue_.push_back(voxel);
+  }
 
   Neighbors neighbors_;
   std::vector<float> distance_;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;  // empty between calls
+  std::vector<char> is_queued_;  // none between calls
+  std::vector<int> queue_;       // kept for its memory
 };
 
 // The connected parts of what is not background, as lists of voxels.
