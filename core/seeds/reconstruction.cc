@@ -95,12 +95,12 @@ class Reconstruction {
         pending(y + 1 + kStep, beside) = pending_back(y + 1 - kStep, beside) = 1;
       }
     }
+    if (rose) InterruptionPoint();
     return rose;
   }
 
   template <int kStep>
   FOVEA_INLINE bool RaisePart(int y, int at) {
-    loop_.Turn();
     const Part part{at * kPart_px, std::min((at + 1) * kPart_px, map_.cols), map_.cols};
     const int* mask = mask_.ptr<int>(y);
     int* row = map_.ptr<int>(y);
@@ -113,7 +113,6 @@ class Reconstruction {
   cv::Mat mask_, map_;
   int parts_;  // of a row
   Pending down_, up_;
-  LongLoop loop_;
 };
 
 }  // namespace

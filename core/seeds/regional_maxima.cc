@@ -25,10 +25,10 @@ FOVEA_INLINE void HighestBeside(const float* above, const float* row, const floa
 }
 
 cv::Mat HighestNeighbours(const cv::Mat& map) {
-  InterruptionPoint();
   cv::Mat highest(map.size(), CV_32F);
   RunInWidestRegisters([&] {
     for (int y = 0; y < map.rows; ++y) {
+      InterruptionPoint();
       HighestBeside(map.ptr<float>(std::max(y - 1, 0)), map.ptr<float>(y),
                     map.ptr<float>(std::min(y + 1, map.rows - 1)), map.cols, highest.ptr<float>(y));
     }
@@ -38,10 +38,10 @@ cv::Mat HighestNeighbours(const cv::Mat& map) {
 
 // Keeps what is lower than the other map.
 cv::Mat Lower(const cv::Mat& map, const cv::Mat& other) {
-  InterruptionPoint();
   cv::Mat lower(map.size(), CV_32F);
   RunInWidestRegisters([&] {
     for (int y = 0; y < map.rows; ++y) {
+      InterruptionPoint();
       const float* from = map.ptr<float>(y);
       const float* limit = other.ptr<float>(y);
       float* to = lower.ptr<float>(y);
