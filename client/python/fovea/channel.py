@@ -50,10 +50,24 @@ def _connect(
 ) -> grpc.Channel:
     if tls is None:
         return grpc.insecure_channel(target, options)
+    _check(tls)
     credentials = grpc.ssl_channel_credentials(
         tls.root_certificates or None, tls.private_key or None, tls.certificate_chain or None
     )
     return grpc.secure_channel(target, credentials, options)
+
+
+def _check(tls: TlsOptions) -> None:
+    """gRPC ends the program where one of a pair is missing."""
+    for name in ("root_certificates", "certificate_chain", "private_key"):
+        if not isinstance(getattr(tls, name), bytes):
+            raise InvalidArgument(f"tls.{name}", "is not bytes: the text of a PEM file is")
+    for name, other in (
+        ("private_key", "certificate_chain"),
+        ("certificate_chain", "private_key"),
+    ):
+        if getattr(tls, other) and not getattr(tls, name):
+            raise InvalidArgument(f"tls.{name}", f"is missing; it goes together with {other}")
 
 
 def make_metadata(token: str, robot: str) -> list[tuple[str, str]]:

@@ -1,4 +1,4 @@
-"""Numbers that callers give, checked before anything is sent. Errors name the field."""
+"""Numbers and texts that callers give, checked before anything is sent. Errors name the field."""
 
 from __future__ import annotations
 
@@ -31,6 +31,17 @@ def whole(value: Any, field: str) -> int:
     if not (isinstance(value, (int, np.integer)) and 0 < value < 2**32):
         raise InvalidArgument(field, f"{value!r} is not a whole number from 1")
     return int(value)
+
+
+def text(value: Any, field: str) -> str:
+    """What a message can hold."""
+    if not isinstance(value, str):
+        raise InvalidArgument(field, f"{value!r} is not a str")
+    try:
+        value.encode()
+    except UnicodeEncodeError:
+        raise InvalidArgument(field, f"{value!r} is not Unicode text") from None
+    return value
 
 
 def timeout_of_client(timeout: Any) -> float:

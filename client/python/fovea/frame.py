@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 from google.protobuf.timestamp_pb2 import Timestamp
 
-from fovea.checks import real
+from fovea.checks import real, text
 from fovea.errors import InvalidArgument
 from fovea.geometry import numbers, pose_to_proto, vector_to_proto
 from fovea.images import make_color_image, make_depth_image
@@ -17,6 +17,7 @@ from fovea.v1 import frame_pb2
 
 _INTRINSICS = "frame.intrinsics"
 _DEPTH_INTRINSICS = "frame.depth_intrinsics"
+_FIRST_SECOND, _LAST_SECOND = -62_135_596_800, 253_402_300_799  # that a Timestamp may hold
 
 
 _MODELS = {
@@ -121,15 +122,14 @@ class Frame:
     def to_proto(self) -> frame_pb2.Frame:
         """Raises InvalidArgument that names the field."""
         proto = frame_pb2.Frame(
-            id=self.id,
+            id=text(self.id, "frame.id"),
             intrinsics=_intrinsics_to_proto(self.intrinsics, _INTRINSICS),
             color=make_color_image(self.color, self.color_encoding),
             depth=make_depth_image(self.depth, self.depth_encoding, self.depth_unit_m),
         )
         self._add_depth_camera(proto)
         if self.captured_at_ns is not None:
-            seconds, nanos = divmod(self.captured_at_ns, 1_000_000_000)
-            proto.captured_at.CopyFrom(Timestamp(seconds=seconds, nanos=nanos))
+            proto.captured_at.CopyFrom(_time_to_proto(self.captured_at_ns))
         if self.gravity is not None:
             proto.gravity.CopyFrom(vector_to_proto(self.gravity, "frame.gravity"))
         if self.camera_pose is not None:
@@ -149,6 +149,18 @@ class Frame:
         proto.depth_intrinsics.CopyFrom(intrinsics)
         pose = pose_to_proto(self.color_from_depth, "frame.color_from_depth")
         proto.color_from_depth.CopyFrom(pose)
+
+
+def _time_to_proto(captured_at_ns: Any) -> Timestamp:
+    field = "frame.captured_at"
+    if not isinstance(captured_at_ns, (int, np.integer)):
+        problem = f"captured_at_ns={captured_at_ns!r} is not a whole number of nanoseconds"
+        raise InvalidArgument(field, problem)
+    seconds, nanos = divmod(int(captured_at_ns), 1_000_000_000)
+    if not _FIRST_SECOND <= seconds <= _LAST_SECOND:
+        problem = f"captured_at_ns={captured_at_ns!r} is not in the years 1 to 9999"
+        raise InvalidArgument(field, problem)
+    return Timestamp(seconds=seconds, nanos=nanos)
 
 
 def _intrinsics_to_proto(

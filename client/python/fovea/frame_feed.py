@@ -153,7 +153,8 @@ class FrameFeed:
             return self._request_with(frame.to_proto()), None
         except InvalidArgument as error:
             # It keeps its place: the server refuses it, and its answer gets this error.
-            return self._request_with(frame_pb2.Frame(id=frame.id)), error
+            frame_id = "" if error.field == "frame.id" else frame.id
+            return self._request_with(frame_pb2.Frame(id=frame_id)), error
 
     def _request_with(self, frame: frame_pb2.Frame) -> Request:
         """Each holds what the first of a connection has to say, since any may be that."""

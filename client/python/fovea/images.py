@@ -83,7 +83,7 @@ def _require_array(image: Any, field: str, dtypes: tuple[str, ...], expected: st
 
 def _as_uint16(depth: Any) -> Any:
     if depth.dtype.name == "uint16" or depth.size == 0:
-        return depth
+        return depth.astype(depth.dtype.newbyteorder("="), copy=False)
     low, high = int(depth.min()), int(depth.max())
     if low < 0 or high > 65535:
         raise InvalidArgument(

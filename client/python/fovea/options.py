@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from fovea.checks import positive, real
+from fovea.checks import positive, real, text
 from fovea.errors import InvalidArgument
 from fovea.geometry import numbers
 from fovea.grippers import Gripper, grippers_to_proto
@@ -73,7 +73,7 @@ class DetectOptions:
     def to_proto(self) -> detection_pb2.DetectOptions:
         """Raises InvalidArgument that names the field."""
         proto = detection_pb2.DetectOptions(
-            profile=self.profile,
+            profile=text(self.profile, "options.profile"),
             return_masks=self.return_masks,
             return_clouds=self.return_clouds,
             return_saliency_maps=self.return_saliency_maps,
@@ -99,8 +99,14 @@ class DetectOptions:
                     "options.time_budget",
                     f"{self.time_budget!r} s is not from 0 (none) to less than an hour",
                 )
-            proto.time_budget.FromNanoseconds(round(self.time_budget * 1e9))
+            # Nothing on the wire stands for no limit.
+            proto.time_budget.FromNanoseconds(max(1, round(self.time_budget * 1e9)))
+        if not isinstance(self.parameters, Mapping):
+            raise InvalidArgument(
+                "options.parameters", f"is {type(self.parameters).__name__}, not a dict"
+            )
         for name, value in self.parameters.items():
+            text(name, "options.parameters")
             try:
                 proto.parameters[name] = float(value)
             except (TypeError, ValueError):

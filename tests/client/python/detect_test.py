@@ -149,6 +149,7 @@ def test_the_same_frame_gives_the_same_answer_in_every_lossless_way(
     ways = [
         {"color": scene.color_file.read_bytes(), "depth": scene.depth_file.read_bytes()},
         {"color_encoding": "png", "depth_encoding": "png"},
+        {"depth": scene.depth.astype(">u2"), "depth_encoding": "png"},
         {"color": scene.color[..., ::-1], "color_encoding": "bgr8", "depth_encoding": "zstd"},
         {"depth": float_depth},
         {"depth": float_depth, "depth_encoding": "zstd"},

@@ -49,6 +49,10 @@ LOCAL: list[tuple[dict[str, Any], str, str]] = [
     ({"intrinsics": "wide"}, "frame.intrinsics", "not made of numbers"),
     ({"intrinsics": [[5, 1, 3], [0, 5, 3], [0, 0, 1]]}, "frame.intrinsics", "is not [[fx, 0"),
     ({"intrinsics": fovea.CameraIntrinsics(5, np.nan, 3, 3)}, "frame.intrinsics.fy", "finite"),
+    ({"id": 7}, "frame.id", "7 is not a str"),
+    ({"id": "\ud800"}, "frame.id", "is not Unicode text"),
+    ({"captured_at_ns": 1.8e18}, "frame.captured_at", "=1.8e+18 is not a whole number of nano"),
+    ({"captured_at_ns": 10**30}, "frame.captured_at", "not in the years 1 to 9999"),
     ({"gravity": [0, 1]}, "frame.gravity", "shape (2,), not (3,)"),
     ({"camera_pose": np.eye(3)}, "frame.camera_pose", "shape (3, 3), not (4, 4)"),
     ({"camera_pose": 2 * np.eye(4)}, "frame.camera_pose", "rotation"),
@@ -123,6 +127,9 @@ LOCAL_OPTIONS: list[tuple[dict[str, Any], str, str]] = [
     ({"place_size": 0.05}, "options.places.size", "place_size has the shape ()"),
     ({"place_size": "big"}, "options.places.size", "place_size is not made of numbers"),
     ({"height_map_cell_m": 0}, "options.planning.height_map.cell_m", "height_map_cell_m=0 is"),
+    ({"profile": 5}, "options.profile", "5 is not a str"),
+    ({"parameters": [("mrf.gamma_per_m2", 80)]}, "options.parameters", "is list, not a dict"),
+    ({"parameters": {5: 80}}, "options.parameters", "5 is not a str"),
     ({"time_budget": "1"}, "options.time_budget", "'1' is not a finite number"),
     ({"grippers": 0.085}, "options.grasps.grippers", "is float, not a fovea.Gripper or several"),
     ({"grippers": "jaw"}, "options.grasps.grippers", "is str, not a fovea.Gripper or several"),
@@ -158,6 +165,28 @@ def test_finds_mistakes_of_options_before_sending(
 ) -> None:
     with pytest.raises(fovea.InvalidArgument) as caught:
         fovea.Client("127.0.0.1:1").detect_frame(scene.frame(), fovea.DetectOptions(**options))
+    assert caught.value.field == field
+    assert problem in caught.value.message
+
+
+def test_a_short_time_budget_is_not_none() -> None:
+    assert fovea.DetectOptions(time_budget=1e-12).to_proto().time_budget.nanos == 1
+    assert not fovea.DetectOptions().to_proto().HasField("time_budget")
+
+
+@pytest.mark.parametrize(
+    ("tls", "field", "problem"),
+    [
+        (fovea.TlsOptions(certificate_chain=b"x"), "tls.private_key", "is missing"),
+        (fovea.TlsOptions(private_key=b"x"), "tls.certificate_chain", "is missing"),
+        (fovea.TlsOptions("x"), "tls.root_certificates", "not bytes"),  # type: ignore[arg-type]
+    ],
+)
+def test_finds_mistakes_of_tls_before_connecting(
+    tls: fovea.TlsOptions, field: str, problem: str
+) -> None:
+    with pytest.raises(fovea.InvalidArgument) as caught:
+        fovea.Client("127.0.0.1:1", tls=tls)
     assert caught.value.field == field
     assert problem in caught.value.message
 
