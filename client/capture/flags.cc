@@ -71,7 +71,7 @@ void AddFrameTimeout(CLI::App& command, CameraFlags& flags) {
 void AddLimitFlags(CLI::App& command, LimitFlags& flags) {
   command.add_option("--frames", flags.frames, "After so many frames")
       ->type_name("N")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 62U, "a whole number from 1"))
       ->group(kLimits);
   command.add_option("--seconds", flags.seconds, "After this time")
       ->type_name("N")

@@ -11,6 +11,7 @@
 #include "client/capture/camera_error.h"
 #include "client/capture/openni_camera.h"
 #include "client/capture/recording.h"
+#include "client/capture/recording_file.h"
 #include "client/capture/stop_signal.h"
 #include "client/capture/v4l2_camera.h"
 
@@ -47,8 +48,14 @@ void Discard(const std::string& path) {
 
 struct Recorded {
   std::uint64_t num_frames = 0;
-  std::exception_ptr error;  // of the camera, which may come after some frames
+  std::exception_ptr error;  // of camera or disk, which may come after some frames
 };
+
+// OpenNI2 says nothing of a disk that is full, and goes on. Some frames are on their way to it.
+std::uintmax_t RoomFor(const cv::Size& size) {
+  constexpr std::uintmax_t kBytesPerPixel = 5, kFrames = 8;
+  return kFrames * kBytesPerPixel * static_cast<std::uintmax_t>(size.area());
+}
 
 // Until the limits.
 Recorded Record(OpenNiCamera& camera, const RecordFlags& flags) {
@@ -64,8 +71,9 @@ Recorded Record(OpenNiCamera& camera, const RecordFlags& flags) {
     try {
       constexpr std::chrono::milliseconds kMoment{100};
       while (goes_on() && (!camera.Next(kMoment) || recording.NumWritten() < max_frames)) {
+        RequireRoom(flags.path, RoomFor(camera.size()));
       }
-    } catch (const CameraError&) {
+    } catch (const std::exception&) {
       recorded.error = std::current_exception();
     }
     recorded.num_frames = recording.Finish();
@@ -75,7 +83,7 @@ Recorded Record(OpenNiCamera& camera, const RecordFlags& flags) {
   return recorded;
 }
 
-// What was recorded until a camera fails stays.
+// What was recorded until a camera fails or the disk is full stays.
 void Keep(const Recorded& recorded, const std::string& path) {
   if (recorded.num_frames > 0) {
     std::cout << recorded.num_frames << " frames in " << path << ", "

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 
@@ -66,5 +68,11 @@ std::uint64_t RecordingFile::CountFrames(std::size_t num_streams) {
 
 bool IsRecordingFile(const std::string& path) { return HasText(path, 0, kFileMagic); }
 bool HasRecords(const std::string& path) { return HasText(path, kFirstRecord, kRecordMagic); }
+
+void RequireRoom(const std::string& path, std::uintmax_t bytes) {
+  const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+  if (std::filesystem::space(folder).available >= bytes) return;
+  throw std::runtime_error("cannot record any more to " + path + ": no space left on the disk");
+}
 
 }  // namespace fovea::capture

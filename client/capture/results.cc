@@ -53,8 +53,12 @@ Results::Results(std::string save_folder, v1::Frame cameras, Viewer* viewer, std
       cameras_(std::move(cameras)),
       viewer_(viewer),
       out_(out) {
-  if (!save_folder_.empty()) std::filesystem::create_directories(save_folder_);
   saved_intrinsics_ = save_folder_.empty();
+  if (save_folder_.empty()) return;
+  std::error_code error;
+  std::filesystem::create_directories(save_folder_, error);
+  if (error)
+    throw std::runtime_error("--save: cannot make " + save_folder_ + ": " + error.message());
 }
 
 void Results::RequestFor(v1::DetectOptions* options) const { options->set_return_masks(Draws()); }

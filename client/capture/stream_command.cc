@@ -93,6 +93,11 @@ int RunStream(const StreamFlags& flags) {
   }
   PrintSummary(session, start);
   if (error) std::rethrow_exception(error);
+  if (source.AtEnd() && source.NumPictures() == 0) {
+    throw std::runtime_error(camera_options.device +
+                             " has no frame that can be played: it was never ended, as where "
+                             "fovea-capture record is killed");
+  }
   return tally.Snapshot().failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 

@@ -63,8 +63,9 @@ void SetTimeBudget(double seconds, v1::DetectOptions* options) {
   Require(seconds >= 0 && seconds < 3600,
           fmt::format("--time-budget: {} is not from 0 (none) to less than an hour", seconds));
   if (seconds == 0) return;
-  *options->mutable_time_budget() =
-      google::protobuf::util::TimeUtil::NanosecondsToDuration(std::llround(seconds * 1e9));
+  // Nothing on the wire stands for no limit.
+  *options->mutable_time_budget() = google::protobuf::util::TimeUtil::NanosecondsToDuration(
+      std::max(1LL, std::llround(seconds * 1e9)));
 }
 
 // What a bundle says of cameras is sent again; a flag for that would be ignored.

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <map>
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 
@@ -70,10 +71,13 @@ void MakeFolder(const std::string& flag, const std::string& path) {
 }  // namespace
 
 void CheckOutputs(const Outputs& outputs, const FrameFiles& files) {
+  std::map<fs::path, const char*> written;
   const auto check = [&](const char* flag, const std::string& path) {
     if (path.empty() || path == kStandardOutput) return;
     RequireWritable(flag, path);
     RequireOther(flag, path, files);
+    const auto [other, is_new] = written.emplace(fs::weakly_canonical(fs::absolute(path)), flag);
+    if (!is_new) FailToWrite(flag, path, std::string("it is what ") + other->second + " writes");
   };
   if (!outputs.labels.empty()) RequireLossless("--labels", outputs.labels);
   if (!outputs.overlay.empty()) RequireImageFormat("--overlay", outputs.overlay);

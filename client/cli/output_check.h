@@ -10,7 +10,7 @@ namespace fovea::cli {
 
 // Throws std::invalid_argument that names flag and path where a folder is missing or cannot be
 // written to, where a file cannot be of the kind that its ending says, or where an output is a file
-// of the frame.
+// of the frame or another output.
 void CheckOutputs(const Outputs& outputs, const FrameFiles& files);
 
 // Makes `output` where it is missing. Throws std::invalid_argument where it cannot be written to,

@@ -70,7 +70,8 @@ cv::Mat HypothesisTile(const cv::Mat& grey, const cv::Mat& probability, const cv
   cv::applyColorMap(bytes, heat, cv::COLORMAP_INFERNO);
   cv::addWeighted(tile, 1, heat, 1, 0, tile);
   DrawCross(tile, seed, 9, kRed);
-  cv::resize(tile, tile, {}, 0.5, 0.5, cv::INTER_AREA);
+  const cv::Size half(std::max(1, tile.cols / 2), std::max(1, tile.rows / 2));
+  cv::resize(tile, tile, half, 0, 0, cv::INTER_AREA);
   DrawBadge(tile, {4, 4}, {std::to_string(number)}, kRed);
   return tile;
 }

@@ -59,6 +59,7 @@ void AddHistoryFlags(CLI::App& app, Flags& flags) {
                  "On disk at most, of one robot half of it; the oldest goes first")
       ->type_name("BYTES")
       ->transform(CLI::AsSizeValue(/*kb_is_1000=*/false))
+      ->check(CLI::Range(std::uint64_t{1} << 20U, std::uint64_t{1} << 50U, "1 MiB to 1 PiB"))
       ->capture_default_str()
       ->group(group);
   app.add_option("--history-rate", flags.history_rate_hz, "Frames of a robot a second at most")

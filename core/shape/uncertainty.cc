@@ -67,6 +67,7 @@ BoxUncertainty UncertaintyOf(const SeenObject& seen, const Solid& solid, float c
   const BoxDerivatives stretched = stretch.asDiagonal() * derivatives;
   Eigen::Matrix<float, 7, 7> covariance =
       stretched * ParameterCovariance(seen, solid) * stretched.transpose();
+  covariance = (covariance + covariance.transpose()).eval() / 2;  // but for rounding it is that
   covariance.diagonal() += common.cwiseAbs2();
   return {covariance.topLeftCorner<4, 4>(), covariance.diagonal().tail<3>().cwiseSqrt()};
 }

@@ -3,7 +3,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 #include <vector>
 
 #include "server/conversion/field_error.h"
@@ -14,11 +14,11 @@ namespace {
 std::string Read(const char* flag, const std::string& path) {
   errno = 0;
   std::ifstream file(path, std::ios::binary);
-  std::string text;
-  if (file) text.assign(std::istreambuf_iterator<char>(file), {});
+  std::ostringstream text;
+  text << file.rdbuf();
   RequireField(file.good() && errno == 0, flag,
                "cannot read " + path + ": " + std::strerror(errno));
-  return text;
+  return text.str();
 }
 
 // `parse`, whose complaints are about this file.

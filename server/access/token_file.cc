@@ -13,6 +13,7 @@ void ForEachTokenLine(const std::string& flag, const std::string& path,
   for (std::string line; std::getline(file, line);) {
     InField(flag + ": " + path + ":" + std::to_string(++number), [&] { add(line); });
   }
+  if (file.bad()) throw std::runtime_error(flag + ": cannot read " + path);  // a folder
 }
 
 }  // namespace fovea::server

@@ -33,6 +33,9 @@ cv::Mat DecodeJpeg(std::string_view file, const SizeLimits& limits) {
                           &color_space) != 0) {
     Fail(decompressor);
   }
+  if (color_space == TJCS_CMYK || color_space == TJCS_YCCK) {
+    throw std::invalid_argument("a JPEG in CMYK, which is not read: save it in RGB");
+  }
   limits.Check(static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height), "the JPEG");
 
   cv::Mat image(height, width, CV_8UC3);

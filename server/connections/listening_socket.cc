@@ -53,6 +53,20 @@ void RemoveStale(const std::string& path, const SocketAddress& address) {
   std::filesystem::remove(path, error);
 }
 
+// Binding and the umask leave a group less than it may.
+bool GivesGroupItsRight(const std::string& address) {
+  return !IsUnixAddress(address) || chmod(PathOfUnix(address).c_str(), 0660) == 0;
+}
+
+std::string WhyNot(const std::string& address) {
+  if (errno != EADDRINUSE) return std::strerror(errno);
+  if (!IsUnixAddress(address)) return "the port is in use";
+  std::error_code error;
+  return std::filesystem::is_socket(PathOfUnix(address), error)
+             ? "the socket is in use by another server"
+             : "there is something else than a socket";
+}
+
 }  // namespace
 
 ListeningSocket::ListeningSocket(const std::string& address) : address_(address) {
@@ -62,14 +76,15 @@ ListeningSocket::ListeningSocket(const std::string& address) : address_(address)
   if (!fd_) Fail(address, std::strerror(errno));
   if (local) {
     RemoveStale(PathOfUnix(address), to);
-    fchmod(fd(), 0660);
+    fchmod(fd(), 0660);  // before others see it
   } else {
     Switch(fd(), SOL_SOCKET, SO_REUSEADDR, 1);
     Switch(fd(), IPPROTO_TCP, TCP_NODELAY, 1);  // what is accepted inherits it
     if (to.family() == AF_INET6) Switch(fd(), IPPROTO_IPV6, IPV6_V6ONLY, 0);
   }
-  if (bind(fd(), to.get(), to.size()) != 0 || listen(fd(), SOMAXCONN) != 0) {
-    const std::string why = errno == EADDRINUSE ? "the port is in use" : std::strerror(errno);
+  if (bind(fd(), to.get(), to.size()) != 0 || !GivesGroupItsRight(address) ||
+      listen(fd(), SOMAXCONN) != 0) {
+    const std::string why = WhyNot(address);
     fd_.Close();  // else the destructor of another's file
     Fail(address, why);
   }

@@ -1,4 +1,5 @@
 // Recordings: made from the test camera, played by OpenNI2's own driver for files.
+
 #include <gmock/gmock.h>
 #include <signal.h>
 
@@ -116,7 +117,7 @@ TEST_F(RecordingTest, HoldsAllFramesThatWereTaken) {
 }
 
 TEST_F(RecordingTest, SignalsLeaveARecordingThatPlays) {
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const std::string path = At(std::to_string(signal) + ".oni");
     Process record(CommandLine(Record(path), {{"FOVEA_CAMERA_FPS", "30"}}));
     EXPECT_THAT(record.ReadLine(), HasSubstr("recording fovea/test@0/1 to " + path));
@@ -126,6 +127,19 @@ TEST_F(RecordingTest, SignalsLeaveARecordingThatPlays) {
     EXPECT_EQ(finished.exit_code, 0) << finished.err;
     EXPECT_GE(SavedByReplay(path, At("out" + std::to_string(signal))).size(), 2U);
   }
+}
+
+// As one that is killed leaves it.
+TEST_F(RecordingTest, SaysThatAnUnendedRecordingHoldsNothing) {
+  Process record(CommandLine(Record(At("a.oni")), {{"FOVEA_CAMERA_FPS", "30"}}));
+  EXPECT_THAT(record.ReadLine(), HasSubstr("recording fovea/test@0/1 to "));
+  ASSERT_TRUE(Holds(At("a.oni"), 1'000'000, record));
+  fs::copy_file(At("a.oni"), At("unended.oni"));
+  record.Signal(SIGTERM);
+  EXPECT_EQ(record.Wait().exit_code, 0);
+  const Finished replay = Capture(Replay(At("unended.oni")));
+  EXPECT_NE(replay.exit_code, 0);
+  EXPECT_THAT(replay.err, HasSubstr(At("unended.oni") + " has no frame that can be played"));
 }
 
 TEST_F(RecordingTest, UnpluggingLeavesARecordingThatPlays) {

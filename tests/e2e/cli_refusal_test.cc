@@ -20,6 +20,8 @@ TEST_F(CliTest, ChecksOutputsBeforeItAsksTheServer) {
   ExpectOneLineError(DetectFrame({"--json", At("j.json"), "--labels", bad}),
                      "--labels: cannot write " + bad + ": there is no folder " + At("no"));
   ExpectOneLineError(DetectFrame({"--overlay", At("a_color.png")}), "is an image of the frame");
+  ExpectOneLineError(DetectFrame({"--labels", At("l.png"), "--overlay", At("./l.png")}),
+                     "--overlay: cannot write " + At("./l.png") + ": it is what --labels writes");
   ExpectOneLineError(DetectFrame({"--labels", At("l.jpg")}), "labels need a format without loss");
   ExpectOneLineError(DetectFrame({"--cloud", At("c.stl")}), "--cloud: \"stl\" is not a kind");
   ExpectOneLineError(Detect({"--input", Folder(), "--output", At("a_depth.png")}),

@@ -69,6 +69,8 @@ TEST(ServerProcess, RefusesBadFlagsInOneLine) {
       {{"--show", "lisen"}, "--show: \"lisen\" is no key"},
       {{"--listen", "nowhere"}, "--listen: \"nowhere\""},
       {{"--max-pixels", "many"}, "--max-pixels"},
+      {{"--tokens", "/"}, "--tokens: cannot read /"},
+      {{"--observers", "/"}, "--observers: cannot read /"},
       {{"--max-message-mib", "4096"}, "--max-message-mib: 4096 is not between 1 and 1024"}};
   for (auto [arguments, error] : cases) {
     arguments.insert(arguments.begin(), FOVEA_SERVER);

@@ -115,6 +115,8 @@ TEST_F(Tls, RefusesFilesThatCannotBeUsed) {
   const std::string other_key = folder_.Write("other.pem", authority_.Issue("other").key);
   EXPECT_THAT(error_of([&](auto& o) { o.tls_key = other_key; }),
               StartsWith("--tls-key: " + other_key + " does not hold the key"));
+  EXPECT_THAT(error_of([](auto& o) { o.tls_key = "/"; }),
+              StartsWith("--tls-key: cannot read /: Is a directory"));
   EXPECT_THAT(error_of([](auto& o) { o.tls_client_ca = "/nowhere"; }),
               StartsWith("--tls-client-ca: cannot read /nowhere"));
 }

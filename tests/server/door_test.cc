@@ -103,14 +103,19 @@ TEST(Door, LeavesNoSocketFileBehindAndTakesOverOneThatWasLeft) {
     ASSERT_EQ(bind(killed.get(), address.get(), address.size()), 0);
   }
   {
+    const mode_t before = umask(0022);
     const Loopback loopback(FindOne, options);
+    umask(before);
     struct stat file {};
     ASSERT_EQ(stat(path.c_str(), &file), 0);
-    EXPECT_EQ(file.st_mode & 0007, 0U);  // nobody but owner and group
+    EXPECT_EQ(file.st_mode & 0777, 0660U);  // owner and group, nobody else
     EXPECT_THAT([&] { server::Server second(options); },
                 ThrowsMessage<std::runtime_error>(HasSubstr("in use")));
   }
   EXPECT_FALSE(std::filesystem::exists(path));
+  options.listen = {"unix:" + folder.Write("text", "")};
+  EXPECT_THAT([&] { server::Server server(options); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("something else than a socket")));
 }
 
 TEST(Door, StrangersMakeRoomForRobots) {
