@@ -66,7 +66,7 @@ const char* WordOf(v1::GravitySource source) {
     case v1::GRAVITY_SOURCE_REQUEST:
       return "as given";
     case v1::GRAVITY_SOURCE_ASSUMED:
-      return "assumed: there is no depth to see it by";
+      return "assumed: no depth was looked at that shows it";
     default:
       return "estimated from the scene";
   }

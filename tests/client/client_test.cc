@@ -46,6 +46,14 @@ TEST(Client, RefusesWhatMetadataCannotHold) {
   }
 }
 
+TEST(Client, RefusesHalfOfATlsPair) {
+  for (const TlsOptions& half : {TlsOptions{"", "PEM", ""}, TlsOptions{"", "", "PEM"}}) {
+    ClientOptions options;
+    options.tls = half;
+    EXPECT_THROW(Client("localhost:1", options), std::invalid_argument);
+  }
+}
+
 TEST(Client, ThrowsWhatTheServerSays) {
   const Loopback loopback;
   try {
