@@ -3,17 +3,11 @@
 #include <grpcpp/create_channel.h>
 #include <grpcpp/security/credentials.h>
 
-#include <stdexcept>
-
 namespace fovea::client {
 namespace {
 
 std::shared_ptr<grpc::ChannelCredentials> CredentialsOf(const std::optional<TlsOptions>& tls) {
   if (!tls) return grpc::InsecureChannelCredentials();
-  // gRPC ends the program where one of them is missing.
-  if (tls->certificate_chain.empty() != tls->private_key.empty()) {
-    throw std::invalid_argument("tls: certificate_chain and private_key go together");
-  }
   return grpc::SslCredentials({.pem_root_certs = tls->root_certificates,
                                .pem_private_key = tls->private_key,
                                .pem_cert_chain = tls->certificate_chain});

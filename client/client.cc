@@ -56,6 +56,10 @@ ClientOptions Checked(ClientOptions options) {
   if (!IsPrintableAscii(options.token)) {
     throw std::invalid_argument("token: is not printable ASCII");
   }
+  // gRPC ends the program where one of them is missing.
+  if (options.tls && options.tls->certificate_chain.empty() != options.tls->private_key.empty()) {
+    throw std::invalid_argument("tls: certificate_chain and private_key go together");
+  }
   return options;
 }
 

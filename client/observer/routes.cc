@@ -9,6 +9,7 @@
 #include "client/observer/assets.h"
 #include "client/observer/board_events.h"
 #include "client/observer/board_json.h"
+#include "client/observer/exif.h"
 #include "client/observer/json_text.h"
 
 namespace fovea::observer {
@@ -150,7 +151,7 @@ HttpResponse Routes::OfFrame(const HttpRequest& request, const Session& session)
     return {.type = "image/jpeg", .body = part(frame.preview())};
   }
   if (request.path == "/api/picture" && !frame.picture().empty()) {
-    return {.type = "image/jpeg", .body = part(frame.picture())};
+    return BytesResponse("image/jpeg", WithoutExif(frame.picture()));
   }
   if (request.path == "/api/depth" && frame.has_depth()) {
     HttpResponse response{.type = "application/octet-stream", .body = part(frame.depth().data())};

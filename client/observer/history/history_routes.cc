@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "client/observer/board_json.h"
+#include "client/observer/exif.h"
 #include "client/observer/history/bundling.h"
 #include "client/observer/json_text.h"
 
@@ -83,7 +84,7 @@ HttpResponse HistoryRoutes::OfFrame(const HttpRequest& request, const Board& boa
   const std::string part = request.path.substr(std::string(kPath).size());
   if (part == "/answer") return AnswerResponse(*id, frame);
   if (part == "/picture" && !PictureOf(frame).empty()) {
-    return BytesResponse("image/jpeg", PictureOf(frame));
+    return BytesResponse("image/jpeg", WithoutExif(PictureOf(frame)));
   }
   if (part == "/depth" && frame.has_depth()) {
     HttpResponse response = BytesResponse("application/octet-stream", frame.depth().data());
