@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <numbers>
 #include <opencv2/core.hpp>
@@ -34,7 +35,7 @@ LevelPoints FindLevelPoints(const cv::Mat& points, const NormalMap& normals,
       if (std::isnan(normal[col][0])) continue;
       ++level.num_normals;
       if (ToEigen(normal[col]).dot(up) > min_cos)
-        level.points.push_back(ToEigen(point[col * step]));
+        level.points.push_back(ToEigen(point[std::ptrdiff_t{col} * step]));
     }
   }
   return level;

@@ -7,7 +7,7 @@
 namespace fovea::observer {
 namespace {
 
-const std::string kStart("\xFF\xD8"), kScan("\xFF\xDA\0\4ab Exif\0\0", 14);
+const std::string kStart("\xFF\xD8"), kScan("\xFF\xDA\0\4ab Exif\0\0", 13);
 
 std::string Segment(char kind, const std::string& content) {
   const auto length = static_cast<char>(content.size() + 2);

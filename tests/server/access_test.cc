@@ -228,8 +228,9 @@ TEST_F(Tokens, FileMistakesAreNamed) {
       {std::string(65, 'x') + " " + good, ":1: the robot's name"}};
   for (const auto& [text, error] : cases) {
     const std::string path = folder_.Write("bad", text);
+    const std::string start = std::string("--tokens: ").append(path).append(error);
     EXPECT_THAT([&] { server::TokenTable::FromFile(path); },
-                ThrowsMessage<std::invalid_argument>(StartsWith("--tokens: " + path + error)));
+                ThrowsMessage<std::invalid_argument>(StartsWith(start)));
   }
 }
 

@@ -35,6 +35,7 @@ using ::testing::MatchesRegex;
 
 std::vector<BareConnection> Connect(const std::string& address, int number) {
   std::vector<BareConnection> connections;
+  connections.reserve(static_cast<std::size_t>(number));
   for (int i = 0; i < number; ++i) connections.emplace_back(address);
   return connections;
 }
