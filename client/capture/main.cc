@@ -9,8 +9,6 @@
 #include "client/capture/stream_command.h"
 #include "client/cli/program.h"
 
-// Before it parses only a flag that is added twice throws.
-// NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv) {
   CLI::App app(
       "Streams an RGB-D camera (OpenNI2) to a fovea server and shows the objects that it finds.",

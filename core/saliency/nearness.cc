@@ -30,10 +30,10 @@ Kernel GaussianKernel() {
   return kernel;
 }
 
-// Sums over the pixels about each of a row, weighted by the kernel. `from`: for each of the
-// kernel's weights the row that it weighs.
+// Of each of the kernel's weights the row that it weighs.
 using KernelRows = std::array<const float*, std::tuple_size_v<Kernel>>;
 
+// Sums of what lies at one column of the rows, weighted by the kernel.
 FOVEA_INLINE void BlurRow(const KernelRows& from, const Kernel& kernel, int cols, float* to) {
   for (int x = 0; x < cols; ++x) {
     float sum = 0;

@@ -36,7 +36,7 @@ cv::Mat HighestNeighbours(const cv::Mat& map) {
   return highest;
 }
 
-// Keeps what is lower than the other map.
+// Keeps what is lower than the other map, and the lowest number elsewhere.
 cv::Mat Lower(const cv::Mat& map, const cv::Mat& other) {
   cv::Mat lower(map.size(), CV_32F);
   RunInWidestRegisters([&] {

@@ -1,5 +1,4 @@
 // Recordings: made from the test camera, played by OpenNI2's own driver for files.
-
 #include <gmock/gmock.h>
 #include <signal.h>
 

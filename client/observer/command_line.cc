@@ -1,0 +1,115 @@
+#include "client/observer/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "client/cli/connection.h"
+#include "client/cli/files.h"
+#include "client/cli/program.h"
+#include "client/cli/server_address.h"
+#include "client/observer/flags.h"
+#include "client/observer/history/history.h"
+#include "client/observer/history/recorder.h"
+#include "client/observer/http_server.h"
+#include "client/observer/routes.h"
+
+namespace {
+
+using fovea::observer::Flags;
+using fovea::observer::History;
+using fovea::observer::HistoryRoutes;
+using fovea::observer::HttpServer;
+using fovea::observer::Recorder;
+using fovea::observer::Routes;
+using fovea::observer::ServerLink;
+
+std::string HostOf(const std::string& address) { return address.substr(0, address.rfind(':')); }
+
+bool IsLoopback(const std::string& host) {
+  return host.starts_with("127.") || host == "localhost" || host == "[::1]";
+}
+
+void RequireProtection(const Flags& flags) {
+  if (IsLoopback(HostOf(flags.listen)) || !flags.https_cert.empty() || flags.insecure) return;
+  throw std::invalid_argument("--listen: \"" + flags.listen +
+                              "\" is open to other machines; give --https-cert and --https-key, "
+                              "or --insecure to serve them unprotected");
+}
+
+std::string ReadIfGiven(const std::string& path) {
+  return path.empty() ? "" : fovea::cli::ReadFile(path);
+}
+
+// What is recorded, and what records it; both null where there is no history.
+struct Recording {
+  std::unique_ptr<History> history;
+  std::unique_ptr<Recorder> recorder;
+};
+
+Recording Record(const Flags& flags, const std::vector<ServerLink>& servers) {
+  if (flags.history.empty()) {
+    if (flags.history_token_file.empty()) return {};
+    throw std::invalid_argument("--history-token-file needs --history, the folder to record to");
+  }
+  if (flags.history_token_file.empty()) {
+    std::cerr << "fovea-observer: there is no history: --history needs --history-token-file\n";
+    return {};
+  }
+  fovea::cli::ConnectionFlags own;
+  own.token_file = flags.history_token_file;
+  const std::string token = fovea::cli::OptionsOf(own).token;
+  if (token.empty()) {
+    throw std::invalid_argument("--history-token-file: " + flags.history_token_file +
+                                " has no token in its first line");
+  }
+  const fovea::observer::HistoryLimits limits{
+      .span = std::chrono::seconds(std::llround(60 * flags.history_minutes)),
+      .max_bytes = flags.history_bytes};
+  Recording recording;
+  recording.history = std::make_unique<History>(flags.history, limits);
+  recording.recorder =
+      std::make_unique<Recorder>(servers, token, flags.history_rate_hz, *recording.history);
+  return recording;
+}
+
+int Serve(const Flags& flags) {
+  fovea::cli::CheckServerAddress(flags.connection.server);
+  RequireProtection(flags);
+  std::vector<std::string> hosts = flags.hosts;
+  hosts.insert(hosts.end(), {HostOf(flags.listen), "localhost", "127.0.0.1", "[::1]"});
+  const std::vector<ServerLink> servers = fovea::observer::LinkServers(
+      flags.connection.server, fovea::cli::OptionsOf(flags.connection));
+  const Recording recording = Record(flags, servers);
+  Routes routes(servers, hosts, !flags.https_cert.empty(),
+                HistoryRoutes(recording.history.get(), recording.recorder.get()));
+  HttpServer server({.listen = flags.listen,
+                     .certificate = ReadIfGiven(flags.https_cert),
+                     .key = ReadIfGiven(flags.https_key)},
+                    {.is_slow = Routes::IsSlow,
+                     .answer = [&](const auto& request) { return routes.Answer(request); }});
+  std::cout << "open " << (flags.https_cert.empty() ? "http://" : "https://") << server.Address()
+            << "/" << std::endl;
+  server.Run();
+  return EXIT_SUCCESS;
+}
+
+}  // namespace
+
+namespace fovea::observer {
+
+int RunCommandLine(int argc, char** argv) {
+  CLI::App app("Serves a page that shows what robots see and what a fovea server finds in it.",
+               "fovea-observer");
+  Flags flags;
+  AddFlags(app, flags);
+  return cli::RunProgram(app, argc, argv, [&] { return Serve(flags); });
+}
+
+}  // namespace fovea::observer
