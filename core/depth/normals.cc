@@ -31,6 +31,14 @@ constexpr int kLanes = static_cast<int>(hn::MaxLanes(Tag()));
 HWY_INLINE Lanes Load(const float* from) { return hn::LoadU(Tag(), from); }
 HWY_INLINE Lanes All(double value) { return hn::Set(Tag(), static_cast<float>(value)); }
 
+// The sum where `where` holds. Instruction sets with masks add so in one step, the others by adding
+// zero: no sum is -0, so that these are the same bits.
+HWY_INLINE Lanes AddWhere(hn::Mask<Tag> where, Lanes sum, Lanes value) {
+  constexpr bool kAddsByMask = HWY_TARGET <= HWY_AVX3;
+  if constexpr (kAddsByMask) return hn::IfThenElse(where, sum + value, sum);
+  return sum + hn::IfThenElseZero(where, value);
+}
+
 // Weighted sums of the linear fit of 1/z over the windows of the evaluated columns.
 struct FitSums {
   Lanes n = All(0), u = All(0), v = All(0);
@@ -53,14 +61,17 @@ class InverseDepth {
         centers_((points.cols + 2 * radius_) / step_ + kLanes),
         image_(cv::Mat::zeros(points.rows + 2 * radius_, centers_ * step_, CV_32FC1)) {
     const int lattice = std::gcd(step_, options.sample_px);
+    std::vector<float> inverse(static_cast<std::size_t>(points.cols));
     for (int row = 0; row < points.rows; row += lattice) {
       InterruptionPoint();
       const cv::Vec3f* point = points.ptr<cv::Vec3f>(row);
+      for (std::size_t col = 0; col < inverse.size(); ++col) {
+        const float z = point[col][2], one = 1 / z;
+        inverse[col] = z > 0 ? one : 0;
+      }
       for (int first = 0; first < step_; first += lattice) {
         float* out = image_.ptr<float>(row + radius_) + Place(first);
-        for (int col = first; col < points.cols; col += step_) {
-          *out++ = point[col][2] > 0 ? 1 / point[col][2] : 0;
-        }
+        for (int col = first; col < points.cols; col += step_) *out++ = inverse[col];
       }
     }
   }
@@ -91,18 +102,16 @@ HWY_INLINE FitSums SumWindows(const InverseDepth& inverse, int row, int col,
   for (int du = -reach; du <= reach; du += sample) {
     FitSums column;
     const float* place = inverse.At(row - reach, col + du);
-    for (int dv_px = -reach; dv_px <= reach; dv_px += sample, place += stride) {
-      const Lanes dv = All(dv_px);
+    Lanes dv = All(-reach);
+    for (int i = -reach; i <= reach; i += sample, place += stride, dv = dv + All(sample)) {
       // Relative to the centre, which keeps precision.
       const Lanes difference = Load(place) - at_center;
       const auto same_surface = hn::Le(hn::Abs(difference), limit);
-      const Lanes weight = hn::IfThenElseZero(same_surface, All(1));
-      const Lanes value = hn::IfThenElseZero(same_surface, difference);
-      column.n = column.n + weight;
-      column.v = column.v + weight * dv;
-      column.vv = column.vv + weight * dv * dv;
-      column.q = column.q + value;
-      column.qv = column.qv + value * dv;
+      column.n = AddWhere(same_surface, column.n, All(1));
+      column.v = AddWhere(same_surface, column.v, dv);
+      column.vv = AddWhere(same_surface, column.vv, dv * dv);
+      column.q = AddWhere(same_surface, column.q, difference);
+      column.qv = AddWhere(same_surface, column.qv, difference * dv);
     }
     const Lanes offset = All(du);
     sums.n = sums.n + column.n;
@@ -167,8 +176,17 @@ HWY_INLINE Vectors NormalsOf(const PlaneFit& fit, Lanes du0, float dv0, const Ca
   return {ValuesOf(x * scale), ValuesOf(y * scale), ValuesOf(z * scale)};
 }
 
-cv::Vec3f TowardsCamera(const cv::Vec3f& normal, const cv::Vec3f& point) {
-  return normal.dot(point) > 0 ? -normal : normal;
+// Of the points `step` apart; NaN where `center`, the inverse depth, is 0. Written for a loop that
+// the compiler vectorises.
+HWY_INLINE void StoreTowardsCamera(const Vectors& normals, const float* center,
+                                   const cv::Vec3f* points, int step, int count, cv::Vec3f* out) {
+  for (int lane = 0; lane < count; ++lane) {
+    const cv::Vec3f& point = points[lane * step];
+    const float x = normals.x[lane], y = normals.y[lane], z = normals.z[lane];
+    const float sign = x * point[0] + y * point[1] + z * point[2] > 0 ? -1.0F : 1.0F;
+    const float scale = center[lane] > 0 ? sign : std::numeric_limits<float>::quiet_NaN();
+    out[lane] = {x * scale, y * scale, z * scale};
+  }
 }
 
 // Every step-th column relative to the principal point, and as many more as a load may reach.
@@ -204,12 +222,7 @@ struct RowFit {
       }
       const PlaneFit fit = Solve(SumWindows(inverse, row, first, options), at_center);
       const Vectors n = NormalsOf(fit, Load(relative_cols.data() + first / step), dv0, intrinsics);
-      for (int lane = 0; lane < count; ++lane) {
-        const bool has_none = center[lane] <= 0 || std::isnan(n.x[lane]);
-        normal[first / step + lane] =
-            has_none ? none
-                     : TowardsCamera({n.x[lane], n.y[lane], n.z[lane]}, point[first + lane * step]);
-      }
+      StoreTowardsCamera(n, center, point + first, step, count, normal + first / step);
     }
   }
 };

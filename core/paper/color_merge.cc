@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "core/segmentation/disjoint_sets.h"
@@ -18,7 +19,10 @@ using SparseHistogram = std::vector<std::pair<int, int>>;  // bin, count; ascend
 
 std::vector<SparseHistogram> ColorHistograms(const VoxelGrid& grid, const std::vector<int>& labels,
                                              int num_labels, const cv::Mat& color_rgb, int bins) {
-  std::vector<std::pair<int, int>> seen;  // label, bin: one entry a pixel
+  struct Run {  // of pixels beside each other
+    int label, bin, count;
+  };
+  std::vector<Run> seen;
   for (int row = 0; row < color_rgb.rows; ++row) {
     InterruptionPoint();
     const int* voxel = grid.voxel_of_pixel.ptr<int>(row);
@@ -27,15 +31,22 @@ std::vector<SparseHistogram> ColorHistograms(const VoxelGrid& grid, const std::v
       const int label = voxel[col] < 0 ? 0 : labels[voxel[col]];
       if (label == 0) continue;
       const auto bin = [&](int channel) { return color[col][channel] * bins / 256; };
-      seen.emplace_back(label, (bin(0) * bins + bin(1)) * bins + bin(2));
+      const Run own{label, (bin(0) * bins + bin(1)) * bins + bin(2), 1};
+      if (!seen.empty() && seen.back().label == own.label && seen.back().bin == own.bin) {
+        ++seen.back().count;
+      } else {
+        seen.push_back(own);
+      }
     }
   }
-  std::sort(seen.begin(), seen.end());
+  std::sort(seen.begin(), seen.end(), [](const Run& a, const Run& b) {
+    return std::tie(a.label, a.bin) < std::tie(b.label, b.bin);
+  });
   std::vector<SparseHistogram> histograms(num_labels + 1);
-  for (const auto& [label, bin] : seen) {
+  for (const auto& [label, bin, count] : seen) {
     SparseHistogram& histogram = histograms[label];
     if (histogram.empty() || histogram.back().first != bin) histogram.emplace_back(bin, 0);
-    ++histogram.back().second;
+    histogram.back().second += count;
   }
   return histograms;
 }
