@@ -20,6 +20,16 @@ cmake --install "$build" --prefix "$work/own" >/dev/null
 unit=$work/own/lib/systemd/system/fovea-server.service
 grep -qx "ExecStart=$work/own/bin/fovea-server --config $work/own/etc/fovea/fovea-server.toml" "$unit" ||
   fail "the unit starts another server: $(grep ExecStart= "$unit")"
+
+# An edited configuration stays; a relative prefix is one from where the command runs.
+echo 'max-pixels = 1000000' >>"$work/own/etc/fovea/fovea-server.toml"
+cp "$work/own/etc/fovea/fovea-server.toml" "$work/edited.toml"
+(cd "$work" && cmake --install "$build" --prefix own | grep "Kept as it is" >/dev/null) ||
+  fail "nothing says that the configuration was kept"
+cmp "$work/edited.toml" "$work/own/etc/fovea/fovea-server.toml"
+cmp "$source/deploy/fovea-server.toml" "$work/own/etc/fovea/fovea-server.toml.new"
+grep -qx "ExecStart=$work/own/bin/fovea-server --config $work/own/etc/fovea/fovea-server.toml" "$unit" ||
+  fail "the unit of a relative prefix starts another server: $(grep ExecStart= "$unit")"
 PYTHONPATH=$(echo "$work"/own/lib/python3.*/dist-packages) "$python" -B -c 'import fovea'
 
 DESTDIR=$work/debian cmake --install "$build" --prefix /usr >/dev/null
