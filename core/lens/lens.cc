@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 
 namespace fovea {
@@ -30,12 +31,17 @@ Lens::Lens(const CameraIntrinsics& intrinsics, const LensDistortion& distortion,
                     "fourth, and lie within -1 and 1",
                     tangential));
   }
+  if (std::max(size.width, size.height) > kLongestSide_px) {
+    throw std::invalid_argument(
+        fmt::format("an image of {}x{} pixels is not undistorted: a side has at most {}",
+                    size.width, size.height, kLongestSide_px));
+  }
   largest_radius_ = LargestRadius();
 }
 
 // Walks from the axis to the farthest corner, while what is farther out stays farther out.
 double Lens::LargestRadius() const {
-  constexpr int kSteps = 500;
+  constexpr int kSteps = 500, kStepsBetweenLooks = 10;
   // Slower than this, a pixel sees what a dozen should.
   constexpr double kSlowest = 0.08;
   // Faster than this, it sees a dozenth of one.
@@ -51,7 +57,9 @@ double Lens::LargestRadius() const {
   for (int i = 1; i <= kSteps; ++i) {
     const double next = BendRadius(i * step), farther = next - last;
     const double slowest = kSlowest * step / (1 + i * step * i * step);  // of a fisheye, too
-    if (!(farther > slowest && farther < kFastest * step)) {
+    // The tangential terms change slowly.
+    const bool crosses = i % kStepsBetweenLooks == 0 && CrossesAt(i * step);
+    if (crosses || !(farther > slowest && farther < kFastest * step)) {
       if (2 * i < kSteps) {
         throw std::invalid_argument(fmt::format(
             "these send rays back or apart from {:.0f} px beside the optical axis on, where the "
@@ -89,6 +97,23 @@ cv::Point2d Lens::Bend(const cv::Point2d& ray) const {
   return bent;
 }
 
+Lens::Slopes Lens::SlopesAt(const cv::Point2d& ray, const cv::Point2d& bent) const {
+  constexpr double kDelta = 1e-6;
+  return {(Bend({ray.x + kDelta, ray.y}) - bent) / kDelta,
+          (Bend({ray.x, ray.y + kDelta}) - bent) / kDelta};
+}
+
+bool Lens::CrossesAt(double radius) const {
+  if (distortion_.model != LensDistortion::Model::kBrownConrady) return false;
+  constexpr int kDirections = 16;
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = i * 2 * std::numbers::pi / kDirections;
+    const cv::Point2d ray = radius * cv::Point2d(std::cos(angle), std::sin(angle));
+    if (!(SlopesAt(ray, Bend(ray)).Determinant() > 0)) return true;
+  }
+  return false;
+}
+
 cv::Point2d Lens::RayOf(const cv::Point2d& pixel) const {
   return {(pixel.x - k_.cx_px) / k_.fx_px, (pixel.y - k_.cy_px) / k_.fy_px};
 }
@@ -109,7 +134,7 @@ cv::Point2d Lens::Distort(const cv::Point2d& ideal) const {
 
 cv::Point2d Lens::Undistort(const cv::Point2d& sent, const cv::Point2d& start) const {
   constexpr int kMaxSteps = 20;
-  constexpr double kDelta = 1e-6, kClose_px = 0.01;
+  constexpr double kClose_px = 0.01;
   const cv::Point2d wanted = RayOf(sent);
   const double close = kClose_px / std::max(k_.fx_px, k_.fy_px);
   cv::Point2d ray = RayOf(start);
@@ -119,12 +144,10 @@ cv::Point2d Lens::Undistort(const cv::Point2d& sent, const cv::Point2d& start) c
     if (radius > largest_radius_) ray *= largest_radius_ / radius;
     const cv::Point2d bent = Bend(ray), missing = wanted - bent;
     if (cv::norm(missing) < close) return PixelOf(ray);
-    const cv::Point2d dx = (Bend({ray.x + kDelta, ray.y}) - bent) / kDelta;
-    const cv::Point2d dy = (Bend({ray.x, ray.y + kDelta}) - bent) / kDelta;
-    const double determinant = dx.x * dy.y - dx.y * dy.x;
+    const Slopes slopes = SlopesAt(ray, bent);
+    const double determinant = slopes.Determinant();
     if (!(std::abs(determinant) > 1e-6)) break;
-    ray += cv::Point2d(dy.y * missing.x - dy.x * missing.y, dx.x * missing.y - dx.y * missing.x) /
-           determinant;
+    ray += cv::Point2d(missing.cross(slopes.y), slopes.x.cross(missing)) / determinant;
   }
   return {kNan, kNan};
 }

@@ -28,8 +28,11 @@ struct LensDistortion {
 // camera of the same intrinsics and image size in its place, whose axes are the same.
 class Lens {
  public:
+  static constexpr int kLongestSide_px = 32766;  // cv::remap's
+
   // Throws std::invalid_argument, which says what is wrong with the coefficients: not finite, or
-  // such that rays come back or part within half of the way to the farthest corner.
+  // such that rays come back, cross or part within half of the way to the farthest corner; or where
+  // a side of the image is longer than kLongestSide_px.
   Lens(const CameraIntrinsics& intrinsics, const LensDistortion& distortion, const cv::Size& size);
 
   // Where the camera shows what is at this pixel of the ideal image. Beyond where rays would come
@@ -47,6 +50,13 @@ class Lens {
  private:
   cv::Point2d Bend(const cv::Point2d& ray) const;  // (x, y) → (x', y')
   double BendRadius(double radius) const;          // without p1 and p2
+  // The derivatives of Bend along x and along y.
+  struct Slopes {
+    cv::Point2d x, y;
+    double Determinant() const { return x.cross(y); }
+  };
+  Slopes SlopesAt(const cv::Point2d& ray, const cv::Point2d& bent) const;  // bent = Bend(ray)
+  bool CrossesAt(double radius) const;  // whether rays do, in any direction
   cv::Point2d RayOf(const cv::Point2d& pixel) const;
   cv::Point2d PixelOf(const cv::Point2d& ray) const;
   double LargestRadius() const;

@@ -118,6 +118,21 @@ TEST(Lens, RefusesCoefficientsOfNoLens) {
   EXPECT_EQ(ErrorOf(kPlumbBob), "none");
 }
 
+// dy'/dy = 1 + 6 p1 y along x = 0, of which the image shows y from -0.5 to 0.5: it is 0 at -0.17
+// where p1 is 1, and nowhere where p1 is 0.1.
+TEST(Lens, RefusesTangentialTermsThatFoldTheImage) {
+  EXPECT_THAT(ErrorOf({Model::kBrownConrady, {0, 0, 1, 0}}), HasSubstr("send rays back or apart"));
+  EXPECT_THAT(ErrorOf({Model::kBrownConrady, {0, 0, 0, -1}}), HasSubstr("send rays back or apart"));
+  EXPECT_EQ(ErrorOf({Model::kBrownConrady, {0, 0, 0.1, 0}}), "none");
+}
+
+TEST(Lens, RefusesImagesThatAreNotUndistorted) {
+  const LensDistortion slight{Model::kBrownConrady, {1e-4}};
+  EXPECT_NO_THROW(Lens({5000, 5000, 100, 8}, slight, {Lens::kLongestSide_px, 16}));
+  EXPECT_THROW(Lens({5000, 5000, 100, 8}, slight, {16, Lens::kLongestSide_px + 1}),
+               std::invalid_argument);
+}
+
 // At k1 = -0.9 the radius falls again beyond 1 / sqrt(2.7) = 0.61; the corners are at 0.65.
 TEST(Lens, ShowsNothingBeyondWhereRaysComeBack) {
   const Lens lens(kCamera, {Model::kBrownConrady, {-0.9}}, kImageSize);
