@@ -16,6 +16,7 @@
 #include "client/cli/explain.h"
 #include "client/cli/intrinsics_flag.h"
 #include "client/cli/mcap/bag.h"
+#include "client/cli/mcap/topics.h"
 #include "client/cli/output_check.h"
 #include "client/cli/report.h"
 #include "client/client.h"
@@ -29,14 +30,26 @@ void Require(bool holds, const std::string& message) {
   if (!holds) throw std::invalid_argument(message);
 }
 
+// `from`: where `intrinsics` come from. A flag for the lens holds.
+void SetLens(const DetectFlags& flags, const std::string& from, v1::CameraIntrinsics* intrinsics) {
+  SetDistortion(flags.distortion, intrinsics);
+  if (flags.distortion.empty() && intrinsics->has_distortion()) {
+    std::cerr << "note: lens distortion from " << from
+              << " (--distortion none where images are rectified)\n";
+  }
+}
+
 // What the bag says of the colour camera; false where it says nothing, or a flag does.
 bool SetIntrinsicsFrom(const Bag& bag, const DetectFlags& flags, FrameSettings* settings) {
-  if (!flags.intrinsics.empty() || !bag.calibration) return false;
-  std::cerr << "note: intrinsics from " << bag.info_topic << " of " << flags.input << '\n';
-  settings->intrinsics = IntrinsicsOf(*bag.calibration);
+  if (!flags.intrinsics.empty()) return false;
+  const std::optional<Calibration> camera = ColorCameraOf(bag);
+  if (!camera) return false;
+  std::cerr << "note: intrinsics" << (IsRectified(bag.color_topic) ? " of rectified images" : "")
+            << " from " << bag.info_topic << " of " << flags.input << '\n';
+  settings->intrinsics = IntrinsicsOf(*camera);
   settings->intrinsics_path = flags.input;
-  settings->size = {bag.calibration->width, bag.calibration->height};
-  SetDistortion(flags.distortion, &settings->intrinsics);
+  settings->size = {camera->width, camera->height};
+  SetLens(flags, bag.info_topic, &settings->intrinsics);
   return true;
 }
 
@@ -50,11 +63,7 @@ void SetIntrinsics(const DetectFlags& flags, FrameSettings* settings) {
   const GivenIntrinsics given =
       ReadIntrinsics(beside.empty() ? flags.intrinsics : beside, "--intrinsics");
   settings->intrinsics = given.values;
-  SetDistortion(flags.distortion, &settings->intrinsics);
-  if (flags.distortion.empty() && given.values.has_distortion()) {
-    std::cerr << "note: lens distortion from " << given.path
-              << " (--distortion none where images are rectified)\n";
-  }
+  SetLens(flags, given.path, &settings->intrinsics);
   settings->intrinsics_path = given.path;
   settings->size = given.size;
 }
@@ -163,6 +172,9 @@ int DetectMany(const DetectFlags& flags, const client::Client& client) {
   std::optional<Bag> bag;
   batch.sent_before = IsBundle(flags.input);
   if (batch.sent_before) batch.list = ListBundle(flags.input);
+  Require(
+      IsBag(flags.input) || batch.sent_before || (flags.color_topic + flags.depth_topic).empty(),
+      "--color-topic and --depth-topic are for bags (FILE.mcap), not for folders");
   if (IsBag(flags.input)) {
     bag = OpenBag(flags.input, {flags.color_topic, flags.depth_topic});
     std::cerr << "note: colour of " << bag->color_topic << ", depth of " << bag->depth_topic

@@ -83,7 +83,12 @@ std::string CameraInfoMessage(std::uint32_t width, std::uint32_t height, double 
   for (const double value : {focal_px, 0.0, cx, 0.0, focal_px, cy, 0.0, 0.0, 1.0}) {
     cdr.Number(value);
   }
-  for (int i = 0; i < 9 + 12; ++i) cdr.Number(0.0);
+  for (int i = 0; i < 9; ++i) cdr.Number(0.0);
+  const double rectified_px = 0.75 * focal_px;
+  for (const double value :
+       {rectified_px, 0.0, cx, 0.0, 0.0, rectified_px, cy, 0.0, 0.0, 0.0, 1.0, 0.0}) {
+    cdr.Number(value);
+  }
   return cdr.Finish();
 }
 

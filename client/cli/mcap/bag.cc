@@ -25,7 +25,7 @@ constexpr std::string_view kInfo = "sensor_msgs/msg/CameraInfo";
 
 struct Index {
   std::map<std::string, std::vector<TimedImage>, std::less<>> images;  // by topic
-  std::map<std::string, Calibration, std::less<>> infos;
+  std::map<std::string, std::string, std::less<>> infos;               // the first message each
   std::map<std::string, std::pair<McapPlace, bool>> places;  // by TimedImage.path; compressed
 };
 
@@ -48,7 +48,7 @@ void Note(const McapMessage& message, const std::string& name, Index* index) {
   if (message.encoding != "cdr" || (!is_image && message.type != kInfo)) return;
   const std::string topic(message.topic);
   if (!is_image) {
-    if (!index->infos.contains(topic)) index->infos[topic] = CameraInfo(message.data);
+    index->infos.try_emplace(topic, message.data);
     return;
   }
   const std::int64_t time = TimeOf(message);
@@ -88,10 +88,20 @@ Bag ReadBag(std::string_view bytes, const std::string& name, const BagTopics& to
     };
   }
   std::vector<std::string> infos;
-  for (const auto& [topic, calibration] : index.infos) infos.push_back(topic);
+  for (const auto& [topic, message] : index.infos) infos.push_back(topic);
   bag.info_topic = InfoTopic(infos, bag.color_topic);
-  if (!bag.info_topic.empty()) bag.calibration = index.infos[bag.info_topic];
+  if (!bag.info_topic.empty()) bag.camera_info = index.infos[bag.info_topic];
   return bag;
+}
+
+std::optional<Calibration> ColorCameraOf(const Bag& bag) {
+  if (bag.camera_info.empty()) return std::nullopt;
+  try {
+    return CameraInfo(bag.camera_info, IsRectified(bag.color_topic));
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(bag.info_topic + ": " + error.what() +
+                                "; give --intrinsics instead");
+  }
 }
 
 Bag OpenBag(const std::string& path, const BagTopics& topics) {

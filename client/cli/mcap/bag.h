@@ -22,7 +22,7 @@ struct BagTopics {
 struct Bag {
   FrameList list;  // frames read themselves from the bag, whenever they are asked to
   std::string color_topic, depth_topic, info_topic;
-  std::optional<Calibration> calibration;  // the first camera_info beside the colour topic
+  std::string camera_info;  // the first message of info_topic; empty = there is none
 };
 
 // Reads the bag once to see what it has. Of topics with images, those with "depth" in their names
@@ -36,5 +36,10 @@ Bag OpenBag(const std::string& path, const BagTopics& topics);
 // std::invalid_argument.
 Bag ReadBag(std::string_view bytes, const std::string& name, const BagTopics& topics,
             const std::shared_ptr<const void>& owner);
+
+// What the bag says of the colour camera: of rectified images where the topic's name says that they
+// are. Nothing where it has no camera_info beside the colour topic; throws std::invalid_argument
+// that names the topic where that is of no camera.
+std::optional<Calibration> ColorCameraOf(const Bag& bag);
 
 }  // namespace fovea::cli

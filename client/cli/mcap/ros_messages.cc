@@ -129,6 +129,11 @@ std::pair<std::string_view, std::string_view> ReadCompressed(std::string_view me
   return {format, reader.Bytes()};
 }
 
+bool IsCamera(const Calibration& c) {
+  return std::isfinite(c.fx) && std::isfinite(c.fy) && std::isfinite(c.cx) && std::isfinite(c.cy) &&
+         c.fx > 0 && c.fy > 0;
+}
+
 }  // namespace
 
 std::int64_t StampOf(std::string_view message) {
@@ -169,7 +174,7 @@ std::string DepthFile(std::string_view message, bool compressed) {
   throw NoUse("depth", raw.encoding);
 }
 
-Calibration CameraInfo(std::string_view message) {
+Calibration CameraInfo(std::string_view message, bool rectified) {
   CdrReader reader(message);
   ReadHeader(reader);
   const auto height = reader.Number<std::uint32_t>(), width = reader.Number<std::uint32_t>();
@@ -179,21 +184,25 @@ Calibration CameraInfo(std::string_view message) {
   const auto count = reader.Number<std::uint32_t>();
   if (count > kMostCoefficients) throw std::invalid_argument("camera_info has too long a d");
   for (std::uint32_t i = 0; i < count; ++i) coefficients.push_back(reader.Number<double>());
-  std::array<double, 9> k{};
+  std::array<double, 9> k{}, r{};
+  std::array<double, 12> p{};
   for (double& value : k) value = reader.Number<double>();
-  const bool is_camera = std::isfinite(k[0]) && std::isfinite(k[4]) && std::isfinite(k[2]) &&
-                         std::isfinite(k[5]) && k[0] > 0 && k[4] > 0;
+  for (double& value : r) value = reader.Number<double>();
+  for (double& value : p) value = reader.Number<double>();
+  Calibration calibration{.fx = rectified ? p[0] : k[0],
+                          .fy = rectified ? p[5] : k[4],
+                          .cx = rectified ? p[2] : k[2],
+                          .cy = rectified ? p[6] : k[5],
+                          .width = static_cast<int>(width),
+                          .height = static_cast<int>(height),
+                          .distortion = {}};
   constexpr std::uint32_t kLargest = 1 << 15;
-  if (!is_camera || width > kLargest || height > kLargest) {
-    throw std::invalid_argument("camera_info is of no camera");
+  if (!IsCamera(calibration) || width > kLargest || height > kLargest) {
+    throw std::invalid_argument(std::string("it is of no camera (") + (rectified ? "P" : "K") +
+                                ", width and height)");
   }
-  return {.fx = k[0],
-          .fy = k[4],
-          .cx = k[2],
-          .cy = k[5],
-          .width = static_cast<int>(width),
-          .height = static_cast<int>(height),
-          .distortion = MakeDistortion(model, coefficients)};
+  if (!rectified) calibration.distortion = MakeDistortion(model, coefficients);
+  return calibration;
 }
 
 }  // namespace fovea::cli

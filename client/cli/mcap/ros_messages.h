@@ -19,6 +19,7 @@ std::string ColorFile(std::string_view message, bool compressed);
 // compressed PNG and compressedDepth of 16UC1.
 std::string DepthFile(std::string_view message, bool compressed);
 
-Calibration CameraInfo(std::string_view message);
+// Of the images as the camera takes them (K and D), or of `rectified` ones (P, without distortion).
+Calibration CameraInfo(std::string_view message, bool rectified);
 
 }  // namespace fovea::cli

@@ -62,6 +62,8 @@ std::string DepthTopic(const Topics& topics, const std::string& wanted) {
   return Choose(Rather(depth, IsCompressed, false), topics, wanted, "--depth-topic");
 }
 
+bool IsRectified(const std::string& color_topic) { return Has(color_topic, "/image_rect"); }
+
 std::string InfoTopic(const Topics& infos, const std::string& color_topic) {
   std::string best;
   std::size_t longest = 0;

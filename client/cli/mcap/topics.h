@@ -12,6 +12,9 @@ namespace fovea::cli {
 std::string ColorTopic(const std::vector<std::string>& topics, const std::string& wanted);
 std::string DepthTopic(const std::vector<std::string>& topics, const std::string& wanted);
 
+// Whether its images are undistorted already, by the name that ROS gives them ("image_rect…").
+bool IsRectified(const std::string& color_topic);
+
 // The one of `infos` (with camera_info) whose namespace the colour topic is in, the innermost;
 // empty = none.
 std::string InfoTopic(const std::vector<std::string>& infos, const std::string& color_topic);

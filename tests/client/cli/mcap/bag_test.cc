@@ -80,12 +80,47 @@ TEST(Bag, HasFramesOfWhatWasTakenTogether) {
     EXPECT_EQ(Color(frame).at<cv::Vec3b>(0, 1), cv::Vec3b(0x40, 0, 0));
     EXPECT_EQ(Depth(frame).at<std::uint16_t>(0, 0), 1000);
     EXPECT_EQ(Depth(frame).at<std::uint16_t>(0, 1), 2500);
-    ASSERT_TRUE(bag.calibration);
+    const std::optional<Calibration> camera = ColorCameraOf(bag);
+    ASSERT_TRUE(camera);
     EXPECT_EQ(bag.info_topic, "/camera/color/camera_info");
-    EXPECT_EQ(bag.calibration->fx, 525);
-    EXPECT_EQ(bag.calibration->cx, 0.5);
-    ASSERT_TRUE(bag.calibration->distortion);
-    EXPECT_EQ(bag.calibration->distortion->coefficients(0), -0.25);
+    EXPECT_EQ(camera->fx, 525);
+    EXPECT_EQ(camera->cx, 0.5);
+    ASSERT_TRUE(camera->distortion);
+    EXPECT_EQ(camera->distortion->coefficients(0), -0.25);
+  }
+}
+
+Bag WithInfo(const std::string& color_topic, const std::string& info_topic,
+             const std::string& info) {
+  BagWriter writer;
+  writer.Add(info_topic, "CameraInfo", info);
+  writer.Add(color_topic, "Image", ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb));
+  writer.Add(kDepth, "Image", ImageMessage(kFirst_ns, "16UC1", 2, 1, 4, kUnits));
+  return Read(writer.Finish());
+}
+
+TEST(Bag, RectifiedImagesHaveNoDistortion) {
+  const std::string info = CameraInfoMessage(2, 1, 400, -0.25);
+  const auto camera =
+      ColorCameraOf(WithInfo("/camera/color/image_rect_color", "/camera/color/camera_info", info));
+  ASSERT_TRUE(camera);
+  EXPECT_EQ(camera->fx, 300) << "of P";
+  EXPECT_EQ(camera->fy, 300);
+  EXPECT_EQ(camera->cx, 0.5);
+  EXPECT_FALSE(camera->distortion);
+}
+
+// As cameras that nobody has calibrated send it.
+TEST(Bag, CameraInfoWithoutNumbersMattersWhereItIsNeeded) {
+  const std::string uncalibrated = CameraInfoMessage(2, 1, 0);
+  EXPECT_FALSE(ColorCameraOf(WithInfo(kColor, "/gripper/camera_info", uncalibrated)));
+  const Bag bag = WithInfo(kColor, "/camera/color/camera_info", uncalibrated);
+  EXPECT_EQ(bag.list.frames.size(), 1U);
+  try {
+    ColorCameraOf(bag);
+    ADD_FAILURE() << "a camera without focal lengths";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), HasSubstr("/camera/color/camera_info: it is of no camera (K, width"));
   }
 }
 
