@@ -22,17 +22,35 @@ double NumberIn(const nlohmann::json& json, const char* name) {
   return json[name];
 }
 
+int SideIn(const nlohmann::json& json, const char* name) {
+  constexpr double kLargest = 1 << 15;
+  const double side = NumberIn(json, name);
+  if (side != std::floor(side) || std::abs(side) > kLargest) {
+    throw std::runtime_error(std::string(name) + " must be a whole number of pixels");
+  }
+  return static_cast<int>(side);
+}
+
+// By the names that others give them, too.
+std::optional<v1::LensDistortion> DistortionIn(const nlohmann::json& json) {
+  const std::string model = json.value("distortion_model", "");
+  for (const char* name : {"distortion", "distortion_coefficients", "D", "d"}) {
+    if (!json.contains(name)) continue;
+    if (!json[name].is_array()) throw std::runtime_error(std::string(name) + " must be numbers");
+    return MakeDistortion(model, json[name].get<std::vector<double>>());
+  }
+  if (model.empty()) return std::nullopt;
+  throw std::runtime_error("it has a distortion_model (" + model + ") and no distortion");
+}
+
 Calibration ParseJson(const nlohmann::json& json) {
-  Calibration calibration{.fx = NumberIn(json, "fx"),
-                          .fy = NumberIn(json, "fy"),
-                          .cx = NumberIn(json, "cx"),
-                          .cy = NumberIn(json, "cy"),
-                          .width = static_cast<int>(NumberIn(json, "width")),
-                          .height = static_cast<int>(NumberIn(json, "height")),
-                          .distortion = {}};
-  calibration.distortion = MakeDistortion(json.value("distortion_model", ""),
-                                          json.value("distortion", std::vector<double>{}));
-  return calibration;
+  return {.fx = NumberIn(json, "fx"),
+          .fy = NumberIn(json, "fy"),
+          .cx = NumberIn(json, "cx"),
+          .cy = NumberIn(json, "cy"),
+          .width = SideIn(json, "width"),
+          .height = SideIn(json, "height"),
+          .distortion = DistortionIn(json)};
 }
 
 YAML::Node Field(const YAML::Node& node, const char* name) {

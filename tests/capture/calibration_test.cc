@@ -71,6 +71,29 @@ TEST_F(CalibrationTest, ReadsJson) {
   EXPECT_FALSE(c.distortion);
 }
 
+TEST_F(CalibrationTest, TakesDistortionByAnyOfItsNames) {
+  const std::string k =
+      R"("fx": 500, "fy": 500, "cx": 320, "cy": 240, "width": 640, "height": 480)";
+  const auto file = [&](const std::string& more) { return "{" + k + ", " + more + "}"; };
+  for (const char* name : {"distortion", "distortion_coefficients", "D", "d"}) {
+    const Calibration c = ReadCalibration(
+        folder_.Write("c.json", file("\"" + std::string(name) + R"(": [0.5, 0, 0, 0, 0])")));
+    ASSERT_TRUE(c.distortion) << name;
+    EXPECT_EQ(c.distortion->coefficients(0), 0.5);
+  }
+  ExpectRefused(file(R"("distortion_model": "plumb_bob", "coeffs": [0.5])"),
+                "it has a distortion_model (plumb_bob) and no distortion");
+  ExpectRefused(file(R"("D": {"k1": 1})"), "D must be numbers");
+}
+
+TEST_F(CalibrationTest, RefusesSidesThatAreNoWholeNumbers) {
+  for (const char* width : {"640.5", "1e300", "-1e300"}) {
+    ExpectRefused(
+        std::string(R"({"fx": 1, "fy": 1, "cx": 1, "cy": 1, "height": 4, "width": )") + width + "}",
+        "width must be a whole number of pixels");
+  }
+}
+
 // As `ros2 topic echo --once` prints a message.
 TEST_F(CalibrationTest, ReadsACameraInfoMessage) {
   const Calibration c = ReadCalibration(folder_.Write(
