@@ -26,14 +26,19 @@ std::vector<fs::path> FilesIn(const fs::path& folder) {
   return files;
 }
 
+std::string Lower(std::string text) {
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
+
 bool IsImage(const fs::path& path) {
-  const std::string ending = path.extension().string();
+  const std::string ending = Lower(path.extension().string());
   return ending == ".png" || ending == ".jpg" || ending == ".jpeg";
 }
 
-// What is before the ending, where the text ends so, else empty.
+// What is before the ending, in letters of either case, where the text ends so, else empty.
 std::string Before(const std::string& text, const std::string& ending) {
-  if (text.size() <= ending.size() || !text.ends_with(ending)) return {};
+  if (text.size() <= ending.size() || !Lower(text).ends_with(ending)) return {};
   return text.substr(0, text.size() - ending.size());
 }
 
@@ -46,18 +51,25 @@ std::string ColorName(const std::string& filename) {
 
 FrameList ListByName(const fs::path& folder) {
   FrameList list;
-  std::set<std::string> names;
+  std::map<std::string, std::string> depth_paths;  // by name
   const std::vector<fs::path> files = FilesIn(folder);
+  for (const fs::path& path : files) {
+    const std::string name = Before(path.filename().string(), "_depth.png");
+    if (!name.empty()) depth_paths[name] = path.string();
+  }
+  std::set<std::string> names;
   for (const fs::path& path : files) {
     const std::string name = ColorName(path.filename().string());
     if (name.empty()) continue;
     names.insert(name);
-    list.frames.push_back({name, path.string(), (folder / (name + "_depth.png")).string(), {}});
+    const auto depth = depth_paths.find(name);
+    const std::string expected = (folder / (name + "_depth.png")).string();
+    list.frames.push_back(
+        {name, path.string(), depth == depth_paths.end() ? expected : depth->second, {}});
   }
-  for (const fs::path& path : files) {
-    const std::string name = Before(path.filename().string(), "_depth.png");
-    if (name.empty() || names.contains(name)) continue;
-    list.notes.push_back(path.string() + " has no " + name + "_color.png (or .jpg)");
+  for (const auto& [name, path] : depth_paths) {
+    if (!names.contains(name))
+      list.notes.push_back(path + " has no " + name + "_color.png (or .jpg)");
   }
   std::sort(list.frames.begin(), list.frames.end(), [](const FrameFiles& a, const FrameFiles& b) {
     return std::tie(a.id, a.color_path) < std::tie(b.id, b.color_path);

@@ -39,6 +39,15 @@ TEST_F(FrameListTest, PairsByNameAndNamesDepthWithoutColour) {
   EXPECT_THAT(list.notes, ElementsAre(folder_.At("c_depth.png") + " has no c_color.png (or .jpg)"));
 }
 
+TEST_F(FrameListTest, TakesEndingsInLettersOfEitherCase) {
+  for (const char* name : {"A_color.JPG", "A_depth.PNG"}) Write(name);
+  const FrameList list = ListFrames(Input());
+  ASSERT_EQ(list.frames.size(), 1U);
+  EXPECT_EQ(list.frames[0].id, "A");
+  EXPECT_EQ(list.frames[0].depth_path, folder_.At("A_depth.PNG"));
+  EXPECT_THAT(list.notes, IsEmpty());
+}
+
 TEST(NameApart, GivesEachFrameANameOfItsOwn) {
   const std::vector<std::string> given{"a", "a", "b", "a_2", "a"};
   std::vector<FrameFiles> frames(given.size());
