@@ -183,7 +183,7 @@ bool DetectFolder(const client::Client& client, const Batch& batch, FrameSetting
   const auto request_for = batch.sent_before ? RequestForPictures : RequestFor;
   request_for(OutputsOf("any", batch), &settings.options);
   if (!batch.output.empty()) {
-    PrepareFolder(batch.input, batch.output);
+    PrepareFolder(batch.input, list.frames, batch.output);
     SaveRequest(batch, settings);
   }
   const std::size_t num_before = LeaveOutDone(batch, &list.frames);

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <opencv2/imgcodecs.hpp>
+#include <set>
 #include <stdexcept>
 
 namespace fovea::cli {
@@ -102,12 +103,19 @@ void CheckCloudFormat(const std::string& ending) {
                               "\" is not a kind of cloud that is written: ply or pcd");
 }
 
-void PrepareFolder(const std::string& input, const std::string& output) {
-  std::error_code error;  // where there is no `output` yet
-  if (fs::equivalent(input, output, error)) {
+void PrepareFolder(const std::string& input, const std::vector<FrameFiles>& frames,
+                   const std::string& output) {
+  std::set<fs::path> with_inputs{input};
+  for (const FrameFiles& frame : frames) {
+    if (!frame.read_color) with_inputs.insert(fs::path(frame.color_path).parent_path());
+    if (!frame.read_depth) with_inputs.insert(fs::path(frame.depth_path).parent_path());
+  }
+  for (const fs::path& folder : with_inputs) {
+    std::error_code error;  // where there is no `output` yet
+    if (!fs::equivalent(folder, output, error)) continue;
     throw std::invalid_argument("--output: " + output +
-                                " is the folder of --input, whose files NAME.png and NAME.json "
-                                "would be overwritten; give another one");
+                                " is a folder of --input, whose files could be overwritten; give "
+                                "another one");
   }
   MakeFolder("--output", output);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "client/cli/outputs.h"
 #include "client/cli/request.h"
@@ -14,8 +15,10 @@ namespace fovea::cli {
 void CheckOutputs(const Outputs& outputs, const FrameFiles& files);
 
 // Makes `output` where it is missing. Throws std::invalid_argument where it cannot be written to,
-// or is `input`: NAME.png and NAME.json there may be the truth about the frames.
-void PrepareFolder(const std::string& input, const std::string& output);
+// or is `input` or a folder of the frames' files: NAME.png there may be an image, or the truth
+// about one.
+void PrepareFolder(const std::string& input, const std::vector<FrameFiles>& frames,
+                   const std::string& output);
 
 // Throws std::invalid_argument unless it is "ply" or "pcd", which --cloud writes.
 void CheckCloudFormat(const std::string& ending);

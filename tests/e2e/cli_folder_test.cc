@@ -124,8 +124,17 @@ TEST_F(CliTest, ReadsTumFolders) {
 TEST_F(CliTest, WritesNothingIntoTheFolderOfTheFrames) {
   Write("a.json", "the truth");
   const Finished finished = Detect({"--input", At(""), "--output", Folder()});
-  ExpectOneLineError(finished, "--output: " + Folder() + " is the folder of --input");
+  ExpectOneLineError(finished, "--output: " + Folder() + " is a folder of --input");
   EXPECT_EQ(fs::file_size(At("a.json")), 9U);
+
+  for (const char* images : {"rgb", "depth"})
+    fs::create_directories(At(std::string("seq/") + images));
+  fs::copy(At("a_color.png"), At("seq/rgb/1.png"));
+  fs::copy(At("a_depth.png"), At("seq/depth/1.png"));
+  const auto size = fs::file_size(At("seq/depth/1.png"));
+  ExpectOneLineError(Detect({"--input", At("seq"), "--output", At("seq/depth")}),
+                     "--output: " + At("seq/depth") + " is a folder of --input");
+  EXPECT_EQ(fs::file_size(At("seq/depth/1.png")), size);
 }
 
 TEST_F(CliTest, ReadsBags) {
