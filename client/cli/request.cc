@@ -34,6 +34,15 @@ double ParseHand(const std::string& text, const std::string& form, v1::Gripper* 
   return numbers.front();
 }
 
+// `expected`: what the calibration file says; empty = nothing.
+void RequireSize(const char* flag, const std::string& file, const cv::Size& expected,
+                 const cv::Size& size) {
+  if (expected.empty() || expected == size) return;
+  throw std::runtime_error(fmt::format("{}: {} is for images of {}x{}, this one has {}x{}", flag,
+                                       file, expected.width, expected.height, size.width,
+                                       size.height));
+}
+
 // What messages can hold of a file's name, which may be of any bytes.
 std::string Utf8(const std::string& name) {
   using nlohmann::json;
@@ -49,8 +58,13 @@ std::optional<DepthCamera> ParseDepthCamera(const std::string& intrinsics,
     throw std::invalid_argument("--color-from-depth needs --depth-intrinsics");
   if (pose.empty()) throw std::invalid_argument("--depth-intrinsics needs --color-from-depth");
   const auto p = ParseNumbers(pose, 7, "--color-from-depth", "X,Y,Z,QX,QY,QZ,QW");
-  return DepthCamera{ReadIntrinsics(intrinsics, "--depth-intrinsics").values,
-                     client::MakePose(p[0], p[1], p[2], p[3], p[4], p[5], p[6])};
+  const GivenIntrinsics given = ReadIntrinsics(intrinsics, "--depth-intrinsics");
+  return DepthCamera{given.values, client::MakePose(p[0], p[1], p[2], p[3], p[4], p[5], p[6]),
+                     given.size, given.path};
+}
+
+void CheckDepthSize(const DepthCamera& camera, const cv::Size& size) {
+  RequireSize("--depth-intrinsics", camera.intrinsics_path, camera.size, size);
 }
 
 std::optional<v1::Vector3> ParseGravity(const std::string& text) {
@@ -120,10 +134,7 @@ v1::DetectRequest CommonRequest(const FrameSettings& settings) {
 
 void CheckSize(const FrameSettings& settings, const v1::Detections& detections) {
   const cv::Size size(static_cast<int>(detections.width()), static_cast<int>(detections.height()));
-  if (settings.size.empty() || settings.size == size) return;
-  throw std::runtime_error(fmt::format(
-      "--intrinsics: {} is for images of {}x{}, this one has {}x{}", settings.intrinsics_path,
-      settings.size.width, settings.size.height, size.width, size.height));
+  RequireSize("--intrinsics", settings.intrinsics_path, settings.size, size);
 }
 
 FrameSettings SettingsFor(const FrameFiles& files, const FrameSettings& settings) {
@@ -154,6 +165,9 @@ v1::DetectRequest MakeRequest(const FrameFiles& files, const FrameSettings& sett
     return client::MakeColorImage(std::move(bytes));
   });
   *frame.mutable_depth() = FromFile(files.depth_path, files.read_depth, [&](std::string bytes) {
+    if (settings.depth_camera && !settings.depth_camera->size.empty()) {
+      CheckDepthSize(*settings.depth_camera, DecodeDepth(bytes, files.depth_path).size());
+    }
     return client::MakeDepthImage(std::move(bytes), settings.depth_unit_m);
   });
   return request;

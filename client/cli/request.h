@@ -16,6 +16,8 @@ namespace fovea::cli {
 struct DepthCamera {
   v1::CameraIntrinsics intrinsics;
   v1::Pose color_from_depth;
+  cv::Size size = {};                // of the images that they are for; empty = not said
+  std::string intrinsics_path = {};  // of the file that said so
 };
 
 // What all frames of a run have in common.
@@ -54,6 +56,9 @@ std::optional<v1::Vector3> ParseGravity(const std::string& text);  // empty = no
 v1::DetectOptions ParseOptions(const std::string& profile, const std::vector<std::string>& changes);
 void ParseGrippers(const std::vector<std::string>& texts, v1::DetectOptions* options);
 void ParsePlace(const std::string& text, v1::DetectOptions* options);
+
+// Throws std::runtime_error where the depth camera is said to have images of another size.
+void CheckDepthSize(const DepthCamera& camera, const cv::Size& size);
 
 // What all requests have in common: everything but the images, their id and time.
 v1::DetectRequest CommonRequest(const FrameSettings& settings);

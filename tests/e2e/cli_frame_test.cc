@@ -116,6 +116,10 @@ TEST_F(CliTest, SendsDepthThatIsNotRegistered) {
                      "--color-from-depth needs --depth-intrinsics");
   ExpectOneLineError(DetectFrame({beside[0], "30,30", beside[2], beside[3]}),
                      "--depth-intrinsics: \"30,30\" is not FX,FY,CX,CY");
+  Write("large.json", R"({"fx": 30, "fy": 30, "cx": 15, "cy": 11, "width": 64, "height": 48})");
+  ExpectOneLineError(
+      DetectFrame({"--depth-intrinsics", At("large.json"), "--color-from-depth", "0,0,0,0,0,0,1"}),
+      "--depth-intrinsics: " + At("large.json") + " is for images of 64x48, this one has 32x24");
   ExpectOneLineError(DetectFrame({beside[0], beside[1], beside[2], "0,0,0"}),
                      "--color-from-depth: \"0,0,0\" is not X,Y,Z,QX,QY,QZ,QW");
   ExpectOneLineError(DetectFrame({beside[0], beside[1], beside[2], "0,0,0,0,0,0,2"}),
