@@ -110,30 +110,30 @@ void AddFrameFlags(CLI::App& command, DetectFlags& flags) {
 
 void AddFolderFlags(CLI::App& command, DetectFlags& flags) {
   const char* group = "A folder of frames, a bag or a bundle";
-  AddFlag(command, "--input", flags.input, "FOLDER|FILE.mcap|FILE.zip",
+  CLI::Option* const input =
+      AddFlag(
+          command, "--input", flags.input, "FOLDER|FILE.mcap|FILE.zip",
           "Every NAME_color.png (or .jpg) with its NAME_depth.png; or TUM RGB-D (rgb.txt and "
           "depth.txt); or folders rgb (or color) and depth with images of the same names or named "
           "by their times; or a ROS 2 bag (MCAP) with images; or a bundle that fovea-observer "
           "saved, whose frames are sent as they were, with the options of then, which --set "
           "changes, and whose answers are compared")
-      ->group(group);
-  AddFlag(command, "--color-topic", flags.color_topic, "TOPIC",
-          "Of a bag, where several can be meant")
-      ->group(group);
-  AddFlag(command, "--depth-topic", flags.depth_topic, "TOPIC", "The same for depth")->group(group);
+          ->group(group);
+  const auto of_input = [&](CLI::Option* option) { return option->group(group)->needs(input); };
+  of_input(AddFlag(command, "--color-topic", flags.color_topic, "TOPIC",
+                   "Of a bag, where several can be meant"));
+  of_input(AddFlag(command, "--depth-topic", flags.depth_topic, "TOPIC", "The same for depth"));
   AddFlag(
       command, "--output", flags.output, "FOLDER",
       "For NAME.png (labels), NAME.json and NAME_overlay.jpg, which are overwritten; made where "
       "it is missing; not the folder of --input")
       ->group(group);
-  command.add_option("--jobs", flags.jobs, "Frames in flight at once")
-      ->type_name("N")
-      ->check(CLI::Range(1, 64))
-      ->capture_default_str()
-      ->group(group);
-  command.add_flag("--no-overlay", flags.no_overlay, "Write no NAME_overlay.jpg")->group(group);
-  command.add_flag("--resume", flags.resume, "Leave out frames whose NAME.json is there")
-      ->group(group);
+  of_input(command.add_option("--jobs", flags.jobs, "Frames in flight at once")
+               ->type_name("N")
+               ->check(CLI::Range(1, 64))
+               ->capture_default_str());
+  of_input(command.add_flag("--no-overlay", flags.no_overlay, "Write no NAME_overlay.jpg"));
+  of_input(command.add_flag("--resume", flags.resume, "Leave out frames whose NAME.json is there"));
 }
 
 }  // namespace

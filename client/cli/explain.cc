@@ -22,6 +22,10 @@ std::string WhyUnavailable(const client::RpcError& error, const ConnectionFlags&
   if (Has(error, "certificate verify failed")) {
     return "--tls-ca: " + flags.tls_ca + " does not certify the server at " + flags.server;
   }
+  if (Has(error, "is not in peer certificate")) {
+    return "the certificate of the server at " + flags.server +
+           " is for other names; call it by one of them";
+  }
   if (Has(error, "empty address list") && !flags.tls_cert.empty()) {
     return "--tls-key: " + flags.tls_key + " does not hold the key, in PEM, of " + flags.tls_cert +
            "?";

@@ -39,6 +39,8 @@ TEST(Explain, SaysWhatTheServerWants) {
   EXPECT_THAT(text("SSL routines::wrong version number", flags), HasSubstr("does not speak TLS"));
   EXPECT_THAT(text("SSL routines::certificate verify failed", flags),
               HasSubstr("--tls-ca: ca.pem does not certify the server"));
+  EXPECT_THAT(text("Peer name localhost is not in peer certificate", flags),
+              HasSubstr("is for other names"));
   EXPECT_THAT(text("empty address list: ", flags), HasSubstr("is fovea-server running there?"));
   flags.tls_cert = "robot.pem";
   flags.tls_key = "other.key";
