@@ -1,7 +1,7 @@
 """A live loop: frames go out as fast as the camera has them, the newest is always answered.
 
-The camera here plays the files NAME_color.png and NAME_depth.png of a folder over and over, at 10
-Hz; put your driver in its place.
+The camera here plays the files NAME_color.png (or .jpg) and NAME_depth.png of a folder over and
+over, at 10 Hz; put your driver in its place.
 """
 
 import argparse
@@ -17,9 +17,11 @@ INTRINSICS = fovea.CameraIntrinsics(fx=525, fy=525, cx=319.5, cy=239.5)
 
 
 def camera(folder: Path, num_frames: int | None) -> Iterator[fovea.Frame]:
-    colors = sorted(folder.glob("*_color.png"))
+    colors = sorted([*folder.glob("*_color.png"), *folder.glob("*_color.jpg")])
+    if not colors:
+        raise SystemExit(f"{folder}: no NAME_color.png or .jpg")
     for number, color in enumerate(itertools.islice(itertools.cycle(colors), num_frames)):
-        depth = color.with_name(color.name.replace("_color", "_depth"))
+        depth = color.with_name(color.stem.removesuffix("_color") + "_depth.png")
         yield fovea.Frame(
             color.read_bytes(),
             depth.read_bytes(),
