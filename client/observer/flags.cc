@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "flags/finite_range.h"
+
 namespace fovea::observer {
 namespace {
 
@@ -19,7 +21,7 @@ void AddHistoryFlags(CLI::App& app, Flags& flags) {
       ->group(group);
   app.add_option("--history-minutes", flags.history_minutes, "Of each robot, before its last frame")
       ->type_name("N")
-      ->check(CLI::Range(0.1, 1440.0))
+      ->check(flags::FiniteRange(0.1, 1440))
       ->capture_default_str()
       ->group(group);
   app.add_option("--history-size", flags.history_bytes,
@@ -31,7 +33,7 @@ void AddHistoryFlags(CLI::App& app, Flags& flags) {
       ->group(group);
   app.add_option("--history-rate", flags.history_rate_hz, "Frames of a robot a second at most")
       ->type_name("HZ")
-      ->check(CLI::Range(0.01, 30.0))
+      ->check(flags::FiniteRange(0.01, 30))
       ->capture_default_str()
       ->group(group);
 }
