@@ -218,18 +218,19 @@ class HttpServer::Impl {
       beast::get_lowest_layer(stream).expires_after(kReadTime);
       co_await http::async_read(stream, buffer, parser, use_awaitable);
       const http::request<http::string_body> message = parser.release();
+      const bool is_head = message.method() == http::verb::head;
       bool is_good = false;
       const HttpRequest request = RequestOf(message, &is_good);
       // No co_await in a conditional expression: GCC 12 destroys what that yields twice.
       HttpResponse response = ErrorResponse(400, "the address is malformed");
       if (is_good) response = co_await Answer(request);
-      if (response.events) {
+      if (response.events && !is_head) {
         co_await SendEvents(stream, response, message.version());
         co_return;
       }
       goes_on = message.keep_alive();
       const std::string head = HeadOf(response, message.version(), goes_on);
-      co_await Send(stream, head, *response.body);
+      co_await Send(stream, head, is_head ? std::string_view() : *response.body);
     }
   }
 

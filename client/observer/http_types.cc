@@ -1,6 +1,7 @@
 #include "client/observer/http_types.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -38,6 +39,22 @@ std::optional<std::string> Decode(std::string_view text) {
   return decoded;
 }
 
+// Takes "http://HOST" off the front, if that is there, and says the host.
+std::optional<std::string> TakeHost(std::string* target) {
+  for (const std::string_view scheme : {"http://", "https://"}) {
+    const bool is_it = std::ranges::equal(
+        std::string_view(*target).substr(0, scheme.size()), scheme,
+        [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
+    if (!is_it) continue;
+    const std::size_t end = std::min(target->find_first_of("/?", scheme.size()), target->size());
+    std::string host = target->substr(scheme.size(), end - scheme.size());
+    target->erase(0, end);
+    if (!target->starts_with('/')) target->insert(0, "/");
+    return host;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string HttpRequest::Header(const std::string& name) const { return Value(headers, name); }
@@ -58,7 +75,11 @@ std::string HttpRequest::Cookie(const std::string& name) const {
   return {};
 }
 
-bool ParseTarget(const std::string& target, HttpRequest* request) {
+bool ParseTarget(std::string target, HttpRequest* request) {
+  if (const auto host = TakeHost(&target)) {
+    if (host->empty() || host->find('@') != std::string::npos) return false;
+    request->headers["host"] = *host;
+  }
   const std::size_t mark = std::min(target.find('?'), target.size());
   const auto path = Decode(std::string_view(target).substr(0, mark));
   if (!path || !path->starts_with('/')) return false;

@@ -25,8 +25,9 @@ struct HttpRequest {
   std::string Cookie(const std::string& name) const;
 };
 
-// Fills path and query from "/a%20b?c=d"; false where that is malformed.
-bool ParseTarget(const std::string& target, HttpRequest* request);
+// Fills path and query from "/a%20b?c=d", and from "http://HOST/a%20b?c=d" the host, too, in place
+// of the header that says it (RFC 9112, 3.2.2); false where that is malformed.
+bool ParseTarget(std::string target, HttpRequest* request);
 
 // Events that are sent as they come, as Server-Sent Events.
 class EventSource {

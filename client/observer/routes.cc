@@ -77,8 +77,14 @@ HttpResponse Routes::Route(const HttpRequest& request) {
   if (!IsOwnHost(request.Header("host"))) {
     return ErrorResponse(421, "this server is not known by this name; see --host");
   }
-  const bool is_get = request.method == "GET", is_post = request.method == "POST";
-  if (!is_get && !is_post) return ErrorResponse(405, "only GET and POST are served");
+  // HEAD is answered as GET; the server leaves the body out.
+  const bool is_get = request.method == "GET" || request.method == "HEAD";
+  const bool is_post = request.method == "POST";
+  if (!is_get && !is_post) {
+    HttpResponse response = ErrorResponse(405, "only GET, HEAD and POST are served");
+    response.headers.emplace_back("Allow", "GET, HEAD, POST");
+    return response;
+  }
   if (is_post && !IsOwnOrigin(request)) {
     return ErrorResponse(403, "the request comes from another page");
   }
