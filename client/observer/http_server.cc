@@ -1,6 +1,5 @@
 #include "client/observer/http_server.h"
 
-#include <array>
 #include <atomic>
 #include <boost/asio.hpp>
 #include <boost/asio/ssl.hpp>
@@ -16,6 +15,8 @@
 #include <type_traits>
 #include <utility>  // Boost.Asio 1.74 forgets it
 
+#include "client/observer/http_sending.h"
+
 namespace fovea::observer {
 namespace {
 
@@ -29,7 +30,7 @@ using boost::system::error_code;
 using PlainStream = beast::tcp_stream;
 using TlsStream = beast::ssl_stream<beast::tcp_stream>;
 
-constexpr std::chrono::seconds kReadTime{60}, kWriteTime{20}, kHandshakeTime{5};
+constexpr std::chrono::seconds kReadTime{60}, kHandshakeTime{5};
 constexpr std::chrono::seconds kKeepAlive{15};
 constexpr std::chrono::milliseconds kEventPause{30};  // what comes closer together is one event
 constexpr std::uint32_t kMaxHeader = 8 << 10;
@@ -80,14 +81,6 @@ tcp::endpoint EndpointOf(const std::string& listen, asio::io_context& context) {
   if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
   tcp::resolver resolver(context);
   return *resolver.resolve(host, listen.substr(colon + 1), tcp::resolver::passive).begin();
-}
-
-// One after the other; they stay where they are.
-template <typename Stream>
-awaitable<void> Send(Stream& stream, std::string_view first, std::string_view rest = {}) {
-  const std::array<asio::const_buffer, 2> texts = {asio::buffer(first), asio::buffer(rest)};
-  beast::get_lowest_layer(stream).expires_after(kWriteTime);
-  co_await asio::async_write(stream, texts, use_awaitable);
 }
 
 // Wakes a coroutine from any thread; outlives whoever waits.
