@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cctype>
 #include <chrono>
-#include <mutex>
 #include <utility>
 
 #include "client/bundle/bundle.h"
@@ -82,8 +81,6 @@ std::optional<Moment> MomentOf(const HttpRequest& request) {
 std::optional<BundleFile> BundleOf(const History& history, const std::string& robot,
                                    const std::vector<History::Entry>& entries,
                                    const Moment& moment) {
-  static std::mutex one_at_a_time;  // they take memory
-  const std::lock_guard lock(one_at_a_time);
   const std::vector<std::uint64_t> ids = IdsOf(entries, moment);
   std::vector<bundle::BundledFrame> frames;
   std::size_t bytes = 0, num_left_out = 0;

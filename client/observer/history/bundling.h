@@ -25,7 +25,8 @@ struct BundleFile {
 };
 
 // Those nearest to the moment where all would be too many: 64 frames, or 32 MiB. `entries` are what
-// may be given away, oldest first. None where there is nothing. Throws std::runtime_error.
+// may be given away, oldest first. None where there is nothing. Takes several times the memory of
+// what it returns. Throws std::runtime_error.
 std::optional<BundleFile> BundleOf(const History& history, const std::string& robot,
                                    const std::vector<History::Entry>& entries,
                                    const Moment& moment);

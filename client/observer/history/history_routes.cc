@@ -14,6 +14,7 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kPath = "/api/history";
+constexpr const char* kRetryAfterSeconds = "5";
 
 HttpResponse AnswerResponse(std::uint64_t id, const v1::WatchedFrame& frame) {
   ShownFrame shown{.id = id, .came_at_us = id};
@@ -28,6 +29,31 @@ const std::string& PictureOf(const v1::WatchedFrame& frame) {
   const v1::ColorImage& color = frame.frame().color();
   const bool is_shown = frame.picture().empty() && color.encoding() == v1::COLOR_ENCODING_JPEG;
   return is_shown ? color.data() : frame.picture();
+}
+
+// Held while a bundle is made and sent; null where somebody holds it.
+std::shared_ptr<void> TakeTicket(const std::shared_ptr<std::atomic<bool>>& is_out) {
+  if (is_out->exchange(true)) return nullptr;
+  return {is_out.get(), [is_out](void*) { *is_out = false; }};
+}
+
+HttpResponse BusyResponse() {
+  HttpResponse response =
+      ErrorResponse(429, "somebody saves a bundle already, and there is one at a time; try again");
+  response.headers.emplace_back("Retry-After", kRetryAfterSeconds);
+  return response;
+}
+
+// What is sent keeps the ticket until it has been sent, or cannot be.
+HttpResponse FileResponse(BundleFile file, std::shared_ptr<void> ticket) {
+  struct Sent {
+    std::shared_ptr<void> ticket;
+    std::string bytes;
+  };
+  const auto sent = std::make_shared<const Sent>(std::move(ticket), std::move(file.bytes));
+  return {.type = "application/zip",
+          .body = {sent, &sent->bytes},
+          .headers = {{"Content-Disposition", "attachment; filename=\"" + file.name + "\""}}};
 }
 
 }  // namespace
@@ -105,12 +131,11 @@ HttpResponse HistoryRoutes::Bundle(const HttpRequest& request, const Board& boar
   const auto entries = history_->List(robot, [&](const std::string& server) {
     return board.MayDo(server, robot, v1::OBSERVER_RIGHT_DOWNLOAD);
   });
-  const auto file = BundleOf(*history_, robot, entries, *moment);
-  if (!file) return NotFound();
-  HttpResponse response = BytesResponse("application/zip", file->bytes);
-  response.headers.emplace_back("Content-Disposition",
-                                "attachment; filename=\"" + file->name + "\"");
-  return response;
+  if (entries.empty()) return NotFound();
+  auto ticket = TakeTicket(bundle_is_out_);
+  if (!ticket) return BusyResponse();
+  auto file = BundleOf(*history_, robot, entries, *moment);
+  return file ? FileResponse(std::move(*file), std::move(ticket)) : NotFound();
 }
 
 }  // namespace fovea::observer

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -36,6 +38,8 @@ class HistoryRoutes {
 
   const History* history_;
   const Recorder* recorder_;
+  // Whether a bundle is made or sent now, as each takes memory. Of all copies of this.
+  std::shared_ptr<std::atomic<bool>> bundle_is_out_ = std::make_shared<std::atomic<bool>>(false);
 };
 
 }  // namespace fovea::observer
