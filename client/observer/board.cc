@@ -77,7 +77,9 @@ void Board::OnObserver(std::size_t server, const v1::Observer& observer) {
 void Board::OnState(std::size_t server, const LinkState& state) {
   const std::lock_guard lock(mutex_);
   servers_.at(server).state = state;
-  if (state.kind == LinkState::Kind::kRefused) servers_[server].observer.reset();
+  const bool is_taken_back =
+      state.kind == LinkState::Kind::kRefused || state.kind == LinkState::Kind::kConnecting;
+  if (is_taken_back) servers_[server].observer.reset();
   Change(&servers_[server].version);
 }
 
@@ -128,8 +130,8 @@ std::string Board::ChangesSince(std::uint64_t* version, const std::string& close
   }
   for (const auto& [name, robot] : robots_) {
     if (robot.version <= *version) continue;
-    if (robot.newest) changes["robots"].push_back(RobotJson(*robot.newest, robot.rate_hz));
-    if (name == close && !robot.close.empty()) {
+    if (MaySee(robot.newest)) changes["robots"].push_back(RobotJson(*robot.newest, robot.rate_hz));
+    if (name == close && !robot.close.empty() && MaySee(robot.close.back())) {
       changes["close"] = RobotJson(*robot.close.back(), robot.rate_hz);
     }
   }
@@ -142,10 +144,10 @@ ShownFramePtr Board::Frame(const std::string& robot, std::uint64_t id) const {
   const auto found = robots_.find(robot);
   if (found == robots_.end()) return nullptr;
   for (const ShownFramePtr& each : found->second.close) {
-    if (each->id == id) return each;
+    if (each->id == id) return MaySee(each) ? each : nullptr;
   }
   const ShownFramePtr& newest = found->second.newest;
-  return newest && newest->id == id ? newest : nullptr;
+  return newest && newest->id == id && MaySee(newest) ? newest : nullptr;
 }
 
 ShownFramePtr Board::FrameToPickFrom(const std::string& robot, std::uint64_t id) const {
@@ -153,17 +155,26 @@ ShownFramePtr Board::FrameToPickFrom(const std::string& robot, std::uint64_t id)
   const std::lock_guard lock(mutex_);
   const auto found =
       std::ranges::find(to_pick_from_, id, [](const auto& each) { return each->id; });
-  return found != to_pick_from_.end() && (*found)->frame.robot() == robot ? *found : nullptr;
+  const bool is_there = found != to_pick_from_.end() && (*found)->frame.robot() == robot;
+  return is_there && MaySee(*found) ? *found : nullptr;
 }
 
 bool Board::MayDo(const std::string& address, const std::string& robot,
                   v1::ObserverRight right) const {
   const std::lock_guard lock(mutex_);
   return std::ranges::any_of(servers_, [&](const Server& server) {
-    return server.address == address && server.observer && IsValid(*server.observer) &&
-           Has(*server.observer, v1::OBSERVER_RIGHT_VIEW) && Has(*server.observer, right) &&
-           Covers(*server.observer, robot);
+    return server.address == address && Allows(server, robot, right);
   });
+}
+
+bool Board::Allows(const Server& server, const std::string& robot, v1::ObserverRight right) {
+  return server.observer && IsValid(*server.observer) &&
+         Has(*server.observer, v1::OBSERVER_RIGHT_VIEW) && Has(*server.observer, right) &&
+         Covers(*server.observer, robot);
+}
+
+bool Board::MaySee(const ShownFramePtr& shown) const {
+  return shown && Allows(servers_.at(shown->server), shown->frame.robot(), v1::OBSERVER_RIGHT_VIEW);
 }
 
 std::optional<std::string> Board::Who() const {
@@ -188,8 +199,14 @@ bool Board::IsRefused() const {
   };
   return std::ranges::any_of(servers_, is(LinkState::Kind::kRefused)) &&
          std::ranges::none_of(servers_, is(LinkState::Kind::kWatching)) &&
+         std::ranges::none_of(servers_, is(LinkState::Kind::kConnecting)) &&
          std::ranges::none_of(servers_,
                               [](const Server& each) { return each.observer.has_value(); });
+}
+
+void Board::WakeAll() const {
+  const std::lock_guard lock(mutex_);
+  for (const OnChange& on_change : listeners_) on_change();
 }
 
 Board::Subscription Board::Subscribe(OnChange on_change) {

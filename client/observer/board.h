@@ -28,7 +28,8 @@ struct ShownFrame {
 using ShownFramePtr = std::shared_ptr<const ShownFrame>;
 
 // What one who watches has seen last of each robot. Thread-safe; holds the newest frame of each
-// robot, and some more of those that are looked at closely.
+// robot, and some more of those that are looked at closely. Gives away what may be seen when it is
+// asked, whatever it was let see before.
 class Board {
  public:
   // Called with a lock held, from the threads that watch, when something has changed.
@@ -44,7 +45,7 @@ class Board {
   // `close` = of that robot, tell the frame that was looked at closely.
   std::string ChangesSince(std::uint64_t* version, const std::string& close) const;
 
-  // Null where it is not there any more, or never was.
+  // Null where it is not there any more, or never was, or may not be seen any more.
   ShownFramePtr Frame(const std::string& robot, std::uint64_t id) const;
   // The same, or what a pick says of its objects where that is all that is left: of the last 300
   // frames that were looked at closely.
@@ -64,6 +65,8 @@ class Board {
 
   using Subscription = std::shared_ptr<void>;
   Subscription Subscribe(OnChange on_change);
+  // Has all who listen look, though nothing has changed here.
+  void WakeAll() const;
 
  private:
   struct Server {
@@ -85,7 +88,10 @@ class Board {
   };
 
   static double RateOf(const std::deque<Arrival>& arrivals);
-  void Change(std::uint64_t* version);  // mutex_ is held
+  static bool Allows(const Server& server, const std::string& robot, v1::ObserverRight right);
+  // mutex_ is held for these.
+  void Change(std::uint64_t* version);
+  bool MaySee(const ShownFramePtr& shown) const;
 
   mutable std::mutex mutex_;
   std::uint64_t version_ = 0, last_id_ = 0;

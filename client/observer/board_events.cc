@@ -4,8 +4,11 @@
 
 namespace fovea::observer {
 
-BoardEvents::BoardEvents(std::shared_ptr<Feed> feed, std::string close, bool with_depth)
-    : feed_(std::move(feed)), close_(std::move(close)), with_depth_(with_depth) {
+BoardEvents::BoardEvents(const Session& session, std::string close, bool with_depth)
+    : feed_(session.feed),
+      session_has_ended_(session.has_ended),
+      close_(std::move(close)),
+      with_depth_(with_depth) {
   LookClosely();
 }
 
@@ -16,12 +19,12 @@ void BoardEvents::LookClosely() {
 }
 
 std::string BoardEvents::Take() {
-  LookClosely();  // there may have been no room before
   if (told_end_) return {};
-  if (feed_->board().IsRefused()) {
+  if (*session_has_ended_ || feed_->board().IsRefused()) {
     told_end_ = true;
     return "event: ended\ndata: {}\n\n";
   }
+  LookClosely();  // there may have been no room before
   const std::string changes = feed_->board().ChangesSince(&version_, close_);
   return changes.empty() ? "" : "data: " + changes + "\n\n";
 }

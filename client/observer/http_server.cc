@@ -125,6 +125,7 @@ awaitable<void> SendEvents(Stream& stream, const HttpResponse& response, unsigne
     const std::string text = response.events->Take();
     if (!text.empty()) {
       co_await Send(stream, text);
+      if (response.events->HasEnded()) co_return;
       pause.expires_after(kEventPause);
       co_await pause.async_wait(use_awaitable);
       co_await wake->Wait(kKeepAlive);

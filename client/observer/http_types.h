@@ -35,6 +35,8 @@ class EventSource {
   virtual ~EventSource() = default;
   // What to send now; empty where there is nothing.
   virtual std::string Take() = 0;
+  // Whether there will be nothing more.
+  virtual bool HasEnded() const = 0;
   // Has `wake` called, from any thread, when there may be something to take. Until this is gone.
   virtual void OnNews(std::function<void()> wake) = 0;
 };

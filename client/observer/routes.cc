@@ -137,8 +137,7 @@ HttpResponse Routes::Events(const HttpRequest& request, const Session& session) 
   const std::string close = request.Query("close");
   if (close.size() > kMaxRobot) return NotFound();
   HttpResponse response{.type = "text/event-stream"};
-  response.events =
-      std::make_shared<BoardEvents>(session.feed, close, request.Query("depth") == "1");
+  response.events = std::make_shared<BoardEvents>(session, close, request.Query("depth") == "1");
   return response;
 }
 

@@ -50,8 +50,7 @@ std::optional<Session> Sessions::LogIn(const std::string& token, std::string* pr
                   .used = std::chrono::steady_clock::now()};
   const std::lock_guard lock(mutex_);
   if (sessions_.size() >= kMaxSessions) {
-    sessions_.erase(
-        std::ranges::min_element(sessions_, {}, [](const auto& each) { return each.second.used; }));
+    End(std::ranges::min_element(sessions_, {}, [](const auto& each) { return each.second.used; }));
   }
   sessions_[session.id] = session;
   return session;
@@ -63,7 +62,7 @@ std::optional<Session> Sessions::Find(const std::string& id) {
   const auto found = sessions_.find(id);
   if (found == sessions_.end()) return std::nullopt;
   if (now - found->second.used > kMaxIdle || found->second.feed->board().IsRefused()) {
-    sessions_.erase(found);
+    End(found);
     return std::nullopt;
   }
   found->second.used = now;
@@ -72,7 +71,13 @@ std::optional<Session> Sessions::Find(const std::string& id) {
 
 void Sessions::LogOut(const std::string& id) {
   const std::lock_guard lock(mutex_);
-  sessions_.erase(id);
+  if (const auto found = sessions_.find(id); found != sessions_.end()) End(found);
+}
+
+void Sessions::End(Map::iterator session) {
+  *session->second.has_ended = true;
+  session->second.feed->board().WakeAll();
+  sessions_.erase(session);
 }
 
 }  // namespace fovea::observer

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <map>
 #include <memory>
@@ -18,6 +19,8 @@ struct Session {
   std::string csrf;  // in a header of what changes something
   std::shared_ptr<Feed> feed;
   std::chrono::steady_clock::time_point used;
+  // For what goes on without asking again; the feed's board wakes it.
+  std::shared_ptr<std::atomic<bool>> has_ended = std::make_shared<std::atomic<bool>>(false);
 };
 
 // Thread-safe. Bounded: the session that was not used for longest makes room for another one.
@@ -33,11 +36,14 @@ class Sessions {
   void LogOut(const std::string& id);
 
  private:
+  using Map = std::map<std::string, Session>;  // by id
+
   std::shared_ptr<Feed> FeedOf(const std::string& token);
+  void End(Map::iterator session);  // mutex_ is held
 
   const std::vector<ServerLink> servers_;
   std::mutex mutex_;
-  std::map<std::string, Session> sessions_;           // by id
+  Map sessions_;
   std::map<std::string, std::weak_ptr<Feed>> feeds_;  // by token
 };
 

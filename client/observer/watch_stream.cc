@@ -61,8 +61,10 @@ bool WatchStream::Watch(const std::stop_token& stop) {
       listener_.on_frame(std::move(response));
     }
   }
-  const grpc::Status status = reader->Finish();
-  if (!stop.stop_requested()) listener_.on_state(StateOf(status));
+  LinkState state = StateOf(reader->Finish());
+  // It ends the call of whoever has other rights now, too: the next answer says which.
+  if (came && state.kind == LinkState::Kind::kRefused) state.kind = LinkState::Kind::kConnecting;
+  if (!stop.stop_requested()) listener_.on_state(state);
   return came;
 }
 

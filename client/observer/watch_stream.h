@@ -13,9 +13,10 @@ namespace fovea::observer {
 
 // How it stands with one server.
 struct LinkState {
+  // Connecting: it has not answered yet, or has taken back what it answered and is asked anew.
   enum class Kind { kConnecting, kWatching, kAway, kRefused };
   Kind kind = Kind::kConnecting;
-  std::string problem = {};  // in words, where it is away or refuses
+  std::string problem = {};  // in words, where it is away, or has refused
 };
 
 // Watches one server for as long as it lives, again and again where that is needed, with a thread
