@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <stdexcept>
 #include <string_view>
 #include <thread>
 
+#include "flags/listen_address.h"
 #include "server/conversion/option_policy.h"
 #include "server/conversion/robot_grippers.h"
 #include "server/http/http_post.h"
@@ -24,25 +24,11 @@ void RequireRange(const char* flag, std::int64_t value, std::int64_t minimum,
                               std::to_string(maximum));
 }
 
-void RequireAddress(const char* flag, const std::string& listen) {
-  const std::size_t colon = listen.rfind(':');
-  const std::string_view port =
-      colon == std::string::npos ? std::string_view{} : std::string_view(listen).substr(colon + 1);
-  int number = -1;
-  const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), number);
-  const bool is_port =
-      error == std::errc{} && end == port.data() + port.size() && number >= 0 && number <= 65535;
-  if (colon == std::string::npos || colon == 0 || !is_port) {
-    throw std::invalid_argument(std::string(flag) + ": \"" + listen +
-                                "\" is not HOST:PORT with a port of 0 to 65535");
-  }
-}
-
 void RequireListen(const std::vector<std::string>& listen) {
   if (listen.empty()) throw std::invalid_argument("--listen: needs an address");
   for (const std::string& address : listen) {
     if (!IsUnixAddress(address)) {
-      RequireAddress("--listen", address);
+      flags::RequireListenAddress("--listen", address);
     } else if (!PathOfUnix(address).starts_with('/')) {
       throw std::invalid_argument("--listen: \"" + address + "\" is not unix:/PATH");
     }
@@ -99,7 +85,9 @@ void RequireLogFormat(const std::string& format) {
 
 void Validate(const ServerOptions& options) {
   RequireListen(options.listen);
-  if (!options.metrics_listen.empty()) RequireAddress("--metrics-listen", options.metrics_listen);
+  if (!options.metrics_listen.empty()) {
+    flags::RequireListenAddress("--metrics-listen", options.metrics_listen);
+  }
   RequireProtection(options);
   RequireRange("--tls-reload-s", options.tls_reload_s, 1, 86'400);
   RequireRange("--max-streams", options.max_streams, 1, 10'000);

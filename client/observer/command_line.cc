@@ -19,6 +19,7 @@
 #include "client/observer/history/recorder.h"
 #include "client/observer/http_server.h"
 #include "client/observer/routes.h"
+#include "flags/listen_address.h"
 
 namespace {
 
@@ -26,6 +27,7 @@ using fovea::observer::Flags;
 using fovea::observer::History;
 using fovea::observer::HistoryRoutes;
 using fovea::observer::HttpServer;
+using fovea::observer::PemFile;
 using fovea::observer::Recorder;
 using fovea::observer::Routes;
 using fovea::observer::ServerLink;
@@ -43,8 +45,13 @@ void RequireProtection(const Flags& flags) {
                               "or --insecure to serve them unprotected");
 }
 
-std::string ReadIfGiven(const std::string& path) {
-  return path.empty() ? "" : fovea::cli::ReadFile(path);
+PemFile ReadPem(const char* flag, const std::string& path) {
+  if (path.empty()) return {};
+  try {
+    return {.path = path, .text = fovea::cli::ReadFile(path)};
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(std::string(flag) + ": " + error.what());
+  }
 }
 
 // What is recorded, and what records it; both null where there is no history.
@@ -81,6 +88,7 @@ Recording Record(const Flags& flags, const std::vector<ServerLink>& servers) {
 
 int Serve(const Flags& flags) {
   fovea::cli::CheckServerAddress(flags.connection.server);
+  fovea::flags::RequireListenAddress("--listen", flags.listen);
   RequireProtection(flags);
   std::vector<std::string> hosts = flags.hosts;
   hosts.insert(hosts.end(), {HostOf(flags.listen), "localhost", "127.0.0.1", "[::1]"});
@@ -90,8 +98,8 @@ int Serve(const Flags& flags) {
   Routes routes(servers, hosts, !flags.https_cert.empty(),
                 HistoryRoutes(recording.history.get(), recording.recorder.get()));
   HttpServer server({.listen = flags.listen,
-                     .certificate = ReadIfGiven(flags.https_cert),
-                     .key = ReadIfGiven(flags.https_key)},
+                     .certificate = ReadPem("--https-cert", flags.https_cert),
+                     .key = ReadPem("--https-key", flags.https_key)},
                     {.is_slow = Routes::IsSlow,
                      .answer = [&](const auto& request) { return routes.Answer(request); }});
   std::cout << "open " << (flags.https_cert.empty() ? "http://" : "https://") << server.Address()

@@ -15,6 +15,7 @@
 #include "client/observer/http_events.h"
 #include "client/observer/http_messages.h"
 #include "client/observer/http_sending.h"
+#include "client/observer/tls_context.h"
 #include "client/observer/waiting_connections.h"
 
 namespace fovea::observer {
@@ -41,9 +42,6 @@ constexpr std::uint64_t kMaxBody = 64 << 10;
 // Of HOST:PORT, IPv6 in brackets.
 tcp::endpoint EndpointOf(const std::string& listen, asio::io_context& context) {
   const std::size_t colon = listen.rfind(':');
-  if (colon == std::string::npos) {
-    throw std::runtime_error("--listen: \"" + listen + "\" is not HOST:PORT");
-  }
   std::string host = listen.substr(0, colon);
   if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
   tcp::resolver resolver(context);
@@ -55,19 +53,15 @@ tcp::endpoint EndpointOf(const std::string& listen, asio::io_context& context) {
 class HttpServer::Impl {
  public:
   Impl(const HttpOptions& options, Handler handler)
-      : handler_(std::move(handler)), max_connections_(options.max_connections) {
-    if (!options.certificate.empty()) {
-      tls_.emplace(asio::ssl::context::tls_server);
-      tls_->set_options(asio::ssl::context::default_workarounds | asio::ssl::context::no_tlsv1 |
-                        asio::ssl::context::no_tlsv1_1);
-      tls_->use_certificate_chain(asio::buffer(options.certificate));
-      tls_->use_private_key(asio::buffer(options.key), asio::ssl::context::pem);
+      : handler_(std::move(handler)),
+        max_connections_(options.max_connections),
+        tls_(TlsContextOf(options.certificate, options.key)) {
+    try {
+      Listen(options.listen);
+    } catch (const boost::system::system_error& error) {
+      throw std::runtime_error("--listen: cannot listen on " + options.listen + ": " +
+                               error.code().message());
     }
-    const tcp::endpoint endpoint = EndpointOf(options.listen, context_);
-    acceptor_.open(endpoint.protocol());
-    acceptor_.set_option(asio::socket_base::reuse_address(true));
-    acceptor_.bind(endpoint);
-    acceptor_.listen();
   }
 
   std::string Address() const {
@@ -86,6 +80,14 @@ class HttpServer::Impl {
   }
 
  private:
+  void Listen(const std::string& listen) {
+    const tcp::endpoint endpoint = EndpointOf(listen, context_);
+    acceptor_.open(endpoint.protocol());
+    acceptor_.set_option(asio::socket_base::reuse_address(true));
+    acceptor_.bind(endpoint);
+    acceptor_.listen();
+  }
+
   awaitable<void> Accept() {
     while (true) {
       error_code error;

@@ -8,9 +8,13 @@
 
 namespace fovea::observer {
 
+struct PemFile {
+  std::string path = {}, text = {};
+};
+
 struct HttpOptions {
   std::string listen = "127.0.0.1:8080";  // HOST:PORT, IPv6 in brackets; port 0 takes a free one
-  std::string certificate, key;           // PEM texts; empty = no TLS
+  PemFile certificate = {}, key = {};     // without text: no TLS
   int max_connections = 256;
 };
 
@@ -24,7 +28,7 @@ class HttpServer {
     std::function<HttpResponse(const HttpRequest&)> answer;  // thread-safe, never throws
   };
 
-  // Listens when this returns. Throws std::runtime_error where it cannot.
+  // Listens when this returns. Throws std::runtime_error that names the flag where it cannot.
   HttpServer(const HttpOptions& options, Handler handler);
   ~HttpServer();
 
