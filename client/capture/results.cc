@@ -38,11 +38,16 @@ std::string Line(const Result& result, double latency_ms) {
   return line;
 }
 
-// What is wrong with the options, gravity or intrinsics is wrong with every frame of the run.
+bool IsAbout(const std::string& field, const std::string& text) {
+  return text == field || text.starts_with(field + ":");
+}
+
+// What is wrong with the bytes of an image is wrong with that one; all else that frames of a run
+// say (options, gravity, cameras, sizes, the depth unit) is the same in every frame.
 void EndIfHopeless(const v1::FrameError& error) {
   if (error.code() != grpc::StatusCode::INVALID_ARGUMENT) return;
-  const std::string& field = error.field().empty() ? error.message() : error.field();
-  if (field.starts_with("frame.color") || field.starts_with("frame.depth")) return;
+  const std::string& text = error.field().empty() ? error.message() : error.field();
+  if (IsAbout("frame.color.data", text) || IsAbout("frame.depth.data", text)) return;
   throw std::runtime_error(error.message());
 }
 

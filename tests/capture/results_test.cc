@@ -26,6 +26,16 @@ class ResultsTest : public ::testing::Test {
     return out_.str();
   }
 
+  // The server says that this field is wrong, in its text or also by its name.
+  void Refuse(const std::string& field, bool names_field = true) {
+    Result result;
+    v1::FrameError& error = *result.response.mutable_error();
+    error.set_code(grpc::StatusCode::INVALID_ARGUMENT);
+    if (names_field) error.set_field(field);
+    error.set_message(field + ": is wrong");
+    results_.Take(result, tally_);
+  }
+
   std::ostringstream out_;
   Tally tally_;
   Results results_{"", {}, nullptr, out_};
@@ -46,16 +56,21 @@ TEST_F(ResultsTest, SaysWhyThereAreNoneOnceUntilThatChanges) {
 
 // Else a misspelt option would fail thirty times a second.
 TEST_F(ResultsTest, EndsWhereAllFramesWouldBeRefused) {
-  Result result;
-  v1::FrameError& error = *result.response.mutable_error();
-  error.set_code(grpc::StatusCode::INVALID_ARGUMENT);
-  error.set_field("frame.depth.data");
-  error.set_message("frame.depth.data: is broken");
-  results_.Take(result, tally_);
-  error.set_field("options.parameters[no.such]");
-  error.set_message("options.parameters[no.such]: there is no such option");
-  EXPECT_THROW(results_.Take(result, tally_), std::runtime_error);
-  EXPECT_EQ(tally_.Snapshot().failed, 2U);
+  for (const char* field :
+       {"options.parameters[no.such]", "frame.gravity", "frame.intrinsics.fx",
+        "frame.depth_intrinsics", "frame.color_from_depth", "frame.color_from_depth.position",
+        "frame.depth", "frame.depth.unit_m", "frame.depth.width"}) {
+    EXPECT_THROW(Refuse(field), std::runtime_error) << field;
+    EXPECT_THROW(Refuse(field, /*names_field=*/false), std::runtime_error) << field;
+  }
+  EXPECT_EQ(tally_.Snapshot().failed, 18U);
+}
+
+TEST_F(ResultsTest, GoesOnAfterAnImageThatIsBroken) {
+  for (const char* field : {"frame.color.data", "frame.depth.data"}) {
+    EXPECT_NO_THROW(Refuse(field)) << field;
+    EXPECT_NO_THROW(Refuse(field, /*names_field=*/false)) << field;
+  }
 }
 
 TEST(Panels, FillAWindowOf1280Pixels) {

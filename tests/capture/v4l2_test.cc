@@ -69,6 +69,16 @@ TEST_F(V4l2Test, TellsTheServerWhereTheDepthCameraIs) {
   EXPECT_THAT(saved.front().json, HasSubstr("0.0005"));
 }
 
+TEST_F(V4l2Test, EndsWhereTheServerRefusesTheDepthCamera) {
+  const auto run = [&](const std::string& intrinsics, const std::string& pose) {
+    return Run({"--depth-intrinsics", intrinsics, "--color-from-depth", pose});
+  };
+  const Finished odd = run("1,1,1e9,1", "0,0,0,0,0,0,1");
+  ExpectOneLineError(odd, "frame.depth_intrinsics");
+  EXPECT_EQ(CountOf(odd.out, "failed;"), 1) << odd.out;
+  ExpectOneLineError(run(At("k.json"), "0,0,0,0,0,0,2"), "frame.color_from_depth");
+}
+
 TEST_F(V4l2Test, ReadsRowsWithPadding) {
   const Finished finished = Run(
       {"--allow-unregistered", "--frames", "2", "--every-frame", "--save", At("out")}, "padded");
