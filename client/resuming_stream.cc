@@ -25,7 +25,7 @@ ResumingStream::ResumingStream(std::shared_ptr<Servers> servers, ClientOptions o
 
 ResumingStream::~ResumingStream() = default;
 
-void ResumingStream::Send(const v1::DetectStreamRequest& request) {
+bool ResumingStream::Send(const v1::DetectStreamRequest& request) {
   std::shared_ptr<DetectStream> current;
   std::optional<v1::DetectOptions> options;
   bool accept_picks = false;
@@ -40,14 +40,11 @@ void ResumingStream::Send(const v1::DetectStreamRequest& request) {
     current = stream_;
   }
   // Not under the lock: where the server takes nothing in, this waits, and Cancel() has to end it.
-  if (!options && !accept_picks) {
-    current->Send(request);
-    return;
-  }
+  if (!options && !accept_picks) return current->Send(request);
   v1::DetectStreamRequest first = request;
   if (options) *first.mutable_options() = std::move(*options);
   if (accept_picks) first.set_accept_picks(true);
-  current->Send(first);
+  return current->Send(first);
 }
 
 void ResumingStream::DoneSending() {
@@ -143,7 +140,7 @@ std::shared_ptr<Server> ResumingStream::AwaitConnection() {
   const Clock::time_point end = std::min(deadline_, broken_since_ + options_.timeout);
   std::string problem;
   while (!canceled_ && Clock::now() < end) {
-    const std::shared_ptr<Server> server = servers_->Home(Clock::now() + kLook, &problem);
+    std::shared_ptr<Server> server = servers_->Home(Clock::now() + kLook, &problem);
     if (!server) continue;
     // A refusal is waited for where there is nobody else.
     if (IsConnected(*server)) return server;

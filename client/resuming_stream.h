@@ -39,8 +39,8 @@ class ResumingStream {
 
   ~ResumingStream();
 
-  // While the connection is broken the frame is lost.
-  void Send(const v1::DetectStreamRequest& request);
+  // False where the connection is broken: the frame is lost.
+  bool Send(const v1::DetectStreamRequest& request);
   void DoneSending();
 
   // Ends the stream at once, connected or not; Receive() then throws. From any thread.

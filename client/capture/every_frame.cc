@@ -16,11 +16,15 @@ v1::DetectResponse Ask(const SessionOptions& options, const Session& session,
   const steady_clock::time_point start = steady_clock::now();
   for (bool said = false;; said = true) {
     try {
-      return session.client.Detect(request, kLongestAnswer);
+      v1::DetectResponse response = session.client.Detect(request, kLongestAnswer);
+      if (said) session.notes << "the server at " << options.server << " is back" << std::endl;
+      return response;
     } catch (const client::RpcError& error) {
       const bool too_late = steady_clock::now() - start >= options.patience;
       if (error.code() != grpc::StatusCode::UNAVAILABLE || too_late || StopAsked()) throw;
-      if (!said) session.notes << "the server is away; waiting for it to come back" << std::endl;
+      if (said) continue;
+      session.notes << "the server at " << options.server << " is away; waiting for it to come back"
+                    << std::endl;
     }
   }
 }

@@ -41,6 +41,7 @@ CameraOptions CameraOptionsOf(const CameraFlags& flags) {
 
 SessionOptions SessionOptionsOf(const StreamFlags& flags) {
   SessionOptions options;
+  options.server = flags.connection.server;
   options.encoding = {ParseColorEncoding(flags.color_encoding), flags.jpeg_quality};
   options.depth_camera = cli::ParseDepthCamera(flags.depth_intrinsics, flags.color_from_depth);
   CheckDepthCamera(flags, options);

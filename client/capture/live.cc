@@ -8,10 +8,13 @@
 #include <utility>
 
 #include "client/capture/latest.h"
+#include "client/capture/outage_watch.h"
 #include "client/capture/session.h"
 
 namespace fovea::capture {
 namespace {
+
+using std::chrono::steady_clock;
 
 constexpr std::chrono::hours kWholeLife{24 * 365};
 // For the answers that are under way when no more pictures are sent.
@@ -45,6 +48,7 @@ struct Line {
   const SessionOptions& options;
   const Session& session;
   const std::unique_ptr<client::ResumingStream> stream;
+  OutageWatch outage;
   Latest<Picture> outbox;
   FirstError error;
 };
@@ -65,7 +69,10 @@ void SendAll(Line& line) {
   while (const auto picture = line.outbox.Take()) {
     *request.mutable_frame() = MakeFrame(line.options, *picture, encoder);
     line.session.tally.Sent(ForAnswer(*picture, draws));
-    line.stream->Send(request);
+    line.outage.Sending(steady_clock::now());
+    const bool was_taken = line.stream->Send(request);
+    line.outage.Sent(was_taken);
+    if (!was_taken) line.session.tally.NotSent();
     request.clear_options();  // they hold for the frames after
   }
   line.stream->DoneSending();
@@ -73,7 +80,9 @@ void SendAll(Line& line) {
 
 void ReceiveAll(Line& line) {
   while (auto answer = line.stream->Receive()) {
-    auto picture = line.session.tally.Answered(answer->response.sequence());
+    const std::uint64_t sequence = answer->response.sequence();
+    line.outage.Answered(sequence, steady_clock::now());
+    auto picture = line.session.tally.Answered(sequence);
     if (!picture) throw std::runtime_error("the server answered a frame that was not sent");
     line.session.results.Take({std::move(*picture), std::move(answer->response), answer->lost},
                               line.session.tally);
@@ -84,6 +93,7 @@ void TakePictures(Line& line) {
   const Session& session = line.session;
   while (GoesOn(line.options, session) && !line.error.Failed()) {
     std::optional<Picture> picture = session.source.Next();
+    session.notes << line.outage.Take(steady_clock::now()) << std::flush;
     if (session.viewer != nullptr && !session.viewer->Refresh(picture)) return;
     if (picture && line.outbox.Put(std::move(*picture))) session.tally.Replaced();
   }
@@ -92,7 +102,9 @@ void TakePictures(Line& line) {
 }  // namespace
 
 void RunLive(const SessionOptions& options, const Session& session) {
-  Line line{options, session, session.client.OpenResumingStream(kWholeLife), {}, {}};
+  Line line{
+      options, session, session.client.OpenResumingStream(kWholeLife), OutageWatch(options.server),
+      {},      {}};
   const auto guarded = [&line](void (*work)(Line&)) {
     return [&line, work] { line.error.Guard([&] { work(line); }); };
   };

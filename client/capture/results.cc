@@ -75,12 +75,14 @@ void Results::Take(const Result& result, Tally& tally) {
   tally.Gone(response.dropped(), result.lost);
   tally.Count(response.has_error(),
               static_cast<std::uint64_t>(response.detections().objects_size()), latency.count());
-  out_ << Line(result, latency.count()) << std::endl;
+  const bool is_too_late = Draws() && !response.has_error() && result.picture.color.empty();
+  out_ << Line(result, latency.count()) << (is_too_late ? ", too late to be drawn" : "")
+       << std::endl;
   if (response.has_error()) EndIfHopeless(response.error());
   if (response.has_error()) return;
   PrintNote(response.detections());
   out_ << busy_watch_.Take(response.detections()) << std::flush;
-  if (!Draws()) return;
+  if (!Draws() || is_too_late) return;
 
   cv::Mat color;
   cv::cvtColor(result.picture.color, color, cv::COLOR_RGB2BGR);

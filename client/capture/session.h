@@ -6,6 +6,7 @@
 #include <iosfwd>
 #include <limits>
 #include <optional>
+#include <string>
 
 #include "client/capture/camera_source.h"
 #include "client/capture/encoding.h"
@@ -18,6 +19,7 @@
 namespace fovea::capture {
 
 struct SessionOptions {
+  std::string server;  // its address, for people
   EncodingOptions encoding;
   v1::CameraIntrinsics intrinsics;
   std::optional<cli::DepthCamera> depth_camera;  // of depth that is not registered to colour

@@ -14,6 +14,11 @@ double Seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
 }
 
+std::size_t BytesOf(const Picture& picture) {
+  return picture.color.total() * picture.color.elemSize() +
+         picture.depth.total() * picture.depth.elemSize();
+}
+
 }  // namespace
 
 void Tally::Replaced() {
@@ -23,18 +28,28 @@ void Tally::Replaced() {
 
 void Tally::Sent(Picture picture) {
   const std::lock_guard lock(mutex_);
-  ++counts_.sent;
-  waiting_.push_back(std::move(picture));
+  const std::size_t bytes = BytesOf(picture);
+  waiting_.push_back({counts_.sent++, std::move(picture)});
+  if (bytes == 0) return;
+  // All of a run are of one size.
+  const std::size_t num_kept = std::max<std::size_t>(max_image_bytes_ / bytes, 1);
+  if (waiting_.size() <= num_kept) return;
+  Picture& oldest = waiting_[waiting_.size() - 1 - num_kept].picture;
+  oldest.color = oldest.depth = cv::Mat();
+}
+
+void Tally::NotSent() {
+  const std::lock_guard lock(mutex_);
+  if (!waiting_.empty()) waiting_.pop_back();
 }
 
 std::optional<Picture> Tally::Answered(std::uint64_t sequence) {
   const std::lock_guard lock(mutex_);
   // Those before it were dropped or lost, and get no answer.
-  for (; first_waiting_ < sequence && !waiting_.empty(); ++first_waiting_) waiting_.pop_front();
-  if (waiting_.empty() || first_waiting_ != sequence) return std::nullopt;
-  Picture picture = std::move(waiting_.front());
+  while (!waiting_.empty() && waiting_.front().sequence < sequence) waiting_.pop_front();
+  if (waiting_.empty() || waiting_.front().sequence != sequence) return std::nullopt;
+  Picture picture = std::move(waiting_.front().picture);
   waiting_.pop_front();
-  ++first_waiting_;
   return picture;
 }
 

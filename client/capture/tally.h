@@ -23,10 +23,17 @@ class Tally {
     std::uint64_t objects = 0;
   };
 
+  // Of the pictures that wait for their answers the newest keep their images, up to so many bytes.
+  explicit Tally(std::size_t max_image_bytes = std::size_t{256} << 20U)
+      : max_image_bytes_(max_image_bytes) {}
+
   void Replaced();
   // To be called before the picture is sent, so that its answer finds it.
   void Sent(Picture picture);
-  // The picture with this number among those sent. Empty where there is none.
+  // The last one could not be: it is lost, and no answer will ask for it.
+  void NotSent();
+  // The picture with this number among those sent, where it waited for too long without its images.
+  // Empty where there is none.
   std::optional<Picture> Answered(std::uint64_t sequence);
   // The time of a failure says nothing of how long answers take, and is not kept.
   void Count(bool failed, std::uint64_t objects, double latency_ms);
@@ -38,11 +45,16 @@ class Tally {
   std::vector<double> Latencies_ms() const;  // of what was answered
 
  private:
+  struct Waiting {
+    std::uint64_t sequence = 0;
+    Picture picture;
+  };
+
+  const std::size_t max_image_bytes_;
   mutable std::mutex mutex_;
   Counts counts_;
   std::vector<double> latencies_ms_;
-  std::deque<Picture> waiting_;      // sent, not answered
-  std::uint64_t first_waiting_ = 0;  // number of the first of them
+  std::deque<Waiting> waiting_;  // sent, not answered
 };
 
 // Where `share` of the sorted values lie at or below (nearest rank); 0 for none.

@@ -112,8 +112,10 @@ TEST_F(CaptureTest, GoesOnWhenItsServerComesBack) {
   std::string out = capture.ReadLine() + "\n";
   server_.process().Signal(SIGKILL);
   server_.process().Wait();
+  capture.AwaitError("the server at " + server_.address() + " is away; waiting");
   Process again({FOVEA_SERVER, "--listen", server_.address()});
   EXPECT_THAT(again.ReadLine(), HasSubstr("listening on " + server_.address()));
+  capture.AwaitError("the server at " + server_.address() + " is back");
   for (std::string line;
        (line = capture.ReadLine()).find("lost with the connection") == std::string::npos;) {
     ASSERT_NE(line, "") << "it ended: " << capture.Wait().err;
@@ -125,15 +127,27 @@ TEST_F(CaptureTest, GoesOnWhenItsServerComesBack) {
   ExpectAllAccountedFor(finished.out);
 }
 
+TEST_F(CaptureTest, SaysThatItsServerIsSilent) {
+  Process capture(CommandLine(Live(), {{"FOVEA_CAMERA_FPS", "30"}}));
+  capture.ReadLine();
+  server_.process().Signal(SIGSTOP);
+  capture.AwaitError("the server at " + server_.address() + " has not answered for 3 s; waiting");
+  server_.process().Signal(SIGCONT);
+  capture.AwaitError("the server at " + server_.address() + " is back");
+  capture.Signal(SIGINT);
+  EXPECT_EQ(capture.Wait().exit_code, 0);
+}
+
 TEST_F(CaptureTest, LosesNothingWhereEveryFrameWaitsForTheServer) {
   Process capture(CommandLine(Live({"--every-frame", "--frames", "30"})));
   capture.ReadLine();
   server_.process().Signal(SIGKILL);
   server_.process().Wait();
-  capture.AwaitError("the server is away");
+  capture.AwaitError("the server at " + server_.address() + " is away; waiting");
   Process again({FOVEA_SERVER, "--listen", server_.address()});
   const Finished finished = capture.Wait();
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_THAT(finished.err, HasSubstr("the server at " + server_.address() + " is back\n"));
   EXPECT_EQ(CountOf(finished.out, "answered"), 30) << finished.out;
   EXPECT_EQ(CountOf(finished.out, "lost\n"), 0);
 }

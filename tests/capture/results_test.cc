@@ -6,6 +6,8 @@
 
 #include <sstream>
 
+#include "tests/support/temporary_folder.h"
+
 namespace fovea::capture {
 namespace {
 
@@ -71,6 +73,19 @@ TEST_F(ResultsTest, GoesOnAfterAnImageThatIsBroken) {
     EXPECT_NO_THROW(Refuse(field)) << field;
     EXPECT_NO_THROW(Refuse(field, /*names_field=*/false)) << field;
   }
+}
+
+TEST(Results, SayWhichAnswersComeTooLateToBeDrawn) {
+  const testing::TemporaryFolder folder;
+  std::ostringstream out;
+  Tally tally;
+  Results results(folder.Path(), {}, nullptr, out);
+  Result result;
+  result.response.set_frame_id("000001");
+  result.response.mutable_detections();
+  results.Take(result, tally);
+  EXPECT_THAT(out.str(), HasSubstr(", too late to be drawn\n"));
+  EXPECT_EQ(tally.Snapshot().answered, 1U);
 }
 
 TEST(Panels, FillAWindowOf1280Pixels) {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace fovea::capture {
 namespace {
 
@@ -22,6 +24,36 @@ TEST(Tally, FindsThePictureOfAnAnswer) {
   EXPECT_FALSE(tally.Answered(1)) << "dropped";
   EXPECT_EQ(tally.Answered(3)->number, 13U);
   EXPECT_FALSE(tally.Answered(4)) << "not sent";
+}
+
+TEST(Tally, KeepsNothingOfWhatWasNotSent) {
+  Tally tally;
+  tally.Sent(Numbered(10));
+  tally.Sent(Numbered(11));
+  tally.NotSent();
+  tally.Sent(Numbered(12));
+  EXPECT_FALSE(tally.Answered(1));
+  EXPECT_EQ(tally.Answered(2)->number, 12U);
+  EXPECT_EQ(tally.Snapshot().sent, 3U) << "into a connection that broke";
+}
+
+// A server that takes frames and answers none would fill the memory.
+TEST(Tally, KeepsSoManyBytesOfImages) {
+  constexpr std::size_t kBytes = 4 * 3 * (3 + 2);
+  Tally tally(/*max_image_bytes=*/2 * kBytes);
+  for (std::uint64_t number = 0; number < 5; ++number) {
+    Picture picture = Numbered(number);
+    picture.color = cv::Mat(3, 4, CV_8UC3);
+    picture.depth = cv::Mat(3, 4, CV_16UC1);
+    tally.Sent(std::move(picture));
+  }
+  for (const std::uint64_t number : {0, 1, 2, 3, 4}) {
+    const auto picture = tally.Answered(number);
+    ASSERT_TRUE(picture) << number;
+    EXPECT_EQ(picture->number, number);
+    EXPECT_EQ(picture->color.empty(), number < 3) << number;
+    EXPECT_EQ(picture->depth.empty(), number < 3) << number;
+  }
 }
 
 TEST(Tally, CallsLostWhatHasNoOtherFate) {

@@ -86,11 +86,14 @@ TEST(ResumingStream, OutlivesItsServerAndCountsWhatWasLost) {
   EXPECT_EQ(stream->Receive()->response.sequence(), 0U);
 
   server.reset();
-  for (const char* id : {"1", "2", "3"}) stream->Send(StreamFrame(id));
+  std::atomic<std::uint64_t> num_sent = 1;
+  while (stream->Send(StreamFrame(std::to_string(num_sent++)))) std::this_thread::yield();
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_FALSE(stream->Send(StreamFrame(std::to_string(num_sent++)))) << "the server is away";
+  }
   server.emplace(At(address), FindOne);
   // Sends until one comes through; each frame is answered, dropped or lost.
   std::atomic<bool> answered = false;
-  std::atomic<std::uint64_t> num_sent = 4;
   std::jthread sender([&] {
     while (!answered) {
       stream->Send(StreamFrame(std::to_string(num_sent++)));
