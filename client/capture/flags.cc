@@ -139,9 +139,10 @@ void AddStreamFlags(CLI::App& command, StreamFlags& flags) {
   AddDetectionFlags(command, flags);
   command.add_flag("--view", flags.view, "Show a window: colour, objects, depth")->group(kOutput);
   command
-      .add_option("--save", flags.save_folder,
-                  "Write NAME_color.png, NAME_depth.png, NAME.png (labels), NAME.json and "
-                  "NAME_overlay.jpg of each answer")
+      .add_option(
+          "--save", flags.save_folder,
+          "Write NAME_color.png, NAME_depth.png, NAME.png (labels), NAME.json and "
+          "NAME_overlay.jpg of each answer; a folder without frames, made where it is missing")
       ->type_name("FOLDER")
       ->group(kOutput);
 }

@@ -8,6 +8,7 @@
 
 #include "client/capture/camera_error.h"
 #include "client/capture/devices.h"
+#include "client/capture/save_folder.h"
 #include "client/capture/server_check.h"
 #include "client/capture/v4l2_camera.h"
 #include "client/cli/explain.h"
@@ -71,6 +72,7 @@ int RunStream(const StreamFlags& flags) {
   const steady_clock::time_point start = steady_clock::now();
   SessionOptions options = SessionOptionsOf(flags);
   CameraOptions camera_options = CameraOptionsOf(flags.camera);
+  RequireNoFramesIn(flags.save_folder);
   if (flags.speed > 0) camera_options.speed = flags.speed;
   std::optional<Viewer> viewer;
   if (flags.view) viewer.emplace();

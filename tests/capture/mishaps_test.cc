@@ -162,6 +162,19 @@ TEST_F(MishapsTest, ServerThatRefusesFrames) {
   EXPECT_EQ(CountOf(finished.out, "failed;"), 1) << "it would refuse them all";
 }
 
+TEST_F(MishapsTest, FolderWithFramesOfAnotherRun) {
+  EXPECT_EQ(With("", {"--save", At("out")}).exit_code, 0);
+  std::filesystem::remove(At("out/000001_color.png"));
+  const Finished again = With("", {"--save", At("out")});
+  ExpectOneLineError(again, "--save: " + At("out") + " holds frames already, such as 00000");
+  EXPECT_EQ(again.out, "");
+  EXPECT_FALSE(std::filesystem::exists(At("out/000001_color.png"))) << "nothing is captured";
+  // What else lies there is no frame.
+  std::filesystem::create_directory(At("other"));
+  folder_.Write("other/notes.txt", "of the cell");
+  EXPECT_EQ(With("", {"--save", At("other")}).exit_code, 0);
+}
+
 TEST_F(MishapsTest, MisspeltFlags) {
   ExpectOneLineError(Capture({"--bogus"}), "--bogus");
   ExpectOneLineError(Capture(Live({"--color-encoding", "gif"})), "\"gif\" is not jpeg or rgb8");
