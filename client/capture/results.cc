@@ -11,6 +11,7 @@
 
 #include "client/capture/encoding.h"
 #include "client/capture/intrinsics.h"
+#include "client/cli/capture_file.h"
 #include "client/cli/files.h"
 #include "client/cli/json.h"
 #include "client/cli/labels.h"
@@ -58,7 +59,7 @@ Results::Results(std::string save_folder, v1::Frame cameras, Viewer* viewer, std
       cameras_(std::move(cameras)),
       viewer_(viewer),
       out_(out) {
-  saved_intrinsics_ = save_folder_.empty();
+  saved_cameras_ = save_folder_.empty();
   if (save_folder_.empty()) return;
   std::error_code error;
   std::filesystem::create_directories(save_folder_, error);
@@ -104,16 +105,17 @@ void Results::PrintNote(const v1::Detections& detections) {
 
 void Results::Save(const Picture& picture, const v1::Detections& detections, const cv::Mat& color,
                    const cv::Mat& overlay) {
-  if (!std::exchange(saved_intrinsics_, true)) {
+  v1::Frame frame = cameras_;
+  frame.mutable_depth()->set_unit_m(picture.depth_unit_m);
+  if (!std::exchange(saved_cameras_, true)) {
     SaveIntrinsics(save_folder_ + "/intrinsics.json", cameras_.intrinsics(), color.size());
+    cli::WriteCaptureFile(save_folder_, frame);
   }
   const std::string prefix = save_folder_ + "/" + FrameName(picture.number);
   cli::WriteImage(prefix + "_color.png", color);
   cli::WriteImage(prefix + "_depth.png", picture.depth);
   cli::WriteImage(prefix + "_overlay.jpg", overlay);
   cli::WriteImage(prefix + ".png", cli::LabelImage(detections));
-  v1::Frame frame = cameras_;
-  frame.mutable_depth()->set_unit_m(picture.depth_unit_m);
   cli::WriteFile(prefix + ".json", cli::ToJson(detections, frame));
 }
 

@@ -42,7 +42,7 @@ class Results {
   const v1::Frame cameras_;
   Viewer* const viewer_;
   std::ostream& out_;
-  bool saved_intrinsics_ = false;
+  bool saved_cameras_ = false;
   BusyWatch busy_watch_;
   std::string last_note_;  // what was said last about few objects, without its numbers
 };

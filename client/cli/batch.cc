@@ -168,6 +168,16 @@ class Printer {
   int num_objects_ = 0;
 };
 
+// What the flags do not say of the cameras, the folder does.
+void SetDepthFrom(const FrameList& list, const Batch& batch, FrameSettings* settings) {
+  settings->depth_unit_m = batch.depth_unit_m.value_or(list.depth_unit_m);
+  if (!list.captured) return;
+  const bool has_camera = list.captured->depth_camera && !settings->depth_camera;
+  if (has_camera) settings->depth_camera = list.captured->depth_camera;
+  if (!batch.depth_unit_m) std::cerr << "note: depth unit from " << list.captured->path << '\n';
+  if (has_camera) std::cerr << "note: depth camera from " << list.captured->path << '\n';
+}
+
 }  // namespace
 
 bool DetectFolder(const client::Client& client, const Batch& batch, FrameSettings settings,
@@ -179,7 +189,7 @@ bool DetectFolder(const client::Client& client, const Batch& batch, FrameSetting
     std::cerr << "note: frames with the name of another one: " << renamed
               << "; they are called NAME_2, NAME_3, ...\n";
   }
-  settings.depth_unit_m = batch.depth_unit_m.value_or(list.depth_unit_m);
+  SetDepthFrom(list, batch, &settings);
   const auto request_for = batch.sent_before ? RequestForPictures : RequestFor;
   request_for(OutputsOf("any", batch), &settings.options);
   if (!batch.output.empty()) {

@@ -25,7 +25,7 @@ struct Batch {
   bool sent_before = false;            // the frames of `list` were
   bool resume = false;                 // leave out frames whose files are there and not older
   int jobs = 1;                        // frames in flight at once
-  std::optional<double> depth_unit_m;  // none = as such folders have it
+  std::optional<double> depth_unit_m;  // none = as the folder says, or such folders have it
 };
 
 // Frames that were sent before also get NAME_answer.pb, the answer to what was asked then, and a

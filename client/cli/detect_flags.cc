@@ -39,10 +39,13 @@ void AddCameraFlags(CLI::App& command, DetectFlags& flags) {
           "colour");
   AddFlag(command, "--color-from-depth", flags.color_from_depth, "X,Y,Z,QX,QY,QZ,QW",
           "With it: position (metres) and orientation (unit quaternion) of the depth camera in "
-          "the colour camera's frame (x right, y down, z forward)");
+          "the colour camera's frame (x right, y down, z forward); both as fovea-capture kept them "
+          "in a folder of its frames unless given");
   command
-      .add_option("--depth-unit", flags.depth_unit_m,
-                  "Metres per unit of the depth image; 0.001 unless given, 0.0002 in TUM's folders")
+      .add_option(
+          "--depth-unit", flags.depth_unit_m,
+          "Metres per unit of the depth image; 0.001 unless given, 0.0002 in TUM's folders, "
+          "what fovea-capture kept in a folder of its frames")
       ->type_name("METRES");
   AddFlag(command, "--gravity", flags.gravity, "X,Y,Z",
           "Unit vector that points down in the camera frame (x right, y down, z forward); "

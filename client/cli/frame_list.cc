@@ -161,7 +161,11 @@ std::size_t NameApart(std::vector<FrameFiles>& frames) {
 FrameList ListFrames(const std::string& folder) {
   const fs::path input(folder);
   FrameList list = ListByName(input);
-  if (!list.frames.empty()) return list;
+  if (!list.frames.empty()) {
+    list.captured = ReadCaptureFile(folder);
+    if (list.captured) list.depth_unit_m = list.captured->depth_unit_m;
+    return list;
+  }
   std::error_code error;
   if (fs::exists(input / "rgb.txt", error) && fs::exists(input / "depth.txt", error)) {
     list = ListTum(input);

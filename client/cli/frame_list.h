@@ -1,21 +1,25 @@
 // Which frames a folder holds.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "client/cli/capture_file.h"
 #include "client/cli/request.h"
 
 namespace fovea::cli {
 
 struct FrameList {
-  std::vector<FrameFiles> frames;  // in the order in which they are to be answered
-  std::vector<std::string> notes;  // for people: what has no partner
-  double depth_unit_m = 0.001;     // metres per unit of depth, as such folders have it
+  std::vector<FrameFiles> frames;       // in the order in which they are to be answered
+  std::vector<std::string> notes;       // for people: what has no partner
+  double depth_unit_m = 0.001;          // metres per unit of depth, as such folders have it
+  std::optional<CaptureFile> captured;  // of what fovea-capture kept; has the unit, too
 };
 
 // Of a folder, by what is in it:
-// - NAME_color.(png|jpg|jpeg) with NAME_depth.png,
+// - NAME_color.(png|jpg|jpeg) with NAME_depth.png, and fovea_capture.json where fovea-capture made
+//   them,
 // - TUM RGB-D: rgb.txt and depth.txt with lines "time path", units of 1/5000 m,
 // - folders rgb or color, and depth, with images of one name, or named by times in seconds
 //   ("12.345678.png") or as whole numbers of milli-, micro- or nanoseconds.

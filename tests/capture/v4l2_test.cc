@@ -1,6 +1,8 @@
 // Video nodes of the kernel, by a stand-in for its ioctl() (video_driver.cc).
 #include <gmock/gmock.h>
 
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
@@ -33,6 +35,10 @@ class V4l2Test : public CaptureTest {
     return Capture(Live(flags), {{"LD_PRELOAD", FOVEA_VIDEO_DRIVER},
                                  {"ASAN_OPTIONS", "verify_asan_link_order=0"},
                                  {"FOVEA_CAMERA_FAULTS", faults}});
+  }
+  nlohmann::json Parsed(const std::string& name) const {
+    std::ifstream file(At(name));
+    return nlohmann::json::parse(file);
   }
   Finished RunSix(const std::string& faults) const {
     return Run({"--allow-unregistered", "--frames", "6", "--every-frame", "--frame-timeout", "0.5"},
@@ -67,6 +73,33 @@ TEST_F(V4l2Test, TellsTheServerWhereTheDepthCameraIs) {
   EXPECT_THAT(saved.front().json, HasSubstr("\"color_from_depth\":{"));
   EXPECT_THAT(saved.front().json, HasSubstr("\"x\":0.015"));
   EXPECT_THAT(saved.front().json, HasSubstr("0.0005"));
+}
+
+// `fovea detect` reads what was saved as it is.
+TEST_F(V4l2Test, SavesWhereTheDepthCameraIs) {
+  const Finished captured =
+      Run({"--frames", "1", "--every-frame", "--save", At("out"), "--color-encoding", "rgb8",
+           "--depth-intrinsics", At("k.json"), "--color-from-depth", "0.015,0,0,0,0,0,1",
+           "--depth-unit", "0.0005"});
+  ASSERT_EQ(captured.exit_code, 0) << captured.err;
+  const auto detect = [&](std::vector<std::string> flags) {
+    flags.insert(flags.begin(),
+                 {FOVEA_CLI, "detect", "--server", server_.address(), "--input", At("out")});
+    return Execute(flags);
+  };
+  const Finished finished = detect({"--output", At("again")});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_THAT(finished.err, HasSubstr("note: depth camera from " + At("out/fovea_capture.json")));
+  const auto answer = Parsed("out/000001.json"), again = Parsed("again/000001.json");
+  EXPECT_EQ(again["frame"], answer["frame"]);
+  EXPECT_EQ(again["support_surface"], answer["support_surface"]);
+  EXPECT_EQ(again["objects"].size(), answer["objects"].size());
+
+  const Finished otherwise = detect({"--json", "-", "--depth-unit", "0.001", "--depth-intrinsics",
+                                     "300,300,160,120", "--color-from-depth", "0,0,0,0,0,0,1"});
+  EXPECT_EQ(otherwise.exit_code, 0) << otherwise.err;
+  EXPECT_THAT(otherwise.out, HasSubstr(R"("unit_m":0.001)"));
+  EXPECT_THAT(otherwise.out, HasSubstr(R"("depth_intrinsics":{"fx":300,)"));
 }
 
 TEST_F(V4l2Test, EndsWhereTheServerRefusesTheDepthCamera) {

@@ -48,6 +48,47 @@ TEST_F(FrameListTest, TakesEndingsInLettersOfEitherCase) {
   EXPECT_THAT(list.notes, IsEmpty());
 }
 
+TEST_F(FrameListTest, ReadsWhatFoveaCaptureKeptOfTheCameras) {
+  for (const char* name : {"1_color.png", "1_depth.png"}) Write(name);
+  EXPECT_FALSE(ListFrames(Input()).captured) << "as an older version left it";
+
+  v1::Frame frame;
+  frame.mutable_depth()->set_unit_m(0.0005);
+  WriteCaptureFile(Input(), frame);
+  const FrameList registered = ListFrames(Input());
+  EXPECT_EQ(registered.depth_unit_m, 0.0005);
+  EXPECT_FALSE(registered.captured->depth_camera);
+
+  frame.mutable_depth_intrinsics()->set_fx(501);
+  frame.mutable_depth_intrinsics()->mutable_distortion()->add_coefficients(0.1);
+  frame.mutable_color_from_depth()->mutable_position()->set_x(0.05);
+  WriteCaptureFile(Input(), frame);
+  const auto camera = ListFrames(Input()).captured->depth_camera;
+  ASSERT_TRUE(camera);
+  EXPECT_EQ(camera->intrinsics.SerializeAsString(), frame.depth_intrinsics().SerializeAsString());
+  EXPECT_EQ(camera->color_from_depth.position().x(), 0.05);
+}
+
+TEST_F(FrameListTest, NamesWhatIsWrongWithThem) {
+  for (const char* name : {"1_color.png", "1_depth.png"}) Write(name);
+  const auto problem = [&](const std::string& text) {
+    Write("fovea_capture.json", text);
+    try {
+      ListFrames(Input());
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string path = folder_.At("fovea_capture.json");
+  EXPECT_THAT(problem("x"), HasSubstr(path + ": it is not JSON"));
+  EXPECT_THAT(problem(R"({"depth": {"unit_m": 2}})"), HasSubstr(path + ": depth.unit_m must be"));
+  EXPECT_THAT(problem(R"({"depth": {"unit_m": "NaN"}})"), HasSubstr("depth.unit_m must be"));
+  EXPECT_THAT(problem(R"({"depth": {"unit_m": 1}, "color_from_depth": {}})"),
+              HasSubstr(path + ": depth_intrinsics and color_from_depth go together"));
+  EXPECT_EQ(problem(R"({"depth": {"unit_m": 1}, "of_a_later_version": 1})"), "");
+}
+
 TEST(NameApart, GivesEachFrameANameOfItsOwn) {
   const std::vector<std::string> given{"a", "a", "b", "a_2", "a"};
   std::vector<FrameFiles> frames(given.size());
