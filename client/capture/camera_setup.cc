@@ -64,8 +64,9 @@ std::string CommonModes(const Streams& streams) {
 
 cv::Size ParseResolution(const std::string& text, const std::string& flag) {
   std::smatch parts;
-  if (!std::regex_match(text, parts, std::regex("([0-9]{1,5})x([0-9]{1,5})"))) {
-    throw std::invalid_argument(flag + ": \"" + text + "\" is not WIDTHxHEIGHT");
+  if (!std::regex_match(text, parts, std::regex("0*([1-9][0-9]{0,4})x0*([1-9][0-9]{0,4})"))) {
+    throw std::invalid_argument(flag + ": \"" + text +
+                                "\" is not WIDTHxHEIGHT in pixels, such as 640x480");
   }
   return {std::stoi(parts[1]), std::stoi(parts[2])};
 }

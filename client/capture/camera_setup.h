@@ -20,7 +20,7 @@ struct CameraOptions {
   double speed = -1;           // of a recording: 1 = as recorded, -1 = as fast as it is read
 };
 
-// "640x480", 1 to 5 digits each. Throws std::invalid_argument that names the flag.
+// "640x480", each 1 to 99999. Throws std::invalid_argument that names the flag.
 cv::Size ParseResolution(const std::string& text, const std::string& flag);
 
 struct Streams {

@@ -10,13 +10,23 @@
 namespace fovea::capture {
 namespace {
 
+// Flags that would be ignored.
+void CheckKindOfCamera(const StreamFlags& flags) {
+  if (IsV4l2(flags.camera.device)) return;
+  const auto refuse_if = [](bool is_given, const std::string& flag) {
+    if (!is_given) return;
+    throw std::invalid_argument(flag +
+                                " is for --device v4l2:…; OpenNI2 says this of its cameras itself");
+  };
+  refuse_if(!flags.camera.depth_resolution.empty(), "--depth-resolution");
+  refuse_if(flags.camera.depth_unit_m.has_value(), "--depth-unit");
+  refuse_if(!flags.depth_intrinsics.empty(), "--depth-intrinsics");
+  refuse_if(!flags.color_from_depth.empty(), "--color-from-depth");
+}
+
 // Where depth is as its camera sees it, the server must know that camera.
 void CheckDepthCamera(const StreamFlags& flags, const SessionOptions& options) {
-  if (!IsV4l2(flags.camera.device)) {
-    if (!options.depth_camera) return;
-    throw std::invalid_argument(
-        "--depth-intrinsics is for --device v4l2:…: OpenNI2 registers depth");
-  }
+  if (!IsV4l2(flags.camera.device)) return;
   if (options.depth_camera || flags.camera.allow_unregistered) return;
   throw std::invalid_argument(
       "v4l2 does not register depth to colour: give --depth-intrinsics and --color-from-depth (or "
@@ -32,7 +42,7 @@ CameraOptions CameraOptionsOf(const CameraFlags& flags) {
   if (!flags.depth_resolution.empty()) {
     options.depth_size = ParseResolution(flags.depth_resolution, "--depth-resolution");
   }
-  options.depth_unit_m = flags.depth_unit_m;
+  if (flags.depth_unit_m) options.depth_unit_m = *flags.depth_unit_m;
   options.fps = flags.fps;
   options.allow_unregistered = flags.allow_unregistered;
   options.frame_timeout_s = flags.frame_timeout_s;
@@ -43,6 +53,7 @@ SessionOptions SessionOptionsOf(const StreamFlags& flags) {
   SessionOptions options;
   options.server = flags.connection.server;
   options.encoding = {ParseColorEncoding(flags.color_encoding), flags.jpeg_quality};
+  CheckKindOfCamera(flags);
   options.depth_camera = cli::ParseDepthCamera(flags.depth_intrinsics, flags.color_from_depth);
   CheckDepthCamera(flags, options);
   options.gravity = cli::ParseGravity(flags.gravity);

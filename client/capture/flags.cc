@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "flags/finite_range.h"
+
 namespace fovea::capture {
 namespace {
 
@@ -42,10 +44,11 @@ void AddV4l2Flags(CLI::App& command, StreamFlags& flags) {
                   "Of depth, where it is not that of colour")
       ->type_name("WIDTHxHEIGHT")
       ->group(group);
-  command.add_option("--depth-unit", flags.camera.depth_unit_m, "Metres per unit of depth")
+  command
+      .add_option("--depth-unit", flags.camera.depth_unit_m,
+                  "Metres per unit of depth; 0.001 unless given")
       ->type_name("METRES")
-      ->check(CLI::Range(1e-6, 1.0))
-      ->capture_default_str()
+      ->check(flags::FiniteRange(1e-6, 1))
       ->group(group);
   command
       .add_option("--depth-intrinsics", flags.depth_intrinsics,
@@ -63,7 +66,7 @@ void AddV4l2Flags(CLI::App& command, StreamFlags& flags) {
 void AddFrameTimeout(CLI::App& command, CameraFlags& flags) {
   command.add_option("--frame-timeout", flags.frame_timeout_s, "Longest time without a frame")
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.1, 3600.0))
+      ->check(flags::FiniteRange(0.1, 3600))
       ->capture_default_str()
       ->group(kCamera);
 }
@@ -75,7 +78,7 @@ void AddLimitFlags(CLI::App& command, LimitFlags& flags) {
       ->group(kLimits);
   command.add_option("--seconds", flags.seconds, "After this time")
       ->type_name("N")
-      ->check(CLI::Range(1e-3, 1e9))
+      ->check(flags::FiniteRange(1e-3, 1e9))
       ->group(kLimits);
 }
 
@@ -130,7 +133,7 @@ void AddStreamFlags(CLI::App& command, StreamFlags& flags) {
       .add_option("--patience", flags.patience_s,
                   "How long to wait for a server or a camera that went away")
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(flags::FiniteRange(0, 1e6))
       ->capture_default_str()
       ->group("Server");
   AddFrameTimeout(command, flags.camera);
@@ -170,7 +173,7 @@ void AddReplayFlags(CLI::App& command, StreamFlags& flags) {
                   "Play at this multiple of the recorded speed and drop frames like a camera; "
                   "else each frame waits for its answer")
       ->type_name("X")
-      ->check(CLI::Range(0.01, 100.0))
+      ->check(flags::FiniteRange(0.01, 100))
       ->group(kSending);
 }
 

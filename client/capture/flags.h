@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,10 +14,12 @@
 namespace fovea::capture {
 
 struct CameraFlags {
-  std::string device, resolution = "640x480", depth_resolution;
+  std::string device, resolution = "640x480";
+  std::string depth_resolution;        // of v4l2
+  std::optional<double> depth_unit_m;  // of v4l2; none = a millimetre
   int fps = 30;
   bool allow_unregistered = false;
-  double frame_timeout_s = 5, depth_unit_m = 0.001;
+  double frame_timeout_s = 5;
 };
 
 struct LimitFlags {

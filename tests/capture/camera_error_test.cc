@@ -25,7 +25,8 @@ TEST(KindOf, LeavesThePlaceOut) {
 
 TEST(ParseResolution, TakesWidthAndHeight) {
   EXPECT_EQ(ParseResolution("640x480", "--resolution"), cv::Size(640, 480));
-  for (const char* text : {"", "640", "640x", "640x480x3", "-1x2", "123456x2"}) {
+  for (const char* text :
+       {"", "640", "640x", "640x480x3", "-1x2", "123456x2", "0x0", "640x0", "0x480"}) {
     EXPECT_THROW(ParseResolution(text, "--resolution"), std::invalid_argument) << text;
   }
 }

@@ -69,6 +69,16 @@ TEST_F(MishapsTest, UnsupportedMode) {
   ExpectOneLineError(run({"--resolution", "big"}), "--resolution: \"big\"");
 }
 
+// NaN is in no range, and compares as if it were in each.
+TEST_F(MishapsTest, NumbersThatAreNone) {
+  for (const char* flag : {"--seconds", "--patience", "--frame-timeout", "--depth-unit"}) {
+    const Finished finished = Capture(Live({flag, "nan", "--frames", "1"}));
+    EXPECT_NE(finished.exit_code, 0) << flag;
+    EXPECT_THAT(finished.err, HasSubstr(std::string(flag) + ": \"nan\" is not a number from "));
+  }
+  EXPECT_THAT(Capture(Replay(At("a.oni"), {"--speed", "nan"})).err, HasSubstr("--speed: \"nan\""));
+}
+
 TEST_F(MishapsTest, NoRegistration) {
   ExpectOneLineError(With("no-registration"), "does not register depth to colour");
   const Finished anyway = With("no-registration", {"--allow-unregistered"});

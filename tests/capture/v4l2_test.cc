@@ -5,6 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/capture/capture_process.h"
 
@@ -153,9 +156,20 @@ TEST_F(V4l2Test, SaysWhatIsNoVideoNode) {
   ExpectOneLineError(run("v4l2:/dev/video0"), "is not v4l2:DEPTH,COLOR");
   ExpectOneLineError(Capture(Record(At("a.oni"), {"--device", Device()})),
                      "only what OpenNI2 sees is recorded");
-  ExpectOneLineError(
-      Capture(Live({"--depth-intrinsics", "1,1,1,1", "--color-from-depth", "0,0,0,0,0,0,1"})),
-      "--depth-intrinsics is for --device v4l2:");
+}
+
+TEST_F(V4l2Test, HasFlagsThatOtherCamerasDoNotTake) {
+  const std::vector<std::pair<std::string, std::string>> flags{
+      {"--depth-resolution", "320x240"},
+      {"--depth-unit", "0.001"},
+      {"--depth-intrinsics", "1,1,1,1"},
+      {"--color-from-depth", "0,0,0,0,0,0,1"}};
+  for (const auto& [flag, value] : flags) {
+    ExpectOneLineError(Capture(Live({flag, value, "--frames", "1"})),
+                       flag + " is for --device v4l2:…; OpenNI2 says this");
+  }
+  ExpectOneLineError(Run({"--allow-unregistered", "--depth-resolution", "0x0", "--frames", "1"}),
+                     "--depth-resolution: \"0x0\" is not WIDTHxHEIGHT");
 }
 
 }  // namespace
