@@ -17,6 +17,7 @@ void SetCameras(const SessionOptions& options, v1::Frame* frame) {
 }
 
 v1::Frame MakeFrame(const SessionOptions& options, const Picture& picture, Encoder& encoder) {
+  if (options.depth_camera) cli::CheckDepthSize(*options.depth_camera, picture.depth.size());
   v1::Frame frame = encoder.Encode(picture);
   SetCameras(options, &frame);
   if (options.gravity) *frame.mutable_gravity() = *options.gravity;

@@ -55,7 +55,8 @@ bool GoesOn(const SessionOptions& options, const Session& session);
 // Intrinsics and, where depth is not registered, its camera.
 void SetCameras(const SessionOptions& options, v1::Frame* frame);
 
-// The request for a picture, with everything that all requests have in common.
+// The request for a picture, with everything that all requests have in common. Throws
+// std::runtime_error where the depth camera is said to have images of another size.
 v1::Frame MakeFrame(const SessionOptions& options, const Picture& picture, Encoder& encoder);
 
 }  // namespace fovea::capture

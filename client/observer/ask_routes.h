@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "client/observer/feed.h"
 #include "client/observer/history/history_routes.h"
@@ -15,7 +16,7 @@ namespace fovea::observer {
 // would answer with others, and picks for robots. Thread-safe.
 class AskRoutes {
  public:
-  explicit AskRoutes(HistoryRoutes history) : history_(history) {}
+  explicit AskRoutes(HistoryRoutes history) : history_(std::move(history)) {}
 
   static bool IsOne(const std::string& path);
   HttpResponse Answer(const HttpRequest& request, Feed& feed);

@@ -115,6 +115,14 @@ TEST_F(V4l2Test, EndsWhereTheServerRefusesTheDepthCamera) {
   ExpectOneLineError(run(At("k.json"), "0,0,0,0,0,0,2"), "frame.color_from_depth");
 }
 
+TEST_F(V4l2Test, EndsWhereTheDepthCameraHasImagesOfAnotherSize) {
+  folder_.Write("large.json",
+                R"({"fx": 300, "fy": 300, "cx": 640, "cy": 360, "width": 1280, "height": 720})");
+  ExpectOneLineError(
+      Run({"--depth-intrinsics", At("large.json"), "--color-from-depth", "0,0,0,0,0,0,1"}),
+      "--depth-intrinsics: " + At("large.json") + " is for images of 1280x720");
+}
+
 TEST_F(V4l2Test, ReadsRowsWithPadding) {
   const Finished finished = Run(
       {"--allow-unregistered", "--frames", "2", "--every-frame", "--save", At("out")}, "padded");

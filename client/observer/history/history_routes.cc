@@ -50,7 +50,8 @@ HttpResponse FileResponse(BundleFile file, std::shared_ptr<void> ticket) {
     std::shared_ptr<void> ticket;
     std::string bytes;
   };
-  const auto sent = std::make_shared<const Sent>(std::move(ticket), std::move(file.bytes));
+  const auto sent =
+      std::make_shared<Sent>(Sent{.ticket = std::move(ticket), .bytes = std::move(file.bytes)});
   return {.type = "application/zip",
           .body = {sent, &sent->bytes},
           .headers = {{"Content-Disposition", "attachment; filename=\"" + file.name + "\""}}};
