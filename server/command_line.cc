@@ -11,6 +11,7 @@
 #include "server/access/observer_gate.h"
 #include "server/config_file.h"
 #include "server/option_table.h"
+#include "server/plain_values.h"
 
 namespace fovea::server {
 namespace {
@@ -209,6 +210,7 @@ std::optional<ServerOptions> ParseCommandLine(int argc, char** argv, Settings* s
                "fovea-server");
   ServerOptions options;
   AddFlags(app, options);
+  RequirePlainValues(app);
   app.set_config("--config", "",
                  "File with any of these flags, one KEY = VALUE a line; flags given here win");
   app.config_formatter(std::make_shared<ConfigFile>(app));

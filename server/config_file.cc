@@ -1,10 +1,10 @@
 #include "server/config_file.h"
 
 #include <algorithm>
-#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/options.h"
@@ -35,6 +35,17 @@ std::size_t LineOf(const std::string& key, const std::string& text) {
   return 0;
 }
 
+// Without the mark that some editors begin files with.
+std::string TextOf(std::istream& input) {
+  constexpr std::size_t kLargest = 1 << 20;
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  std::string text(kLargest + 1, '\0');
+  input.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(input.gcount()));
+  if (text.size() > kLargest) throw std::invalid_argument("--config: the file has more than 1 MiB");
+  return text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text;
+}
+
 }  // namespace
 
 std::string ConfigFile::Remedy(const std::string& key) const {
@@ -57,17 +68,28 @@ void ConfigFile::Check(const CLI::ConfigItem& item, const std::string& text) con
   const bool is_section = item.name == "++" || item.name == "--";
   const std::string key = is_section ? CLI::detail::join(item.parents, ".") : item.fullname();
   const CLI::Option* option = is_section ? nullptr : app_.get_option_no_throw("--" + key);
-  if (option != nullptr && option->get_configurable()) return;
+  const std::string what = Problem(option, item, is_section ? key + "." : key);
+  if (what.empty()) return;
   const std::string place =
       app_.get_config_ptr()->as<std::string>() + ":" + std::to_string(LineOf(key, text));
-  const std::string what = option != nullptr
-                               ? "\" is for the command line only"
-                               : "\" is no key; " + Remedy(is_section ? key + "." : key);
-  throw std::invalid_argument("--config: " + place + ": \"" + key + what);
+  throw std::invalid_argument("--config: " + place + ": \"" + key + "\" " + what);
+}
+
+std::string ConfigFile::Problem(const CLI::Option* option, const CLI::ConfigItem& item,
+                                const std::string& key) const {
+  if (option == nullptr) return "is no key; " + Remedy(key);
+  if (!option->get_configurable()) return "is for the command line only";
+  const bool is_flag = option->get_expected_max() == 0;
+  // CLI11 takes nothing, and any number but 0, for true.
+  if (is_flag && item.inputs != std::vector<std::string>{"true"} &&
+      item.inputs != std::vector<std::string>{"false"}) {
+    return "must be true or false";
+  }
+  return {};
 }
 
 std::vector<CLI::ConfigItem> ConfigFile::from_config(std::istream& input) const {
-  const std::string text{std::istreambuf_iterator<char>(input), {}};
+  const std::string text = TextOf(input);
   std::istringstream copy(text);
   std::vector<CLI::ConfigItem> found = CLI::ConfigTOML::from_config(copy);
   for (const CLI::ConfigItem& item : found) Check(item, text);

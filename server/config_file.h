@@ -3,6 +3,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <istream>
+#include <string>
 #include <vector>
 
 namespace fovea::server {
@@ -18,6 +19,9 @@ class ConfigFile : public CLI::ConfigTOML {
 
  private:
   void Check(const CLI::ConfigItem& item, const std::string& text) const;
+  // What is wrong with it; empty where nothing is. `option`: null where there is none of this name.
+  std::string Problem(const CLI::Option* option, const CLI::ConfigItem& item,
+                      const std::string& key) const;
   std::string Remedy(const std::string& key) const;
 
   const CLI::App& app_;

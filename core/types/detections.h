@@ -51,7 +51,7 @@ struct DetectedObject {
   std::size_t num_pixels = 0;  // of the mask
   OrientedBox box;             // completed: with what the camera cannot see of its shape; stands on
                                // the support where one was found
-  OrientedBox visible_box;     // around what was seen alone, with the same axes
+  OrientedBox visible_box;     // around what was seen alone, with a yaw of its own
   std::optional<BoxUncertainty> uncertainty;  // of `box`; none where depth is missing
   Shape shape;
   bool yaw_is_arbitrary = false;  // round about the upright: the box's x axis then points away from

@@ -9,6 +9,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+// Where a message did not come whole. gRPC does not tell a caller that left from a message that it
+// has refused itself.
+grpc::Status StatusOfHalfMessage(const grpc::Status& gone) {
+  if (gone.error_code() != grpc::StatusCode::CANCELLED) return gone;
+  return {grpc::StatusCode::CANCELLED,
+          "the caller left before its message was whole, or it is larger than --max-message-mib"};
+}
+
 }  // namespace
 
 void DetectCall::Accept(const CallEnvironment& environment) {
@@ -69,7 +77,7 @@ void DetectCall::OnRead(bool ok) {
   upload_.reset();
   transfer_.End();
   if (!ok) {
-    Refuse(transfer_.passed() ? StatusOfSlowness() : caller_.StatusOfGone());
+    Refuse(transfer_.passed() ? StatusOfSlowness() : StatusOfHalfMessage(caller_.StatusOfGone()));
     return;
   }
   has_message_ = true;

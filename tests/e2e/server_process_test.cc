@@ -102,7 +102,8 @@ TEST(ServerProcess, ReadsItsConfigurationFromAFile) {
 }
 
 TEST(ServerProcess, ChecksItsConfiguration) {
-  const ConfigFile good("max-pixels = 1000\n");
+  const ConfigFile good(
+      "\xEF\xBB\xBFmax-pixels = 1000\ninsecure = false\noption = [\"mrf.lambda=0.5\"]\n");
   const Finished valid = Execute({FOVEA_SERVER, "--check-config", "--config", good.path()});
   EXPECT_EQ(valid.exit_code, 0) << valid.err;
   EXPECT_EQ(valid.out, "the configuration is valid\n");
@@ -114,6 +115,11 @@ TEST(ServerProcess, ChecksItsConfiguration) {
   const std::vector<std::pair<std::string, std::string>> cases{
       {"max-pixels = 0\n", "--max-pixels: 0 is not between 1 and 100000000"},
       {"max-pixels = many\n", "max-pixels"},
+      {"max-compute-ms = \"\"\n", "--max-compute-ms: is empty"},
+      {"tokens = \"\"\n", "--tokens: is empty"},
+      {"max-message-mib = 010\n", "--max-message-mib: \"010\" begins with a zero"},
+      {"\ninsecure = \"\"\n", ":2: \"insecure\" must be true or false"},
+      {"insecure = 5\n", "\"insecure\" must be true or false"},
       {"\n max-pixel = 1000\n", ":2: \"max-pixel\" is no key; did you mean max-pixels?"},
       {"hold-s = 1\nmrf.lambda = 3\n", ":2: \"mrf.lambda\" is no key; options of the method come"},
       {"fast = true\n", ":1: \"fast\" is no key; --help lists"},
@@ -126,6 +132,12 @@ TEST(ServerProcess, ChecksItsConfiguration) {
     EXPECT_EQ(invalid.exit_code, 1) << text;
     EXPECT_THAT(invalid.err, HasSubstr(error)) << text;
   }
+  const Finished endless = Execute({FOVEA_SERVER, "--check-config", "--config", "/dev/zero"});
+  EXPECT_THAT(endless.err, HasSubstr("--config: the file has more than 1 MiB"));
+  const Finished unset = Execute({FOVEA_SERVER, "--check-config", "--tokens", ""});
+  EXPECT_THAT(unset.err, HasSubstr("--tokens: is empty"));
+  const Finished device = Execute({FOVEA_SERVER, "--check-config", "--tokens", "/dev/zero"});
+  EXPECT_THAT(device.err, HasSubstr("--tokens: /dev/zero is no file that can be read again"));
   const Finished missing = Execute({FOVEA_SERVER, "--config", "/nowhere.toml"});
   EXPECT_EQ(missing.exit_code, 1);
   EXPECT_THAT(missing.err, StartsWith("fovea-server: --config: /nowhere.toml"));

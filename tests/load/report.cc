@@ -57,8 +57,8 @@ std::string Report(const std::vector<Outcome>& outcomes, double seconds) {
                   all.latency_ms.size(), static_cast<double>(all.latency_ms.size()) / seconds) +
       fmt::format("latency    {}\noverhead   {}\n", Percentiles(all.latency_ms),
                   Percentiles(all.overhead_ms)) +
-      fmt::format("dropped    {}\nfairness   {} to {} answers per robot\n", all.dropped, least,
-                  most);
+      fmt::format("dropped    {}\n", all.dropped);
+  if (least <= most) text += fmt::format("fairness   {} to {} answers per robot\n", least, most);
   if (all.lost > 0) text += fmt::format("lost       {}\n", all.lost);
   for (const auto& [code, count] : all.errors) text += fmt::format("{}  {}\n", code, count);
   if (!all.refusal_ms.empty()) text += "refusals   " + Percentiles(all.refusal_ms) + "\n";

@@ -83,6 +83,19 @@ TEST(RequestLog, NamesStreamsThatWereNotLetIn) {
   EXPECT_THAT(log.text(), HasSubstr("code=INVALID_ARGUMENT error=\"metadata fovea-robot: must be"));
 }
 
+TEST(RequestLog, NamesTheLimitThatAMessageMayHavePassed) {
+  const CapturedLog log;
+  {
+    server::ServerOptions options = LoopbackOptions();
+    options.max_message_mib = 1;
+    const Loopback loopback(FindOne, options);
+    v1::DetectRequest request = TestRequest();
+    request.mutable_frame()->mutable_color()->set_data(std::string(2 << 20, 'x'));
+    StatusOf([&] { loopback.client.Detect(request); });
+  }
+  EXPECT_THAT(log.text(), HasSubstr("or it is larger than --max-message-mib"));
+}
+
 TEST(RequestLog, NamesTheStagesOfSlowFrames) {
   const CapturedLog log;
   {

@@ -135,7 +135,7 @@ class Object:
     bounding_box: BoundingBox2D
     num_pixels: int
     oriented_box: OrientedBox  # of the whole object, with what the camera cannot see of its shape
-    visible_box: OrientedBox  # around what was seen alone, with the same axes
+    visible_box: OrientedBox  # around what was seen alone, with a yaw of its own
     shape: Shape
     yaw_is_arbitrary: bool  # round about the upright: any yaw describes it as well
     unseen_share: float  # of its surface without the bottom, 0 … 1
