@@ -90,7 +90,7 @@ class Frame:
     color: HxWx3 uint8 in the order of color_encoding, or the bytes of a PNG or JPEG file.
     depth: HxW uint16 in units of depth_unit_m, 0 = not measured, or other integers that fit into
         it; or HxW float32 in metres, NaN or <= 0 = not measured; or the bytes of a 16-bit PNG file.
-        Along the optical axis.
+        Along the optical axis. What a masked array masks is not measured.
     depth_unit_m: metres, of integers and PNG files; None: 0.001. Float depth is in metres and goes
         without it.
     intrinsics: of the colour camera; CameraIntrinsics or a 3x3 matrix.

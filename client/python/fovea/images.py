@@ -24,6 +24,8 @@ def make_color_image(color: Any, encoding: str = "rgb8") -> frame_pb2.ColorImage
     if isinstance(color, (bytes, bytearray, memoryview)):
         return _color_file(bytes(color))
     _require_array(color, _COLOR, ("uint8",), "HxWx3 uint8")
+    if np.any(getattr(color, "mask", False)):
+        raise InvalidArgument(_COLOR, "has masked pixels; give them a colour with filled()")
     if color.ndim != 3 or color.shape[2] != 3:
         raise InvalidArgument(_COLOR, f"has the shape {color.shape}, not HxWx3")
     if encoding in ("rgb8", "bgr8"):
@@ -42,12 +44,14 @@ def make_depth_image(
     """HxW uint16 in units of `unit_m` metres (None: 0.001) with 0 = not measured, or any integers
     that fit into it (Pillow 9 reads 16-bit PNG files as int32); or HxW float32 in metres, where NaN
     or <= 0 = not measured, without `unit_m`; or the bytes of a 16-bit PNG file, which are sent as
-    they are.
+    they are. What a masked array masks is not measured.
 
     encoding: "raw", "zstd" or "png" (uint16 only). All are lossless.
     """
     if isinstance(depth, (bytes, bytearray, memoryview)):
         return _depth_file(bytes(depth), unit_m)
+    if isinstance(depth, np.ma.MaskedArray):
+        depth = _filled(depth)
     if isinstance(depth, np.ndarray) and np.issubdtype(depth.dtype, np.integer):
         depth = _as_uint16(depth)
     _require_array(depth, _DEPTH, ("uint16", "float32"), "HxW uint16 or float32")
@@ -79,6 +83,13 @@ def _require_array(image: Any, field: str, dtypes: tuple[str, ...], expected: st
         raise InvalidArgument(field, f"is an array of {image.dtype.name}, not {expected}")
     if image.size == 0:
         raise InvalidArgument(field, f"is empty: its shape is {image.shape}")
+
+
+def _filled(depth: Any) -> Any:
+    """With what stands for "not measured", whatever the array's own fill_value is."""
+    if depth.dtype.kind not in "iuf":
+        return depth  # and is refused
+    return depth.filled(np.nan if depth.dtype.kind == "f" else 0)
 
 
 def _as_uint16(depth: Any) -> Any:

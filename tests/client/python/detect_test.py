@@ -58,6 +58,26 @@ def test_takes_depth_of_other_integers(client: fovea.Client, scene: Scene) -> No
         assert_same(client.detect_frame(scene.frame(depth=scene.depth.astype(kind))), wanted)
 
 
+@pytest.mark.parametrize(
+    ("kind", "encoding"),
+    [(np.uint16, "raw"), (np.uint16, "png"), (np.int32, "raw"), (np.float32, "raw")],
+)
+def test_masked_depth_is_not_measured(scene: Scene, kind: type, encoding: str) -> None:
+    depth = scene.depth.astype(kind)
+    hidden = np.arange(depth.size).reshape(depth.shape) % 320 < 160
+    plain = np.where(hidden, np.nan if kind is np.float32 else 0, depth).astype(kind)
+    sent = [
+        scene.frame(depth=each, depth_encoding=encoding).to_proto().depth
+        for each in (np.ma.MaskedArray(depth, mask=hidden), plain)
+    ]
+    assert sent[0] == sent[1]
+
+
+def test_arrays_that_mask_nothing_are_as_others(scene: Scene) -> None:
+    frame = scene.frame(color=np.ma.MaskedArray(scene.color), depth=np.ma.MaskedArray(scene.depth))
+    assert frame.to_proto() == scene.frame().to_proto()
+
+
 def test_finds_the_objects_that_the_command_line_finds(
     client: fovea.Client, server: ServerProcess, scene: Scene, tmp_path: Path
 ) -> None:

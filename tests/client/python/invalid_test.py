@@ -21,6 +21,7 @@ LOCAL: list[tuple[dict[str, Any], str, str]] = [
     ({"color": np.zeros((240, 320), np.uint8)}, "frame.color", "shape (240, 320), not HxWx3"),
     ({"color": np.zeros((240, 320, 4), np.uint8)}, "frame.color", "not HxWx3"),
     ({"color": np.zeros((240, 320, 3))}, "frame.color", "float64, not HxWx3 uint8"),
+    ({"color": np.ma.masked_equal(np.zeros((240, 320, 3), np.uint8), 0)}, "frame.color", "masked"),
     ({"color": [[1, 2]]}, "frame.color", "is list, not an array"),
     ({"color": np.zeros((0, 320, 3), np.uint8)}, "frame.color", "is empty"),
     ({"color": b"GIF89a"}, "frame.color.data", "neither a PNG nor a JPEG"),
