@@ -11,7 +11,7 @@ from google.protobuf.timestamp_pb2 import Timestamp
 
 from fovea.checks import real, text
 from fovea.errors import InvalidArgument
-from fovea.geometry import numbers, pose_to_proto, vector_to_proto
+from fovea.geometry import numbers, pose_to_proto, row_of_numbers, vector_to_proto
 from fovea.images import make_color_image, make_depth_image
 from fovea.v1 import frame_pb2
 
@@ -36,17 +36,15 @@ class LensDistortion:
     """
 
     model: str
-    coefficients: tuple[float, ...]
+    coefficients: npt.ArrayLike  # also of the shape 1xN or Nx1, as OpenCV has them
 
     def to_proto(self, field: str = _INTRINSICS) -> frame_pb2.LensDistortion:
-        if self.model not in _MODELS:
+        if text(self.model, f"{field}.distortion.model") not in _MODELS:
             known = ", ".join(_MODELS)
             raise InvalidArgument(
                 f"{field}.distortion.model", f"{self.model!r} is not one of {known}"
             )
-        values = numbers(
-            self.coefficients, (len(self.coefficients),), f"{field}.distortion.coefficients"
-        )
+        values = row_of_numbers(self.coefficients, f"{field}.distortion.coefficients")
         return frame_pb2.LensDistortion(model=_MODELS[self.model], coefficients=values.tolist())
 
 
@@ -77,6 +75,9 @@ class CameraIntrinsics:
             real(getattr(self, name), f"{field}.{name}")
         proto = frame_pb2.CameraIntrinsics(fx=self.fx, fy=self.fy, cx=self.cx, cy=self.cy)
         if self.distortion is not None:
+            if not isinstance(self.distortion, LensDistortion):
+                kind = type(self.distortion).__name__
+                raise InvalidArgument(f"{field}.distortion", f"is {kind}, not fovea.LensDistortion")
             proto.distortion.CopyFrom(self.distortion.to_proto(field))
         return proto
 

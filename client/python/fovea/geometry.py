@@ -50,13 +50,27 @@ def pose_to_proto(pose: Any, field: str) -> geometry_pb2.Pose:
 
 
 def numbers(value: Any, shape: tuple[int, ...], field: str) -> FloatArray:
-    try:
-        array = np.asarray(value, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise InvalidArgument(field, "is not made of numbers") from None
+    array = _numbers(value, field)
     if array.shape != shape:
         raise InvalidArgument(field, f"has the shape {array.shape}, not {shape}")
     return array
+
+
+def row_of_numbers(value: Any, field: str) -> FloatArray:
+    """However many, in one row or one column."""
+    array = _numbers(value, field)
+    if array.ndim == 0:
+        raise InvalidArgument(field, f"{value!r} is not several numbers")
+    if array.size != max(array.shape):
+        raise InvalidArgument(field, f"has the shape {array.shape}, not that of one row")
+    return array.ravel()
+
+
+def _numbers(value: Any, field: str) -> FloatArray:
+    try:
+        return np.asarray(value, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise InvalidArgument(field, "is not made of numbers") from None
 
 
 def _require_rigid(matrix: FloatArray, field: str) -> None:

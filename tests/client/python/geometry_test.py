@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from fovea.frame import LensDistortion
 from fovea.geometry import pose_from_proto, pose_to_proto
 from fovea.masks import decode_mask
 from fovea.server_info import require_same_version
@@ -68,3 +69,10 @@ def test_versions_match_as_in_semantic_versioning() -> None:
     for server, client in [("0.2.0", "0.1.0"), ("1.0.0", "2.0.0"), ("1.0.0", "0.1.0")]:
         with pytest.raises(VersionMismatch, match=f"{server}, this library is {client}"):
             require_same_version(server, client)
+
+
+@pytest.mark.parametrize("shape", [(5,), (1, 5), (5, 1)])
+def test_takes_lens_coefficients_in_the_shapes_that_opencv_has(shape: tuple[int, ...]) -> None:
+    coefficients = np.arange(5.0).reshape(shape)
+    lens = LensDistortion("plumb_bob", coefficients)
+    assert lens.to_proto().coefficients == [0, 1, 2, 3, 4]

@@ -16,6 +16,16 @@ from fovea.status_details import field_of_details
 
 TURNED = np.eye(4)[[1, 0, 2, 3]]  # a reflection
 
+
+def _plumb_bob(coefficients: Any) -> fovea.LensDistortion:
+    return fovea.LensDistortion("plumb_bob", coefficients)
+
+
+def _of_lens(field: str, problem: str, distortion: Any) -> tuple[dict[str, Any], str, str]:
+    intrinsics = fovea.CameraIntrinsics(5, 5, 3, 3, distortion)
+    return {"intrinsics": intrinsics}, f"frame.intrinsics.distortion{field}", problem
+
+
 # What is caught here: changes to a good frame, the field and a part of the message.
 LOCAL: list[tuple[dict[str, Any], str, str]] = [
     ({"color": np.zeros((240, 320), np.uint8)}, "frame.color", "shape (240, 320), not HxWx3"),
@@ -50,6 +60,12 @@ LOCAL: list[tuple[dict[str, Any], str, str]] = [
     ({"intrinsics": "wide"}, "frame.intrinsics", "not made of numbers"),
     ({"intrinsics": [[5, 1, 3], [0, 5, 3], [0, 0, 1]]}, "frame.intrinsics", "is not [[fx, 0"),
     ({"intrinsics": fovea.CameraIntrinsics(5, np.nan, 3, 3)}, "frame.intrinsics.fy", "finite"),
+    _of_lens("", "is tuple, not fovea.LensDistortion", (0, 0, 0, 0)),
+    _of_lens(".model", "['x'] is not a str", fovea.LensDistortion(["x"], (0.1,))),  # type: ignore
+    _of_lens(".coefficients", "None is not several numbers", _plumb_bob(None)),
+    _of_lens(".coefficients", "0.1 is not several numbers", _plumb_bob(0.1)),
+    _of_lens(".coefficients", "is not made of numbers", _plumb_bob("wide")),
+    _of_lens(".coefficients", "has the shape (2, 2), not that of", _plumb_bob(np.eye(2))),
     ({"id": 7}, "frame.id", "7 is not a str"),
     ({"id": "\ud800"}, "frame.id", "is not Unicode text"),
     ({"captured_at_ns": 1.8e18}, "frame.captured_at", "=1.8e+18 is not a whole number of nano"),

@@ -86,6 +86,16 @@ def test_a_bad_frame_gets_an_error_and_the_stream_goes_on(
     assert "is 320x5, colour is 320x240" in str(answers[2].error)
 
 
+def test_a_lens_that_is_none_is_the_error_of_its_frame(client: fovea.Client, scene: Scene) -> None:
+    lens = fovea.LensDistortion("plumb_bob", None)
+    for distortion in (lens, (0, 0, 0, 0)):
+        intrinsics = fovea.CameraIntrinsics(262.5, 262.5, 159.5, 119.5, distortion)
+        frames = [scene.frame(), scene.frame(intrinsics=intrinsics), scene.frame()]
+        answers = list(client.stream(frames, every_frame=True))
+        assert [answer.error is None for answer in answers] == [True, False, True]
+        assert answers[1].error.field.startswith("frame.intrinsics.distortion")
+
+
 def test_errors_of_dropped_frames_are_not_mistaken(client: fovea.Client, scene: Scene) -> None:
     frames = [scene.frame(), scene.frame(color=b"GIF89a")] * 15
     for answer in client.stream(frames):
