@@ -10,26 +10,41 @@ import numpy as np
 from fovea.errors import DeadlineExceeded, InvalidArgument
 
 _LONGEST = 1e9  # seconds; gRPC takes times far beyond for such as have passed
+_REAL = (int, float, np.integer, np.floating)
+
+
+def shown(value: Any) -> str:
+    """Python refuses to write integers of thousands of digits, and nobody reads them."""
+    if isinstance(value, int) and value.bit_length() > 128:
+        return f"an integer of {value.bit_length()} bits"
+    return repr(value)
 
 
 def real(value: Any, field: str) -> float:
-    if not (isinstance(value, (int, float, np.number)) and math.isfinite(value)):
-        raise InvalidArgument(field, f"{value!r} is not a finite number")
+    if not _is_finite(value):
+        raise InvalidArgument(field, f"{shown(value)} is not a finite number")
     return float(value)
 
 
 def positive(value: Any, field: str, name: str) -> float:
     """Above 0, which on the wire stands for what was not given. name: of the argument, which the
     contract may call otherwise."""
-    if not (isinstance(value, (int, float, np.number)) and 0 < value < math.inf):
-        raise InvalidArgument(field, f"{name}={value!r} is not a finite number above 0")
+    if not (_is_finite(value) and value > 0):
+        raise InvalidArgument(field, f"{name}={shown(value)} is not a finite number above 0")
     return float(value)
+
+
+def _is_finite(value: Any) -> bool:
+    try:
+        return isinstance(value, _REAL) and math.isfinite(value)
+    except OverflowError:  # an integer beyond what a float holds
+        return False
 
 
 def whole(value: Any, field: str) -> int:
     """From 1 to what 32 bits hold."""
     if not (isinstance(value, (int, np.integer)) and 0 < value < 2**32):
-        raise InvalidArgument(field, f"{value!r} is not a whole number from 1")
+        raise InvalidArgument(field, f"{shown(value)} is not a whole number from 1")
     return int(value)
 
 
@@ -45,15 +60,15 @@ def text(value: Any, field: str) -> str:
 
 
 def timeout_of_client(timeout: Any) -> float:
-    if not (isinstance(timeout, (int, float, np.number)) and 0 < timeout < math.inf):
-        raise InvalidArgument("timeout", f"{timeout!r} is not a number of seconds above 0")
-    return min(float(timeout), _LONGEST)
+    if not (isinstance(timeout, _REAL) and 0 < timeout < math.inf):
+        raise InvalidArgument("timeout", f"{shown(timeout)} is not a number of seconds above 0")
+    return float(min(timeout, _LONGEST))
 
 
 def timeout_of_call(timeout: Any) -> float:
     """What is left of somebody's time may well be nothing, which is no mistake of the caller's:
     DeadlineExceeded."""
-    if isinstance(timeout, (int, float, np.number)) and timeout <= 0:
-        problem = f"timeout={timeout!r}: no time is left for the call"
+    if isinstance(timeout, _REAL) and timeout <= 0:
+        problem = f"timeout={shown(timeout)}: no time is left for the call"
         raise DeadlineExceeded("DEADLINE_EXCEEDED", problem)
     return timeout_of_client(timeout)

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 from google.protobuf.timestamp_pb2 import Timestamp
 
-from fovea.checks import real, text
+from fovea.checks import real, shown, text
 from fovea.errors import InvalidArgument
 from fovea.geometry import numbers, pose_to_proto, row_of_numbers, vector_to_proto
 from fovea.images import make_color_image, make_depth_image
@@ -155,11 +155,11 @@ class Frame:
 def _time_to_proto(captured_at_ns: Any) -> Timestamp:
     field = "frame.captured_at"
     if not isinstance(captured_at_ns, (int, np.integer)):
-        problem = f"captured_at_ns={captured_at_ns!r} is not a whole number of nanoseconds"
+        problem = f"captured_at_ns={shown(captured_at_ns)} is not a whole number of nanoseconds"
         raise InvalidArgument(field, problem)
     seconds, nanos = divmod(int(captured_at_ns), 1_000_000_000)
     if not _FIRST_SECOND <= seconds <= _LAST_SECOND:
-        problem = f"captured_at_ns={captured_at_ns!r} is not in the years 1 to 9999"
+        problem = f"captured_at_ns={shown(captured_at_ns)} is not in the years 1 to 9999"
         raise InvalidArgument(field, problem)
     return Timestamp(seconds=seconds, nanos=nanos)
 

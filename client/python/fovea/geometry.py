@@ -71,6 +71,8 @@ def _numbers(value: Any, field: str) -> FloatArray:
         return np.asarray(value, dtype=np.float64)
     except (TypeError, ValueError):
         raise InvalidArgument(field, "is not made of numbers") from None
+    except OverflowError:
+        raise InvalidArgument(field, "has an integer beyond what a float holds") from None
 
 
 def _require_rigid(matrix: FloatArray, field: str) -> None:

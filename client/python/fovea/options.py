@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from fovea.checks import positive, real, text
+from fovea.checks import positive, real, shown, text
 from fovea.errors import InvalidArgument
 from fovea.geometry import numbers
 from fovea.grippers import Gripper, grippers_to_proto
@@ -97,23 +97,26 @@ class DetectOptions:
             if not 0 < real(self.time_budget, "options.time_budget") < 3600:
                 raise InvalidArgument(
                     "options.time_budget",
-                    f"{self.time_budget!r} s is not from 0 (none) to less than an hour",
+                    f"{shown(self.time_budget)} s is not from 0 (none) to less than an hour",
                 )
             # Nothing on the wire stands for no limit.
             proto.time_budget.FromNanoseconds(max(1, round(self.time_budget * 1e9)))
+        self._add_parameters(proto)
+        return proto
+
+    def _add_parameters(self, proto: detection_pb2.DetectOptions) -> None:
         if not isinstance(self.parameters, Mapping):
             raise InvalidArgument(
                 "options.parameters", f"is {type(self.parameters).__name__}, not a dict"
             )
         for name, value in self.parameters.items():
-            text(name, "options.parameters")
+            field = f"options.parameters[{text(name, 'options.parameters')}]"
             try:
                 proto.parameters[name] = float(value)
             except (TypeError, ValueError):
-                raise InvalidArgument(
-                    f"options.parameters[{name}]", f"{value!r} is not a number"
-                ) from None
-        return proto
+                raise InvalidArgument(field, f"{value!r} is not a number") from None
+            except OverflowError:
+                raise InvalidArgument(field, f"{shown(value)} is beyond any float") from None
 
 
 def _place_size_to_proto(place_size: Any) -> geometry_pb2.Vector3:
