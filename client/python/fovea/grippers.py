@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from fovea.checks import positive, real, whole
+from fovea.checks import positive, real, text, whole
 from fovea.errors import InvalidArgument
 from fovea.geometry import vector_to_proto
 from fovea.v1 import detection_pb2, geometry_pb2
@@ -50,10 +50,9 @@ class Gripper:
 
     def to_proto(self, field: str = f"{_GRIPPERS}[0]") -> detection_pb2.Gripper:
         """Raises InvalidArgument that names what is wrong below `field`."""
-        if not isinstance(self.name, str):
-            raise InvalidArgument(f"{field}.name", f"{self.name!r} is not a text")
+        name = text(self.name, f"{field}.name")
         max_grasps = whole(self.max_grasps, f"{field}.max_grasps")
-        proto = detection_pb2.Gripper(name=self.name, max_grasps=max_grasps)
+        proto = detection_pb2.Gripper(name=name, max_grasps=max_grasps)
         self._add_hand(proto, field)
         if self.approach is not None:
             proto.approach.CopyFrom(vector_to_proto(self.approach, f"{field}.approach"))

@@ -171,6 +171,8 @@ def _of_gripper(field: str, problem: str, **gripper: Any) -> tuple[dict[str, Any
 
 
 LOCAL_OPTIONS += [
+    ({"grippers": fovea.Gripper("\ud800")}, f"{GRIPPER}.name", "is not Unicode text"),
+    ({"grippers": fovea.Gripper(5)}, f"{GRIPPER}.name", "5 is not a str"),  # type: ignore[arg-type]
     _of_gripper("", TWO_KINDS, max_opening_m=0.1, suction_diameter_m=0.03),
     _of_gripper("", TWO_KINDS, max_opening_m=0.085, suction_diameter_m=0.03),
     _of_gripper(".jaw.max_opening_m", "max_opening_m=0 is not", max_opening_m=0),
