@@ -20,7 +20,7 @@ from fovea.detections import Detections, detections_from_proto
 from fovea.errors import Cancelled, DeadlineExceeded, FoveaError, Unavailable, error_of_call
 from fovea.frame import CameraIntrinsics, Frame
 from fovea.frame_feed import FrameFeed
-from fovea.options import DetectOptions, RetryOptions, TlsOptions
+from fovea.options import DetectOptions, RetryOptions, TlsOptions, options_to_proto
 from fovea.retry import call_with_retries
 from fovea.server_info import (
     Option,
@@ -196,7 +196,7 @@ class Client:
         timeout: float | None = None,
     ) -> Detections:
         request = detection_service_pb2.DetectRequest(
-            frame=frame.to_proto(), options=options.to_proto()
+            frame=frame.to_proto(), options=options_to_proto(options)
         )
         response = self._call(lambda stub: stub.Detect, request, timeout)
         return detections_from_proto(response.detections)
@@ -231,7 +231,7 @@ class Client:
         timeout: longest wait for an answer while a frame has none; the stream itself has no end.
         picks: people who watch the robot may mark objects for it: StreamAnswer.pick.
         """
-        feed = FrameFeed(frames, options.to_proto(), every_frame, picks)
+        feed = FrameFeed(frames, options_to_proto(options), every_frame, picks)
         seconds = self._timeout_of(timeout)
         return ResumingStream(
             feed,

@@ -119,6 +119,13 @@ class DetectOptions:
                 raise InvalidArgument(field, f"{shown(value)} is beyond any float") from None
 
 
+def options_to_proto(options: Any) -> detection_pb2.DetectOptions:
+    if not isinstance(options, DetectOptions):
+        kind = type(options).__name__
+        raise InvalidArgument("options", f"is {kind}, not fovea.DetectOptions")
+    return options.to_proto()
+
+
 def _place_size_to_proto(place_size: Any) -> geometry_pb2.Vector3:
     field = "options.places.size"
     try:

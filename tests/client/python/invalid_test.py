@@ -202,6 +202,18 @@ def test_finds_mistakes_of_options_before_sending(
     assert problem in caught.value.message
 
 
+@pytest.mark.parametrize("options", [None, {"profile": "paper"}])
+def test_names_options_that_are_none(scene: Scene, options: Any) -> None:
+    nobody = fovea.Client("127.0.0.1:1")
+    for call in (
+        lambda: nobody.detect(scene.color, scene.depth, scene.intrinsics, options),
+        lambda: nobody.stream([scene.frame()], options),
+    ):
+        with pytest.raises(fovea.InvalidArgument, match="not fovea.DetectOptions") as caught:
+            call()
+        assert caught.value.field == "options"
+
+
 def test_a_short_time_budget_is_not_none() -> None:
     assert fovea.DetectOptions(time_budget=1e-12).to_proto().time_budget.nanos == 1
     assert not fovea.DetectOptions().to_proto().HasField("time_budget")
