@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from fovea.channel import make_metadata
-from fovea.checks import timeout_of_call, timeout_of_client
+from fovea.checks import timeout_of_call, timeout_of_client, whole
 from fovea.detections import Detections, detections_from_proto
 from fovea.errors import Cancelled, DeadlineExceeded, FoveaError, Unavailable, error_of_call
 from fovea.frame import CameraIntrinsics, Frame
@@ -35,6 +35,7 @@ from fovea.servers import Server, Servers
 from fovea.stream import ResumingStream, StreamAnswer
 from fovea.v1 import detection_service_pb2
 
+_MOST_MIB = 2047  # gRPC counts bytes in 31 bits
 _NOBODY_THERE = 0.8  # seconds: a server that is being started with its client is up by then
 
 
@@ -70,7 +71,7 @@ class Client:
             chosen by chance, asks the others as soon as that has no room or is away, and goes to
             another one where that takes its calls or promises to be free sooner.
         timeout: of a call that is given none; above 0, else InvalidArgument is raised.
-        max_answer_mib: largest answer; the clouds of a 2048x1536 frame are 45 MiB.
+        max_answer_mib: largest answer, 1 to 2047; the clouds of a 2048x1536 frame are 45 MiB.
         tls: encrypts where it is given.
         token: without TLS anybody on the way can read it. robot: the robot's name; empty = the
             server goes by the token, the certificate or the host.
@@ -80,7 +81,8 @@ class Client:
         self._retry = retry
         self._metadata = make_metadata(token, robot)
         self._closed = threading.Event()
-        self._servers = Servers(address, tls, max_answer_mib, self._metadata)
+        max_mib = whole(max_answer_mib, "max_answer_mib", _MOST_MIB)
+        self._servers = Servers(address, tls, max_mib, self._metadata)
 
     def __enter__(self) -> Client:
         return self

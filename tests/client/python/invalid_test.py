@@ -266,6 +266,19 @@ def test_names_the_option(
     assert caught.value.field == field
 
 
+@pytest.mark.parametrize("most", [0, -1, 2048, 4096, 1.5, None])
+def test_names_a_size_of_answers_that_no_connection_takes(most: Any) -> None:
+    with pytest.raises(fovea.InvalidArgument, match="not a whole number from 1 to 2047") as caught:
+        fovea.Client("127.0.0.1:1", max_answer_mib=most)
+    assert caught.value.field == "max_answer_mib"
+
+
+def test_takes_the_largest_size_of_answers(server: Any) -> None:
+    for most in (1, np.int64(2047)):
+        with fovea.Client(server.address, max_answer_mib=most) as client:
+            assert client.get_server_info().version
+
+
 def test_names_what_cannot_travel_in_a_header() -> None:
     for name in ("robot", "token"):
         with pytest.raises(fovea.InvalidArgument) as caught:
