@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 import numpy.typing as npt
 
+from fovea.arrays import array_of
 from fovea.enums import name_of
 from fovea.geometry import FloatArray, vector_from_proto
 from fovea.grippers import Gripper, gripper_from_proto
@@ -188,7 +189,7 @@ def detections_from_proto(proto: detection_pb2.Detections) -> Detections:
         },
         diagnostics=_diagnostics(proto.diagnostics),
         saliency_maps={
-            each.name: np.frombuffer(each.data, dtype=np.uint8).reshape(each.height, each.width)
+            each.name: array_of(each.data, np.uint8, each.height, each.width)
             for each in proto.saliency_maps
         },
         seeds=[_seed(seed) for seed in proto.seeds],
@@ -252,7 +253,7 @@ def _diagnostics(proto: detection_pb2.Diagnostics) -> Diagnostics:
 def _image(
     proto: detection_pb2.LabelImage | frame_pb2.DepthImage,
 ) -> npt.NDArray[np.uint16]:
-    return np.frombuffer(proto.data, dtype="<u2").reshape(proto.height, proto.width)
+    return array_of(proto.data, "<u2", proto.height, proto.width)
 
 
 def _trace(proto: detection_pb2.Trace) -> Trace:

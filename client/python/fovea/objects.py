@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 import numpy.typing as npt
 
+from fovea.arrays import array_of
 from fovea.enums import name_of
 from fovea.geometry import FloatArray, pose_from_proto, vector_from_proto
 from fovea.masks import decode_mask
@@ -278,5 +279,5 @@ def _shape(proto: detection_pb2.Shape) -> Shape:
 def _cloud(proto: geometry_pb2.PointCloud) -> PointCloud:
     return PointCloud(
         positions=np.array(proto.positions, dtype=np.float32).reshape(-1, 3),
-        colors=np.frombuffer(proto.colors, dtype=np.uint8).reshape(-1, 3),
+        colors=array_of(proto.colors, np.uint8, -1, 3),
     )

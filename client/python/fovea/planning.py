@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from fovea.arrays import array_of
 from fovea.enums import name_of
 from fovea.geometry import FloatArray, pose_from_proto, vector_from_proto
 from fovea.v1 import detection_pb2
@@ -52,5 +53,5 @@ def height_map_from_proto(proto: detection_pb2.HeightMap) -> HeightMap:
     return HeightMap(
         pose=pose_from_proto(proto.pose),
         cell_m=proto.cell_m,
-        heights_m=np.frombuffer(proto.data, dtype="<f4").reshape(proto.height, proto.width),
+        heights_m=array_of(proto.data, "<f4", proto.height, proto.width),
     )

@@ -6,7 +6,7 @@ import json
 import os
 import pickle
 import subprocess
-from dataclasses import replace
+from dataclasses import fields, is_dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -56,6 +56,33 @@ def test_takes_depth_of_other_integers(client: fovea.Client, scene: Scene) -> No
     wanted = client.detect_frame(scene.frame())
     for kind in (np.int32, np.int64, np.uint32):
         assert_same(client.detect_frame(scene.frame(depth=scene.depth.astype(kind))), wanted)
+
+
+def _arrays_in(value: object) -> list[np.ndarray]:
+    if isinstance(value, np.ndarray):
+        return [value]
+    if is_dataclass(value):
+        value = [getattr(value, each.name) for each in fields(value)]
+    if isinstance(value, dict):
+        value = list(value.values())
+    return [array for each in value for array in _arrays_in(each)] if type(value) is list else []
+
+
+def test_arrays_of_an_answer_may_be_written_to(client: fovea.Client, scene: Scene) -> None:
+    options = replace(
+        EVERYTHING,
+        return_trace=True,
+        collision_primitives=True,
+        height_map_cell_m=0.02,
+        place_size=(0.02, 0.02, 0.02),
+    )
+    found = client.detect_frame(scene.frame(), options)
+    assert found.height_map and found.trace and found.saliency_maps and found.objects[0].cloud
+    arrays = _arrays_in(found)
+    assert len(arrays) > 20
+    for array in arrays:
+        array[...] = 0
+    assert not found.height_map.heights_m.any()
 
 
 @pytest.mark.parametrize(
