@@ -7,9 +7,11 @@ import re
 import socket
 from dataclasses import dataclass
 
+from fovea import checks
 from fovea.errors import InvalidArgument, Unavailable
 
-_HOST_AND_PORT = re.compile(r"(?:\[(?P<v6>[^\[\]]+)\]|(?P<host>[^:/\s\[\]]+)):(?P<port>\d{1,5})")
+_HOST_AND_PORT = re.compile(r"(?:\[(?P<v6>[^\[\]]+)\]|(?P<host>[^:/\s\[\]]+)):(?P<port>[0-9]{1,5})")
+_LONGEST_PATH = 107  # bytes that the address of a UNIX socket holds
 
 
 @dataclass(frozen=True)
@@ -52,7 +54,7 @@ def parse_addresses(text: str) -> list[Address]:
 
     Raises InvalidArgument for anything else.
     """
-    return [_parse(each) for each in text.split(",")]
+    return [_parse(each) for each in checks.text(text, "address").split(",")]
 
 
 def find_targets(addresses: list[Address]) -> list[Target]:
@@ -72,7 +74,7 @@ def find_targets(addresses: list[Address]) -> list[Target]:
 
 def _parse(text: str) -> Address:
     if text.startswith("unix:") and len(text) > len("unix:"):
-        return Address("", "", re.sub("^///", "/", text[len("unix:") :]))
+        return Address("", "", _checked_path(re.sub("^///", "/", text[len("unix:") :])))
     rest = text
     for scheme in ("dns:///", "dns:", "ipv4:", "ipv6:"):
         if text.startswith(scheme):
@@ -87,6 +89,14 @@ def _parse(text: str) -> Address:
         f'"{text}" is not HOST:PORT with a port of 1 to 65535, for example 127.0.0.1:50051 or '
         "[::1]:50051, and not unix:/PATH",
     )
+
+
+def _checked_path(path: str) -> str:
+    size = len(path.encode())
+    if size > _LONGEST_PATH:
+        problem = f'the path "{path}" has {size} bytes, a UNIX socket\'s at most {_LONGEST_PATH}'
+        raise InvalidArgument("address", problem)
+    return path
 
 
 def _family(host: str) -> str:

@@ -115,11 +115,25 @@ def test_reads_addresses() -> None:
         "[x]:5",
         "http://a:1",
         "unix:",
+        "localhost:５００５１",
+        "127.0.0.1:٥",
     ):
         with pytest.raises(fovea.InvalidArgument, match="is not HOST:PORT"):
             fovea.Client(text)
+    for value in (None, b"127.0.0.1:7", "unix:/run/\ud800"):
+        with pytest.raises(fovea.InvalidArgument, match="^INVALID_ARGUMENT: address: .* is not "):
+            fovea.Client(value)
     with pytest.raises(fovea.Unavailable, match="cannot look up no-such-host.invalid"):
         fovea.Client("no-such-host.invalid:7", retry=ONCE).get_server_info()
+
+
+def test_names_a_path_longer_than_sockets_have() -> None:
+    longest = "/" + "x" * 104 + "é"  # of 107 bytes
+    assert find_targets(parse_addresses(f"unix:{longest}"))[0].target == f"unix:{longest}"
+    for path in (longest + "x", "//" + longest + "x"):
+        with pytest.raises(fovea.InvalidArgument, match="has 108 bytes, .* at most 107") as caught:
+            fovea.Client(f"127.0.0.1:7,unix:{path}")
+        assert caught.value.field == "address"
 
 
 def test_calls_and_streams_go_on_elsewhere(scene: Scene) -> None:
