@@ -48,6 +48,12 @@ def whole(value: Any, field: str, most: int = 2**32 - 1) -> int:
     return int(value)
 
 
+def flag(value: Any, field: str) -> bool:
+    if not isinstance(value, (int, np.bool_, np.integer)):  # 0 and 1 are usual
+        raise InvalidArgument(field, f"{shown(value)} is not True or False")
+    return bool(value)
+
+
 def text(value: Any, field: str) -> str:
     """What a message can hold."""
     if not isinstance(value, str):

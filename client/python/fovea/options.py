@@ -6,11 +6,21 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from fovea.checks import positive, real, shown, text
+from fovea.checks import flag, positive, real, shown, text
 from fovea.errors import InvalidArgument
 from fovea.geometry import numbers
 from fovea.grippers import Gripper, grippers_to_proto
 from fovea.v1 import detection_pb2, geometry_pb2
+
+# Here and in the contract.
+_RETURNED = (
+    "return_masks",
+    "return_clouds",
+    "return_saliency_maps",
+    "return_seeds",
+    "return_trace",
+    "return_rejected",
+)
 
 
 @dataclass(frozen=True)
@@ -72,26 +82,22 @@ class DetectOptions:
 
     def to_proto(self) -> detection_pb2.DetectOptions:
         """Raises InvalidArgument that names the field."""
-        proto = detection_pb2.DetectOptions(
-            profile=text(self.profile, "options.profile"),
-            return_masks=self.return_masks,
-            return_clouds=self.return_clouds,
-            return_saliency_maps=self.return_saliency_maps,
-            return_seeds=self.return_seeds,
-            return_trace=self.return_trace,
-            return_rejected=self.return_rejected,
-        )
+        proto = detection_pb2.DetectOptions(profile=text(self.profile, "options.profile"))
+        for name in _RETURNED:
+            setattr(proto, name, flag(getattr(self, name), f"options.{name}"))
         if self.grippers is not None:
             proto.grasps.grippers.extend(grippers_to_proto(self.grippers))
             proto.grasps.none = not proto.grasps.grippers
         if self.place_size is not None:
             proto.places.size.CopyFrom(_place_size_to_proto(self.place_size))
-        proto.planning.collision_primitives = self.collision_primitives
+        proto.planning.collision_primitives = flag(
+            self.collision_primitives, "options.planning.collision_primitives"
+        )
         if self.height_map_cell_m is not None:
             proto.planning.height_map.cell_m = positive(
                 self.height_map_cell_m, "options.planning.height_map.cell_m", "height_map_cell_m"
             )
-        if self.tracking:
+        if flag(self.tracking, "options.tracking.enabled"):
             proto.tracking.enabled = True
         if self.time_budget:
             if not 0 < real(self.time_budget, "options.time_budget") < 3600:

@@ -160,6 +160,14 @@ LOCAL_OPTIONS: list[tuple[dict[str, Any], str, str]] = [
     ({"time_budget": 10**400}, "options.time_budget", "an integer of 1329 bits is not a finite"),
     ({"parameters": {"mrf.lambda": 10**400}}, "options.parameters[mrf.lambda]", "beyond any"),
     ({"parameters": {"mrf.lambda": 10**5000}}, "options.parameters[mrf.lambda]", "beyond any"),
+    ({"return_masks": "no"}, "options.return_masks", "'no' is not True or False"),
+    ({"return_rejected": None}, "options.return_rejected", "None is not True or False"),
+    ({"tracking": "no"}, "options.tracking.enabled", "'no' is not True or False"),
+    (
+        {"collision_primitives": "no"},
+        "options.planning.collision_primitives",
+        "'no' is not True or False",
+    ),
     ({"grippers": 0.085}, "options.grasps.grippers", "is float, not a fovea.Gripper or several"),
     ({"grippers": "jaw"}, "options.grasps.grippers", "is str, not a fovea.Gripper or several"),
     ({"grippers": [fovea.Gripper(), 1]}, "options.grasps.grippers[1]", "is int, not a"),
@@ -212,6 +220,11 @@ def test_names_options_that_are_none(scene: Scene, options: Any) -> None:
         with pytest.raises(fovea.InvalidArgument, match="not fovea.DetectOptions") as caught:
             call()
         assert caught.value.field == "options"
+
+
+def test_flags_may_be_of_numpy() -> None:
+    proto = fovea.DetectOptions(return_clouds=np.bool_(True), return_masks=0).to_proto()
+    assert proto.return_clouds and not proto.return_masks
 
 
 def test_a_short_time_budget_is_not_none() -> None:
