@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import atexit
 import weakref
+from typing import Any
 
 import grpc
 
@@ -57,8 +58,10 @@ def _connect(
     return grpc.secure_channel(target, credentials, options)
 
 
-def _check(tls: TlsOptions) -> None:
+def _check(tls: Any) -> None:
     """gRPC ends the program where one of a pair is missing."""
+    if not isinstance(tls, TlsOptions):
+        raise InvalidArgument("tls", f"is {type(tls).__name__}, not fovea.TlsOptions")
     for name in ("root_certificates", "certificate_chain", "private_key"):
         if not isinstance(getattr(tls, name), bytes):
             raise InvalidArgument(f"tls.{name}", "is not bytes: the text of a PEM file is")
@@ -80,7 +83,9 @@ def make_metadata(token: str, robot: str) -> list[tuple[str, str]]:
     return metadata
 
 
-def _printable(field: str, text: str) -> str:
+def _printable(field: str, text: Any) -> str:
+    if not isinstance(text, str):
+        raise InvalidArgument(field, f"is {type(text).__name__}, not a str")
     if not (text.isascii() and text.isprintable()):
         raise InvalidArgument(field, "must be printable ASCII characters")
     return text

@@ -237,6 +237,7 @@ def test_a_short_time_budget_is_not_none() -> None:
     [
         (fovea.TlsOptions(certificate_chain=b"x"), "tls.private_key", "is missing"),
         (fovea.TlsOptions(private_key=b"x"), "tls.certificate_chain", "is missing"),
+        (True, "tls", "is bool, not fovea.TlsOptions"),
         (fovea.TlsOptions("x"), "tls.root_certificates", "not bytes"),  # type: ignore[arg-type]
     ],
 )
@@ -294,9 +295,10 @@ def test_takes_the_largest_size_of_answers(server: Any) -> None:
 
 def test_names_what_cannot_travel_in_a_header() -> None:
     for name in ("robot", "token"):
-        with pytest.raises(fovea.InvalidArgument) as caught:
-            fovea.Client("127.0.0.1:1", **{name: "Küche"})
-        assert caught.value.field.startswith("metadata ")
+        for value in ("Küche", b"kitchen"):
+            with pytest.raises(fovea.InvalidArgument) as caught:
+                fovea.Client("127.0.0.1:1", **{name: value})
+            assert caught.value.field.startswith("metadata ")
 
 
 def test_names_a_robot_that_the_server_does_not_take(client: fovea.Client, server: Any) -> None:
