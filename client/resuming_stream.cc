@@ -64,13 +64,17 @@ std::optional<ResumingStream::Answer> ResumingStream::Receive() {
   MoveIfBetter();
   while (true) {
     const std::shared_ptr<DetectStream> current = stream();
+    std::optional<v1::DetectStreamResponse> response;
     try {
-      auto response = current->Receive();
-      if (!response) return std::nullopt;
-      return Account(std::move(*response));
-    } catch (const RpcError&) {
+      response = current->Receive();
+    } catch (const RpcError& error) {
+      broken_by_ = error;
       Resume(*current);
+      continue;
     }
+    if (response) return Account(std::move(*response));
+    if (num_lost_ > 0) throw *broken_by_;  // no answer is left that could say so
+    return std::nullopt;
   }
 }
 
@@ -92,6 +96,8 @@ void ResumingStream::MoveIfBetter() {
   if (!better) return;
   const std::lock_guard lock(mutex_);
   if (done_ || canceled_) return;  // what is under way is to be answered
+  broken_by_.emplace(
+      grpc::Status(grpc::StatusCode::UNAVAILABLE, "the stream went to another server"));
   servers_->Move(better);
   stream_->Cancel();
   GoOn(std::move(better));

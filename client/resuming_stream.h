@@ -10,6 +10,7 @@
 
 #include "client/client_options.h"
 #include "client/detect_stream.h"
+#include "client/rpc_error.h"
 #include "fovea/v1/detection_service.grpc.pb.h"
 
 namespace fovea::client {
@@ -48,7 +49,8 @@ class ResumingStream {
 
   // The next answer. Empty at the end, after DoneSending(). Throws RpcError where trying again
   // would bring nothing, where no frame has been answered for ClientOptions::timeout since the
-  // stream broke, and where its time is over.
+  // stream broke, where its time is over, and where the last frames are among the lost: then at the
+  // end, and it says what broke the stream.
   std::optional<Answer> Receive();
 
  private:
@@ -88,6 +90,7 @@ class ResumingStream {
   std::unique_ptr<BetterServer> better_server_;
   std::uint64_t next_expected_ = 0;  // number of the first frame whose fate is not known
   std::uint64_t num_lost_ = 0;
+  std::optional<RpcError> broken_by_;  // last; there where frames are lost
   int failures_ = 0;
   Clock::time_point broken_since_;
 };

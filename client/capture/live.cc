@@ -99,6 +99,19 @@ void TakePictures(Line& line) {
   }
 }
 
+// A server that goes away with the last answers fails no run: the summary counts them among the
+// lost, as those of connections that broke before.
+void NoteLostAnswers(const Line& line) {
+  try {
+    line.error.Rethrow();
+  } catch (const client::RpcError& error) {
+    const bool is_away = error.code() == grpc::StatusCode::UNAVAILABLE ||
+                         error.code() == grpc::StatusCode::CANCELLED;
+    if (!is_away) throw;
+    line.session.notes << "the last answers were lost: " << error.message() << std::endl;
+  }
+}
+
 }  // namespace
 
 void RunLive(const SessionOptions& options, const Session& session) {
@@ -112,7 +125,8 @@ void RunLive(const SessionOptions& options, const Session& session) {
   const auto receiving = std::async(std::launch::async, guarded(ReceiveAll));
   guarded(TakePictures)();
   line.outbox.Close();
-  if (line.error.Failed()) line.stream->Cancel();
+  const bool went_well = !line.error.Failed();
+  if (!went_well) line.stream->Cancel();
   const bool in_time = receiving.wait_for(kLastAnswers) == std::future_status::ready;
   const bool failed = line.error.Failed();
   if (!in_time) {
@@ -121,7 +135,8 @@ void RunLive(const SessionOptions& options, const Session& session) {
   }
   receiving.wait();
   sending.wait();
-  if (failed) line.error.Rethrow();  // else it failed only because it was cancelled
+  if (!failed) return;  // or only because it was cancelled
+  went_well ? NoteLostAnswers(line) : line.error.Rethrow();
 }
 
 }  // namespace fovea::capture

@@ -138,6 +138,22 @@ TEST_F(CaptureTest, SaysThatItsServerIsSilent) {
   EXPECT_EQ(capture.Wait().exit_code, 0);
 }
 
+TEST_F(CaptureTest, EndsCleanlyWhereItsServerGoesWithTheLastAnswers) {
+  Process capture(CommandLine(Live(), {{"FOVEA_CAMERA_FPS", "30"}}));
+  capture.ReadLine();
+  server_.process().Signal(SIGSTOP);
+  capture.AwaitError("the server at " + server_.address() + " has not answered for 3 s; waiting");
+  capture.Signal(SIGINT);
+  server_.process().Signal(SIGKILL);
+  server_.process().Wait();
+  Process again({FOVEA_SERVER, "--listen", server_.address()});
+  EXPECT_THAT(again.ReadLine(), HasSubstr("listening on " + server_.address()));
+  const Finished finished = capture.Wait();
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_GE(CountOf(finished.out, "lost\n"), 1) << finished.out;
+  ExpectAllAccountedFor(finished.out);
+}
+
 TEST_F(CaptureTest, LosesNothingWhereEveryFrameWaitsForTheServer) {
   Process capture(CommandLine(Live({"--every-frame", "--frames", "30"})));
   capture.ReadLine();

@@ -1,0 +1,73 @@
+// How streams end, and what a stream that broke says then.
+#include <grpcpp/grpcpp.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <memory>
+#include <string>
+
+#include "client/client.h"
+#include "tests/server/loopback.h"
+
+namespace fovea::client {
+namespace {
+
+using testing::kPatience;
+
+// Takes frames to their end without an answer; breaks the first stream then, and ends the others.
+class BreaksOnce final : public v1::DetectionService::Service {
+ public:
+  BreaksOnce() {
+    grpc::ServerBuilder builder;
+    builder.AddListeningPort("127.0.0.1:0", grpc::InsecureServerCredentials(), &port_);
+    builder.RegisterService(this);
+    server_ = builder.BuildAndStart();
+  }
+
+  ~BreaksOnce() override { server_->Shutdown(); }
+
+  Client MakeClient(int max_attempts) const {
+    ClientOptions options{.timeout = kPatience};
+    options.retry = {.max_attempts = max_attempts,
+                     .backoff = std::chrono::milliseconds(1),
+                     .max_backoff = std::chrono::milliseconds(1)};
+    return Client("127.0.0.1:" + std::to_string(port_), options);
+  }
+  int num_streams() const { return num_streams_; }
+
+ private:
+  using Stream = grpc::ServerReaderWriter<v1::DetectStreamResponse, v1::DetectStreamRequest>;
+  grpc::Status DetectStream(grpc::ServerContext* /*context*/, Stream* stream) override {
+    v1::DetectStreamRequest request;
+    while (stream->Read(&request)) continue;
+    if (num_streams_++ > 0) return grpc::Status::OK;
+    return {grpc::StatusCode::UNAVAILABLE, "it broke"};
+  }
+
+  int port_ = 0;
+  std::unique_ptr<grpc::Server> server_;
+  std::atomic<int> num_streams_ = 0;
+};
+
+TEST(StreamEnd, SaysThatTheLastFramesAreLost) {
+  const BreaksOnce server;
+  const auto stream = server.MakeClient(/*max_attempts=*/5).OpenResumingStream(kPatience);
+  stream->Send({});
+  stream->DoneSending();
+  for (int time = 0; time < 2; ++time) {  // and goes on saying so
+    const grpc::Status status = testing::StatusOf([&] { stream->Receive(); });
+    EXPECT_EQ(status.error_code(), grpc::StatusCode::UNAVAILABLE);
+    EXPECT_EQ(status.error_message(), "it broke");
+  }
+}
+
+TEST(StreamEnd, IsAnEndWhereNothingIsLost) {
+  const BreaksOnce server;
+  const auto stream = server.MakeClient(/*max_attempts=*/5).OpenResumingStream(kPatience);
+  stream->DoneSending();
+  EXPECT_FALSE(stream->Receive());
+  EXPECT_EQ(server.num_streams(), 2);
+}
+
+}  // namespace
+}  // namespace fovea::client
