@@ -49,6 +49,12 @@ grpc::Status NotReady(grpc::StatusCode code, const std::string& problem) {
   return {code, "the server is not ready: " + problem};
 }
 
+// Ends further away, as that of milliseconds::max(), overflow the clocks and would be past.
+std::chrono::milliseconds Capped(std::chrono::milliseconds timeout) {
+  constexpr std::chrono::milliseconds kLongest = std::chrono::seconds(1'000'000'000);
+  return std::clamp(timeout, -kLongest, kLongest);
+}
+
 ClientOptions Checked(ClientOptions options) {
   if (!IsPrintableAscii(options.robot)) {
     throw std::invalid_argument("robot: \"" + options.robot + "\" is not printable ASCII");
@@ -60,6 +66,7 @@ ClientOptions Checked(ClientOptions options) {
   if (options.tls && options.tls->certificate_chain.empty() != options.tls->private_key.empty()) {
     throw std::invalid_argument("tls: certificate_chain and private_key go together");
   }
+  options.timeout = Capped(options.timeout);
   return options;
 }
 
@@ -76,7 +83,7 @@ Client::Client(const std::string& address, ClientOptions options)
 void Client::WaitUntilReady(std::chrono::milliseconds timeout) const {
   using Clock = Servers::Clock;
   constexpr std::chrono::milliseconds kBetween{50}, kLongestLook{1000};
-  const Clock::time_point deadline = Clock::now() + timeout;
+  const Clock::time_point deadline = Clock::now() + Capped(timeout);
   std::string problem;
   while (Clock::now() < deadline) {
     const auto servers = servers_->All(deadline, &problem);
@@ -144,7 +151,7 @@ v1::DetectResponse Client::Detect(const v1::DetectRequest& request) const {
 v1::DetectResponse Client::Detect(const v1::DetectRequest& request,
                                   std::chrono::milliseconds timeout) const {
   v1::DetectResponse response;
-  CallWithRetries(*servers_, options_, timeout, [&](auto& stub, auto* context) {
+  CallWithRetries(*servers_, options_, Capped(timeout), [&](auto& stub, auto* context) {
     return stub.Detect(context, request, &response);
   });
   return response;
@@ -152,6 +159,7 @@ v1::DetectResponse Client::Detect(const v1::DetectRequest& request,
 
 std::unique_ptr<DetectStream> Client::OpenStream(std::chrono::milliseconds timeout) const {
   std::string problem;
+  timeout = Capped(timeout);
   const auto home = servers_->Home(Servers::Clock::now() + timeout, &problem);
   if (!home) throw RpcError({grpc::StatusCode::UNAVAILABLE, problem});
   return std::make_unique<DetectStream>(*home->stub, options_, timeout);
@@ -159,7 +167,7 @@ std::unique_ptr<DetectStream> Client::OpenStream(std::chrono::milliseconds timeo
 
 std::unique_ptr<ResumingStream> Client::OpenResumingStream(
     std::chrono::milliseconds timeout) const {
-  return std::make_unique<ResumingStream>(servers_, options_, timeout);
+  return std::make_unique<ResumingStream>(servers_, options_, Capped(timeout));
 }
 
 }  // namespace fovea::client

@@ -18,7 +18,7 @@ class Servers;
 // Thread-safe: one client serves any number of threads over one connection, which it opens at the
 // first call and opens again when it was lost. Every call has a deadline; it throws RpcError with
 // DEADLINE_EXCEEDED when that passes and with UNAVAILABLE when the server is away, after the
-// attempts of ClientOptions::retry.
+// attempts of ClientOptions::retry. Timeouts of more than 1e9 s, 31 years, count as that.
 class Client {
  public:
   // `address` is HOST:PORT (IPv6 in brackets), unix:/PATH, or several of these with commas between

@@ -11,6 +11,7 @@
 
 #include "client/cli/parsing.h"
 #include "client/images.h"
+#include "tests/server/detectors.h"
 #include "tests/server/frames.h"
 #include "tests/server/loopback.h"
 
@@ -52,6 +53,28 @@ TEST(Client, RefusesHalfOfATlsPair) {
     options.tls = half;
     EXPECT_THROW(Client("localhost:1", options), std::invalid_argument);
   }
+}
+
+TEST(Client, WaitsAsLongAsItIsTold) {
+  constexpr auto kForever = std::chrono::milliseconds::max();
+  const Loopback loopback(testing::FindOne);
+  const Client client(loopback.server.Address(), {.timeout = kForever});
+  EXPECT_NO_THROW(client.WaitUntilReady(kForever));
+  EXPECT_TRUE(client.IsServing());
+  EXPECT_NO_THROW(client.Detect(testing::TestRequest()));
+  EXPECT_NO_THROW(client.Detect(testing::TestRequest(), kForever));
+  v1::DetectStreamRequest request;
+  *request.mutable_frame() = testing::TestFrame();
+  const auto stream = client.OpenStream(kForever);
+  stream->Send(request);
+  EXPECT_TRUE(stream->Receive());
+  const auto resuming = client.OpenResumingStream(kForever);
+  resuming->Send(request);
+  EXPECT_TRUE(resuming->Receive());
+  constexpr auto kLongAgo = std::chrono::milliseconds::min();
+  EXPECT_EQ(
+      testing::StatusOf([&] { client.Detect(testing::TestRequest(), kLongAgo); }).error_code(),
+      grpc::StatusCode::DEADLINE_EXCEEDED);
 }
 
 TEST(Client, ThrowsWhatTheServerSays) {
