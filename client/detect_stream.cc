@@ -1,5 +1,7 @@
 #include "client/detect_stream.h"
 
+#include <utility>
+
 #include "client/channel.h"
 
 namespace fovea::client {
@@ -18,7 +20,9 @@ DetectStream::~DetectStream() {
 
 bool DetectStream::Send(const v1::DetectStreamRequest& request) { return stream_->Write(request); }
 
-void DetectStream::DoneSending() { stream_->WritesDone(); }
+void DetectStream::DoneSending() {
+  if (!std::exchange(done_, true)) stream_->WritesDone();  // gRPC ends the program at a second one
+}
 
 void DetectStream::Cancel() { context_.TryCancel(); }
 

@@ -30,7 +30,7 @@ class DetectStream {
   // False once the stream is broken; Receive() then throws the reason.
   bool Send(const v1::DetectStreamRequest& request);
 
-  // No more frames will come; answers to those sent still do.
+  // No more frames will come; answers to those sent still do. Does nothing the second time.
   void DoneSending();
 
   // Ends the stream at once. From any thread.
@@ -48,6 +48,7 @@ class DetectStream {
   grpc::ClientContext context_;
   std::unique_ptr<grpc::ClientReaderWriter<v1::DetectStreamRequest, v1::DetectStreamResponse>>
       stream_;
+  bool done_ = false;  // of the sending thread
   std::optional<grpc::Status> finished_;
 };
 

@@ -42,6 +42,7 @@ class ResumingStream {
 
   // False where the connection is broken: the frame is lost.
   bool Send(const v1::DetectStreamRequest& request);
+  // As that of a DetectStream.
   void DoneSending();
 
   // Ends the stream at once, connected or not; Receive() then throws. From any thread.

@@ -7,6 +7,8 @@
 #include <string>
 
 #include "client/client.h"
+#include "tests/server/detectors.h"
+#include "tests/server/frames.h"
 #include "tests/server/loopback.h"
 
 namespace fovea::client {
@@ -67,6 +69,23 @@ TEST(StreamEnd, IsAnEndWhereNothingIsLost) {
   stream->DoneSending();
   EXPECT_FALSE(stream->Receive());
   EXPECT_EQ(server.num_streams(), 2);
+}
+
+template <typename Stream>
+void EndTwice(Stream& stream) {
+  v1::DetectStreamRequest request;
+  *request.mutable_frame() = testing::TestFrame();
+  stream.Send(request);
+  stream.DoneSending();
+  stream.DoneSending();
+  EXPECT_TRUE(stream.Receive());
+  EXPECT_FALSE(stream.Receive());
+}
+
+TEST(StreamEnd, MayBeSaidTwice) {
+  const testing::Loopback loopback(testing::FindOne);
+  EndTwice(*loopback.client.OpenStream(kPatience));
+  EndTwice(*loopback.client.OpenResumingStream(kPatience));
 }
 
 }  // namespace
