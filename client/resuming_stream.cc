@@ -122,7 +122,7 @@ void ResumingStream::Resume(const DetectStream& broken) {
                                  elsewhere ? std::nullopt : RetryAfter(broken.context()));
   const Clock::time_point now = Clock::now();
   const bool too_late = now + wait >= deadline_ || now - broken_since_ >= options_.timeout;
-  if (too_late || !is_worth_it) throw;
+  if (too_late || !is_worth_it || options_.retry.max_attempts <= 1) throw;
 
   const std::shared_ptr<Server> next = AwaitConnection();
   std::unique_lock lock(mutex_);

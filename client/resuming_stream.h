@@ -49,9 +49,9 @@ class ResumingStream {
   void Cancel();
 
   // The next answer. Empty at the end, after DoneSending(). Throws RpcError where trying again
-  // would bring nothing, where no frame has been answered for ClientOptions::timeout since the
-  // stream broke, where its time is over, and where the last frames are among the lost: then at the
-  // end, and it says what broke the stream.
+  // would bring nothing or RetryOptions::max_attempts is 1, where no frame has been answered for
+  // ClientOptions::timeout since the stream broke, where its time is over, and where the last
+  // frames are among the lost: then at the end, and it says what broke the stream.
   std::optional<Answer> Receive();
 
  private:

@@ -71,6 +71,14 @@ TEST(StreamEnd, IsAnEndWhereNothingIsLost) {
   EXPECT_EQ(server.num_streams(), 2);
 }
 
+TEST(StreamEnd, IsTheBreakWhereThereIsOneAttempt) {
+  const BreaksOnce server;
+  const auto stream = server.MakeClient(/*max_attempts=*/1).OpenResumingStream(kPatience);
+  stream->DoneSending();
+  EXPECT_EQ(testing::StatusOf([&] { stream->Receive(); }).error_message(), "it broke");
+  EXPECT_EQ(server.num_streams(), 1);
+}
+
 template <typename Stream>
 void EndTwice(Stream& stream) {
   v1::DetectStreamRequest request;
