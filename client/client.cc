@@ -62,6 +62,11 @@ ClientOptions Checked(ClientOptions options) {
   if (!IsPrintableAscii(options.token)) {
     throw std::invalid_argument("token: is not printable ASCII");
   }
+  constexpr int kMaxMib = 2047;  // gRPC counts the bytes in an int
+  if (options.max_answer_mib < 1 || options.max_answer_mib > kMaxMib) {
+    throw std::invalid_argument("max_answer_mib: " + std::to_string(options.max_answer_mib) +
+                                " is not 1 to " + std::to_string(kMaxMib));
+  }
   // gRPC ends the program where one of them is missing.
   if (options.tls && options.tls->certificate_chain.empty() != options.tls->private_key.empty()) {
     throw std::invalid_argument("tls: certificate_chain and private_key go together");

@@ -28,7 +28,7 @@ struct ClientOptions {
   // Of a call that is given none.
   std::chrono::milliseconds timeout{10'000};
   RetryOptions retry = {};
-  // Largest answer; the clouds of a 2048x1536 frame are 45 MiB.
+  // Largest answer, 1 to 2047; the clouds of a 2048x1536 frame are 45 MiB.
   int max_answer_mib = 64;
   // Encrypts where it is given.
   std::optional<TlsOptions> tls = std::nullopt;

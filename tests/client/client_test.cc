@@ -21,6 +21,7 @@ namespace {
 using ::testing::ElementsAre;
 using testing::Loopback;
 using ::testing::StartsWith;
+using ::testing::ThrowsMessage;
 
 TEST(Client, SaysWhenNoServerIsThere) {
   std::string address;
@@ -53,6 +54,20 @@ TEST(Client, RefusesHalfOfATlsPair) {
     options.tls = half;
     EXPECT_THROW(Client("localhost:1", options), std::invalid_argument);
   }
+}
+
+TEST(Client, RefusesALimitThatGrpcCannotHold) {
+  for (const int mib : {-1, 0, 2048, 4096}) {
+    ClientOptions options;
+    options.max_answer_mib = mib;
+    EXPECT_THAT([&] { Client("localhost:1", options); },
+                ThrowsMessage<std::invalid_argument>("max_answer_mib: " + std::to_string(mib) +
+                                                     " is not 1 to 2047"));
+  }
+  const Loopback loopback(testing::FindOne);
+  ClientOptions largest;
+  largest.max_answer_mib = 2047;
+  EXPECT_NO_THROW(Client(loopback.server.Address(), largest).Detect(testing::TestRequest()));
 }
 
 TEST(Client, WaitsAsLongAsItIsTold) {
