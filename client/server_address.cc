@@ -3,6 +3,7 @@
 #include <arpa/inet.h>
 #include <netdb.h>
 #include <sys/socket.h>
+#include <sys/un.h>
 
 #include <algorithm>
 #include <array>
@@ -35,11 +36,21 @@ std::string_view WithoutScheme(std::string_view text) {
   return text;
 }
 
+// gRPC would say of it that it cannot create a channel.
+void CheckSocketPath(const std::string& text, const std::string& path) {
+  constexpr std::size_t kLongest = sizeof(sockaddr_un::sun_path) - 1;  // without the final zero
+  if (path.size() <= kLongest) return;
+  throw std::invalid_argument("\"" + text + "\": the path of a UNIX socket has at most " +
+                              std::to_string(kLongest) + " bytes, this one has " +
+                              std::to_string(path.size()));
+}
+
 ServerAddress ParseOne(const std::string& text) {
   if (text.starts_with(kUnix)) {
     ServerAddress address;
     address.path = text.substr(kUnix.size());
     if (address.path.starts_with("///")) address.path.erase(0, 2);
+    CheckSocketPath(text, address.path);
     if (!address.path.empty()) return address;
   }
   const std::string_view rest = WithoutScheme(text);

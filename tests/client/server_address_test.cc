@@ -50,5 +50,14 @@ TEST(ServerAddress, RefusesTheRest) {
               ThrowsMessage<std::invalid_argument>(HasSubstr("\"b\" is not HOST:PORT")));
 }
 
+TEST(ServerAddress, RefusesASocketPathThatIsTooLong) {
+  const std::string longest = "unix:/" + std::string(106, 'a');
+  EXPECT_THAT(TargetsOf(longest), ElementsAre(longest));
+  EXPECT_THAT([&] { Client("localhost:1," + longest + "b"); },
+              ThrowsMessage<std::invalid_argument>(
+                  "\"" + longest +
+                  "b\": the path of a UNIX socket has at most 107 bytes, this one has 108"));
+}
+
 }  // namespace
 }  // namespace fovea::client
