@@ -1,5 +1,7 @@
 #include "client/cli/frame_list.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -69,7 +71,7 @@ FrameList ListByName(const fs::path& folder) {
   }
   for (const auto& [name, path] : depth_paths) {
     if (!names.contains(name))
-      list.notes.push_back(path + " has no " + name + "_color.png (or .jpg)");
+      list.notes.push_back(fmt::format("{} has no {}_color.png (or .jpg)", path, name));
   }
   std::sort(list.frames.begin(), list.frames.end(), [](const FrameFiles& a, const FrameFiles& b) {
     return std::tie(a.id, a.color_path) < std::tie(b.id, b.color_path);

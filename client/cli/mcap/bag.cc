@@ -38,8 +38,8 @@ std::int64_t TimeOf(const McapMessage& message) {
 }
 
 std::string Seconds(std::int64_t time_ns) {
-  constexpr std::int64_t kSecond_ns = 1'000'000'000;
-  return fmt::format("{}.{:09}", time_ns / kSecond_ns, time_ns % kSecond_ns);
+  constexpr std::int64_t kNsPerSecond = 1'000'000'000;
+  return fmt::format("{}.{:09}", time_ns / kNsPerSecond, time_ns % kNsPerSecond);
 }
 
 void Note(const McapMessage& message, const std::string& name, Index* index) {

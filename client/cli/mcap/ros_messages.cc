@@ -49,11 +49,11 @@ class CdrReader {
 };
 
 std::int64_t ReadHeader(CdrReader& reader) {
-  constexpr std::int64_t kSecond_ns = 1'000'000'000;
+  constexpr std::int64_t kNsPerSecond = 1'000'000'000;
   const std::int64_t seconds = reader.Number<std::int32_t>();
   const std::int64_t nanoseconds = reader.Number<std::uint32_t>();
   reader.Bytes();  // frame_id
-  return seconds * kSecond_ns + nanoseconds;
+  return seconds * kNsPerSecond + nanoseconds;
 }
 
 std::invalid_argument NoUse(const char* what, std::string_view encoding) {
