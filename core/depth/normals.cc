@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numeric>
 #include <opencv2/core.hpp>
@@ -181,7 +182,7 @@ HWY_INLINE Vectors NormalsOf(const PlaneFit& fit, Lanes du0, float dv0, const Ca
 HWY_INLINE void StoreTowardsCamera(const Vectors& normals, const float* center,
                                    const cv::Vec3f* points, int step, int count, cv::Vec3f* out) {
   for (int lane = 0; lane < count; ++lane) {
-    const cv::Vec3f& point = points[lane * step];
+    const cv::Vec3f& point = points[std::ptrdiff_t{lane} * step];
     const float x = normals.x[lane], y = normals.y[lane], z = normals.z[lane];
     const float sign = x * point[0] + y * point[1] + z * point[2] > 0 ? -1.0F : 1.0F;
     const float scale = center[lane] > 0 ? sign : std::numeric_limits<float>::quiet_NaN();

@@ -76,7 +76,7 @@ class Onward {
                                int* marks) {
     int any = 0;
     for (int x = 0; x < cols; ++x) {
-      marks[x] = (row[x] >= limits[x]) & (beside[x] == row[x]) ? 1 : 0;
+      marks[x] = ((row[x] >= limits[x]) & (beside[x] == row[x])) ? 1 : 0;
       any |= marks[x];
     }
     return any;

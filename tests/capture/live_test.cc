@@ -11,7 +11,6 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 // The largest intersection over union of this object's pixels with any label, among pixels with
 // depth.

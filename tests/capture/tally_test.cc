@@ -39,7 +39,7 @@ TEST(Tally, KeepsNothingOfWhatWasNotSent) {
 
 // A server that takes frames and answers none would fill the memory.
 TEST(Tally, KeepsSoManyBytesOfImages) {
-  constexpr std::size_t kBytes = 4 * 3 * (3 + 2);
+  constexpr std::size_t kBytes = std::size_t{4} * 3 * (3 + 2);
   Tally tally(/*max_image_bytes=*/2 * kBytes);
   for (std::uint64_t number = 0; number < 5; ++number) {
     Picture picture = Numbered(number);
