@@ -1,9 +1,7 @@
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
-#include <span>
 #include <vector>
 
 #include "core/seeds/morphology.h"
@@ -38,60 +36,22 @@ cv::Mat HighestNeighbours(const cv::Mat& map) {
   return highest;
 }
 
-// Keeps what is lower than the limits, and the lowest number elsewhere.
-FOVEA_INLINE void KeepLower(const float* row, const float* limits, int cols, float* lower) {
-  for (int x = 0; x < cols; ++x) {
-    lower[x] = row[x] < limits[x] ? row[x] : std::numeric_limits<float>::lowest();
-  }
-}
-
-// The pixels with no higher neighbour (`highest`, as of HighestNeighbours) beside one as high that
-// has one: there their plateau goes on, and is no peak.
-class Onward {
- public:
-  Onward(const cv::Mat& map, const cv::Mat& highest)
-      : map_(map), highest_(highest), marks_(static_cast<std::size_t>(map.cols)) {
-    for (std::vector<float>& lower : lower_) lower.resize(marks_.size());
-    beside_.resize(marks_.size());
-    Enter(0);
-    Enter(std::min(1, map.rows - 1));
-  }
-
-  // Rows in turn, from the first on. One mark a pixel; empty where there is none.
-  std::span<const int> MarksOf(int y) {
-    InterruptionPoint();
-    int any = 0;
-    RunInWidestRegisters([&] {
-      if (y > 0 && y + 1 < map_.rows) Enter(y + 1);
-      HighestBeside(LowerOf(std::max(y - 1, 0)), LowerOf(y),
-                    LowerOf(std::min(y + 1, map_.rows - 1)), map_.cols, beside_.data());
-      any = Mark(map_.ptr<float>(y), highest_.ptr<float>(y), beside_.data(), map_.cols,
-                 marks_.data());
-    });
-    return any != 0 ? std::span<const int>(marks_) : std::span<const int>();
-  }
-
- private:
-  static FOVEA_INLINE int Mark(const float* row, const float* limits, const float* beside, int cols,
-                               int* marks) {
-    int any = 0;
-    for (int x = 0; x < cols; ++x) {
-      marks[x] = ((row[x] >= limits[x]) & (beside[x] == row[x])) ? 1 : 0;
-      any |= marks[x];
+// Keeps what is lower than the other map, and the lowest number elsewhere.
+cv::Mat Lower(const cv::Mat& map, const cv::Mat& other) {
+  cv::Mat lower(map.size(), CV_32F);
+  RunInWidestRegisters([&] {
+    for (int y = 0; y < map.rows; ++y) {
+      InterruptionPoint();
+      const float* from = map.ptr<float>(y);
+      const float* limit = other.ptr<float>(y);
+      float* to = lower.ptr<float>(y);
+      for (int x = 0; x < map.cols; ++x) {
+        to[x] = from[x] < limit[x] ? from[x] : std::numeric_limits<float>::lowest();
+      }
     }
-    return any;
-  }
-  FOVEA_INLINE void Enter(int y) {
-    KeepLower(map_.ptr<float>(y), highest_.ptr<float>(y), map_.cols, LowerOf(y));
-  }
-  float* LowerOf(int y) { return lower_[static_cast<std::size_t>(y) % lower_.size()].data(); }
-
-  const cv::Mat& map_;
-  const cv::Mat& highest_;
-  std::array<std::vector<float>, 3> lower_;  // of the row, and of those above and below
-  std::vector<float> beside_;
-  std::vector<int> marks_;
-};
+  });
+  return lower;
+}
 
 // Numbers the components anew, 1 … n by their first pixels, without those that are not kept.
 void Renumber(const std::vector<char>& keep, cv::Mat& labels) {
@@ -126,14 +86,9 @@ cv::Mat LabelRegionalMaxima(const cv::Mat& map) {
   const int components = cv::connectedComponents(unsurpassed, labels, 8, CV_32S);
   std::vector<char> keep(static_cast<std::size_t>(components), 1);
   keep[0] = 0;  // the rest of the map
-  Onward onward(map, highest);
-  for (int y = 0; y < map.rows; ++y) {
-    const std::span<const int> marks = onward.MarksOf(y);
-    const int* row = labels.ptr<int>(y);
-    for (std::size_t x = 0; x < marks.size(); ++x) {
-      if (marks[x] != 0) keep[static_cast<std::size_t>(row[x])] = 0;
-    }
-  }
+  std::vector<cv::Point> goes_on;
+  cv::findNonZero((HighestNeighbours(Lower(map, highest)) == map) & unsurpassed, goes_on);
+  for (const cv::Point& pixel : goes_on) keep[static_cast<std::size_t>(labels.at<int>(pixel))] = 0;
   Renumber(keep, labels);
   return labels;
 }
