@@ -4,11 +4,11 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/options.h"
 #include "flags/suggestion.h"
+#include "server/byte_order_mark.h"
 
 namespace fovea::server {
 namespace {
@@ -35,10 +35,8 @@ std::size_t LineOf(const std::string& key, const std::string& text) {
   return 0;
 }
 
-// Without the mark that some editors begin files with.
 std::string TextOf(std::istream& input) {
   constexpr std::size_t kLargest = 1 << 20;
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   std::string text(kLargest + 1, '\0');
   input.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(input.gcount()));

@@ -1,6 +1,7 @@
 #include <ostream>
 #include <utility>
 
+#include "client/capture/outage_watch.h"
 #include "client/capture/session.h"
 #include "client/capture/stop_signal.h"
 
@@ -17,14 +18,12 @@ v1::DetectResponse Ask(const SessionOptions& options, const Session& session,
   for (bool said = false;; said = true) {
     try {
       v1::DetectResponse response = session.client.Detect(request, kLongestAnswer);
-      if (said) session.notes << "the server at " << options.server << " is back" << std::endl;
+      if (said) session.notes << BackNote(options.server) << std::flush;
       return response;
     } catch (const client::RpcError& error) {
       const bool too_late = steady_clock::now() - start >= options.patience;
       if (error.code() != grpc::StatusCode::UNAVAILABLE || too_late || StopAsked()) throw;
-      if (said) continue;
-      session.notes << "the server at " << options.server << " is away; waiting for it to come back"
-                    << std::endl;
+      if (!said) session.notes << AwayNote(options.server) << std::flush;
     }
   }
 }

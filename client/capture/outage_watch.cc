@@ -2,6 +2,12 @@
 
 namespace fovea::capture {
 
+std::string AwayNote(const std::string& server) {
+  return "the server at " + server + " is away; waiting for it to come back\n";
+}
+
+std::string BackNote(const std::string& server) { return "the server at " + server + " is back\n"; }
+
 void OutageWatch::Sending(Time now) {
   const std::lock_guard lock(mutex_);
   ++num_sent_;
@@ -26,13 +32,13 @@ std::string OutageWatch::Take(Time now) {
   const std::lock_guard lock(mutex_);
   if (is_out_ && answered_) {
     is_out_ = false;
-    return "the server at " + server_ + " is back\n";
+    return BackNote(server_);
   }
   const std::chrono::seconds limit = is_broken_ ? kLongestBreak : longest_silence_;
   if (is_out_ || !waiting_since_ || now - *waiting_since_ < limit) return "";
   is_out_ = true;
   answered_ = false;
-  if (is_broken_) return "the server at " + server_ + " is away; waiting for it to come back\n";
+  if (is_broken_) return AwayNote(server_);
   longest_silence_ *= 2;  // a server that is slow is not out with each frame
   return "the server at " + server_ + " has not answered for " + std::to_string(limit.count()) +
          " s; waiting\n";

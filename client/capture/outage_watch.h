@@ -8,6 +8,10 @@
 
 namespace fovea::capture {
 
+// Lines for people.
+std::string AwayNote(const std::string& server);
+std::string BackNote(const std::string& server);
+
 // Notices that frames get no answers: because the server is away, or though it is there. Says so
 // once, and once that it is back. Thread-safe.
 class OutageWatch {

@@ -109,9 +109,7 @@ Calibration ParseLine(const std::string& text) {
 }
 
 void Check(const Calibration& c) {
-  const bool finite =
-      std::isfinite(c.fx) && std::isfinite(c.fy) && std::isfinite(c.cx) && std::isfinite(c.cy);
-  if (!finite || c.fx <= 0 || c.fy <= 0) {
+  if (!IsCamera(c)) {
     throw std::runtime_error("focal lengths must be above 0 and all numbers finite");
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <opencv2/core/types.hpp>
 #include <optional>
 #include <string>
@@ -25,6 +26,12 @@ Calibration CalibrationOf(const v1::CameraIntrinsics& intrinsics, const cv::Size
 // numbers "fx,fy,cx,cy" alone. Throws std::runtime_error that names the file and what is missing or
 // impossible in it.
 Calibration ReadCalibration(const std::string& path);
+
+// Whether all numbers are finite, and focal lengths above 0.
+inline bool IsCamera(const Calibration& c) {
+  return std::isfinite(c.fx) && std::isfinite(c.fy) && std::isfinite(c.cx) && std::isfinite(c.cy) &&
+         c.fx > 0 && c.fy > 0;
+}
 
 // JSON as ReadCalibration reads it.
 std::string ToCalibrationJson(const Calibration& calibration);

@@ -51,12 +51,14 @@ std::string ColorName(const std::string& filename) {
   return {};
 }
 
+std::string DepthName(const std::string& filename) { return Before(filename, "_depth.png"); }
+
 FrameList ListByName(const fs::path& folder) {
   FrameList list;
   std::map<std::string, std::string> depth_paths;  // by name
   const std::vector<fs::path> files = FilesIn(folder);
   for (const fs::path& path : files) {
-    const std::string name = Before(path.filename().string(), "_depth.png");
+    const std::string name = DepthName(path.filename().string());
     if (!name.empty()) depth_paths[name] = path.string();
   }
   std::set<std::string> names;
@@ -141,6 +143,10 @@ FrameList ListFolders(const fs::path& color, const fs::path& depth) {
 }
 
 }  // namespace
+
+bool IsOfAFrame(const std::string& filename) {
+  return !ColorName(filename).empty() || !DepthName(filename).empty();
+}
 
 std::size_t NameApart(std::vector<FrameFiles>& frames) {
   std::set<std::string> names;

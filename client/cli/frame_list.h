@@ -27,6 +27,9 @@ struct FrameList {
 // whether the file is or not. Throws std::runtime_error where it is none of these.
 FrameList ListFrames(const std::string& folder);
 
+// Whether a file of this name is an image of a frame, by the first of these ways.
+bool IsOfAFrame(const std::string& filename);
+
 // Frames of one name get one each, so that no result takes the place of another: NAME, NAME_2, …
 // Returns how many were renamed.
 std::size_t NameApart(std::vector<FrameFiles>& frames);

@@ -3,13 +3,12 @@
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
-#include <string_view>
 #include <system_error>
+
+#include "server/byte_order_mark.h"
 
 namespace fovea::server {
 namespace {
-
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // some editors begin files with it
 
 // A pipe would be waited for, and cannot be read again; devices need not end.
 void RequireFile(const std::string& flag, const std::string& path) {

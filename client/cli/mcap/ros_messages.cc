@@ -129,11 +129,6 @@ std::pair<std::string_view, std::string_view> ReadCompressed(std::string_view me
   return {format, reader.Bytes()};
 }
 
-bool IsCamera(const Calibration& c) {
-  return std::isfinite(c.fx) && std::isfinite(c.fy) && std::isfinite(c.cx) && std::isfinite(c.cy) &&
-         c.fx > 0 && c.fy > 0;
-}
-
 }  // namespace
 
 std::int64_t StampOf(std::string_view message) {

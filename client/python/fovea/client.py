@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from fovea.channel import make_metadata
-from fovea.checks import timeout_of_call, timeout_of_client, whole
+from fovea.checks import timeout_of_call, timeout_of_client
 from fovea.detections import Detections, detections_from_proto
 from fovea.errors import Cancelled, DeadlineExceeded, FoveaError, Unavailable, error_of_call
 from fovea.frame import CameraIntrinsics, Frame
@@ -35,7 +35,6 @@ from fovea.servers import Server, Servers
 from fovea.stream import ResumingStream, StreamAnswer
 from fovea.v1 import detection_service_pb2
 
-_MOST_MIB = 2047  # gRPC counts bytes in 31 bits
 _NOBODY_THERE = 0.8  # seconds: a server that is being started with its client is up by then
 
 
@@ -81,8 +80,7 @@ class Client:
         self._retry = retry
         self._metadata = make_metadata(token, robot)
         self._closed = threading.Event()
-        max_mib = whole(max_answer_mib, "max_answer_mib", _MOST_MIB)
-        self._servers = Servers(address, tls, max_mib, self._metadata)
+        self._servers = Servers(address, tls, max_answer_mib, self._metadata)
 
     def __enter__(self) -> Client:
         return self

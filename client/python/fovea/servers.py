@@ -11,12 +11,14 @@ import grpc
 
 from fovea.addresses import Target, find_targets, parse_addresses
 from fovea.channel import make_channel
+from fovea.checks import whole
 from fovea.errors import FoveaError, Unavailable
 from fovea.health import Health
 from fovea.options import TlsOptions
 from fovea.server_choice import ServerChoice, ServerRound
 from fovea.v1 import detection_service_pb2_grpc
 
+_MOST_MIB = 2047  # gRPC counts bytes in 31 bits
 _FRESH = 5.0  # seconds between two lookups of names
 
 
@@ -46,9 +48,9 @@ class Servers:
         max_answer_mib: int,
         metadata: list[tuple[str, str]],
     ) -> None:
-        """Raises InvalidArgument for an address that is none."""
+        """Raises InvalidArgument for an address or a limit of answers that is none."""
         self._addresses = parse_addresses(address)
-        self._of_channel = tls, max_answer_mib, metadata
+        self._of_channel = tls, whole(max_answer_mib, "max_answer_mib", _MOST_MIB), metadata
         self._lock = threading.RLock()
         self._choice = ServerChoice()
         self._servers: dict[str, Server] = {}

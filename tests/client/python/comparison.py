@@ -1,4 +1,4 @@
-"""Whether two answers are the same to the last bit."""
+"""Answers with all that they may hold, and whether two are the same to the last bit."""
 
 from __future__ import annotations
 
@@ -6,6 +6,10 @@ import dataclasses
 from typing import Any
 
 import numpy as np
+
+import fovea
+
+EVERYTHING = fovea.DetectOptions(return_clouds=True, return_saliency_maps=True, return_seeds=True)
 
 
 def assert_same(one: Any, other: Any, path: str = "answer") -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import pickle
 import sys
 from typing import Any
 
@@ -11,8 +10,6 @@ import pytest
 from conftest import Scene
 
 import fovea
-from fovea.errors import error_of
-from fovea.status_details import field_of_details
 
 TURNED = np.eye(4)[[1, 0, 2, 3]]  # a reflection
 
@@ -140,98 +137,6 @@ def test_finds_mistakes_before_sending(
     assert isinstance(caught.value, ValueError)
 
 
-GRIPPER = "options.grasps.grippers[0]"
-TWO_KINDS = "has max_opening_m of two fingers and suction_diameter_m of a suction cup"
-
-# Options that are caught here.
-LOCAL_OPTIONS: list[tuple[dict[str, Any], str, str]] = [
-    (
-        {"place_size": (0.05, 0.05)},
-        "options.places.size",
-        "place_size has the shape (2,), not (3,)",
-    ),
-    ({"place_size": 0.05}, "options.places.size", "place_size has the shape ()"),
-    ({"place_size": "big"}, "options.places.size", "place_size is not made of numbers"),
-    ({"height_map_cell_m": 0}, "options.planning.height_map.cell_m", "height_map_cell_m=0 is"),
-    ({"profile": 5}, "options.profile", "5 is not a str"),
-    ({"parameters": [("mrf.gamma_per_m2", 80)]}, "options.parameters", "is list, not a dict"),
-    ({"parameters": {5: 80}}, "options.parameters", "5 is not a str"),
-    ({"time_budget": "1"}, "options.time_budget", "'1' is not a finite number"),
-    ({"time_budget": 10**400}, "options.time_budget", "an integer of 1329 bits is not a finite"),
-    ({"parameters": {"mrf.lambda": 10**400}}, "options.parameters[mrf.lambda]", "beyond any"),
-    ({"parameters": {"mrf.lambda": 10**5000}}, "options.parameters[mrf.lambda]", "beyond any"),
-    ({"return_masks": "no"}, "options.return_masks", "'no' is not True or False"),
-    ({"return_rejected": None}, "options.return_rejected", "None is not True or False"),
-    ({"tracking": "no"}, "options.tracking.enabled", "'no' is not True or False"),
-    (
-        {"collision_primitives": "no"},
-        "options.planning.collision_primitives",
-        "'no' is not True or False",
-    ),
-    ({"grippers": 0.085}, "options.grasps.grippers", "is float, not a fovea.Gripper or several"),
-    ({"grippers": "jaw"}, "options.grasps.grippers", "is str, not a fovea.Gripper or several"),
-    ({"grippers": [fovea.Gripper(), 1]}, "options.grasps.grippers[1]", "is int, not a"),
-]
-
-
-def _of_gripper(field: str, problem: str, **gripper: Any) -> tuple[dict[str, Any], str, str]:
-    return {"grippers": fovea.Gripper("x", **gripper)}, GRIPPER + field, problem
-
-
-LOCAL_OPTIONS += [
-    ({"grippers": fovea.Gripper("\ud800")}, f"{GRIPPER}.name", "is not Unicode text"),
-    ({"grippers": fovea.Gripper(5)}, f"{GRIPPER}.name", "5 is not a str"),  # type: ignore[arg-type]
-    _of_gripper("", TWO_KINDS, max_opening_m=0.1, suction_diameter_m=0.03),
-    _of_gripper("", TWO_KINDS, max_opening_m=0.085, suction_diameter_m=0.03),
-    _of_gripper(".jaw.max_opening_m", "max_opening_m=0 is not", max_opening_m=0),
-    _of_gripper(".jaw.max_opening_m", "max_opening_m=inf is not", max_opening_m=np.inf),
-    _of_gripper(".jaw.max_opening_m", "max_opening_m=an integer of 1329", max_opening_m=10**400),
-    _of_gripper(".max_grasps", "an integer of 16610 bits is not a whole", max_grasps=10**5000),
-    _of_gripper(".jaw.finger_length_m", "finger_length_m=-0.1 is", finger_length_m=-0.1),
-    _of_gripper(".jaw.finger_width_m", "finger_width_m=nan is", finger_width_m=np.nan),
-    _of_gripper(".jaw.finger_thickness_m", "finger_thickness_m='1'", finger_thickness_m="1"),
-    _of_gripper(".jaw.friction", "friction=0 is not", friction=0),
-    _of_gripper(".jaw.palm_size", "shape (2,), not (3,)", palm_size_m=(0.1, 0.1)),
-    _of_gripper(".suction.diameter_m", "suction_diameter_m=0 is", suction_diameter_m=0),
-    _of_gripper(".suction.diameter_m", "suction_diameter_m is missing", max_curvature_per_m=9),
-    _of_gripper(".approach", "shape (1,), not (3,)", approach=(1,)),
-    _of_gripper(".max_grasps", "0 is not a whole number from 1", max_grasps=0),
-    _of_gripper(".max_tilt_rad", "nan is not a finite number", max_tilt_rad=np.nan),
-]
-
-
-@pytest.mark.parametrize(("options", "field", "problem"), LOCAL_OPTIONS)
-def test_finds_mistakes_of_options_before_sending(
-    scene: Scene, options: dict[str, Any], field: str, problem: str
-) -> None:
-    with pytest.raises(fovea.InvalidArgument) as caught:
-        fovea.Client("127.0.0.1:1").detect_frame(scene.frame(), fovea.DetectOptions(**options))
-    assert caught.value.field == field
-    assert problem in caught.value.message
-
-
-@pytest.mark.parametrize("options", [None, {"profile": "paper"}])
-def test_names_options_that_are_none(scene: Scene, options: Any) -> None:
-    nobody = fovea.Client("127.0.0.1:1")
-    for call in (
-        lambda: nobody.detect(scene.color, scene.depth, scene.intrinsics, options),
-        lambda: nobody.stream([scene.frame()], options),
-    ):
-        with pytest.raises(fovea.InvalidArgument, match="not fovea.DetectOptions") as caught:
-            call()
-        assert caught.value.field == "options"
-
-
-def test_flags_may_be_of_numpy() -> None:
-    proto = fovea.DetectOptions(return_clouds=np.bool_(True), return_masks=0).to_proto()
-    assert proto.return_clouds and not proto.return_masks
-
-
-def test_a_short_time_budget_is_not_none() -> None:
-    assert fovea.DetectOptions(time_budget=1e-12).to_proto().time_budget.nanos == 1
-    assert not fovea.DetectOptions().to_proto().HasField("time_budget")
-
-
 @pytest.mark.parametrize(
     ("tls", "field", "problem"),
     [
@@ -332,58 +237,3 @@ def test_names_the_package_that_is_missing(
         scene.frame(**changes).to_proto()
     assert caught.value.package == package
     assert package in str(caught.value)
-
-
-def test_errors_without_a_field_have_none() -> None:
-    for message in ("the message is not a DetectStreamRequest", "", "some words: and more"):
-        error = error_of(3, message)
-        assert isinstance(error, fovea.InvalidArgument)
-        assert (error.field, error.message) == ("", message)
-
-
-def test_errors_travel_between_processes() -> None:
-    for error in (
-        fovea.InvalidArgument("frame.depth", "is empty"),
-        fovea.Overloaded("full", retry_after=0.5),
-        fovea.MissingPackage("png", "python3-pil"),
-        fovea.VersionMismatch("1.0.0", "2.0.0"),
-    ):
-        copy = pickle.loads(pickle.dumps(error))
-        assert type(copy) is type(error)
-        assert str(copy) == str(error)
-        assert vars(copy) == vars(error)
-
-
-def test_unknown_codes_are_errors_too() -> None:
-    assert error_of(13, "oh").code == "INTERNAL"
-    assert error_of(99, "oh").code == "UNKNOWN"
-
-
-def _part(number: int, content: bytes) -> bytes:
-    """A field of a message, as protobuf writes it."""
-    return bytes([number << 3 | 2, len(content)]) + content
-
-
-def test_details_name_the_field() -> None:
-    violation = _part(1, b"frame.depth") + _part(2, b"is missing")
-    bad_request = _part(1, b"type.googleapis.com/google.rpc.BadRequest") + _part(
-        2, _part(1, violation)
-    )
-    other = _part(1, b"type.googleapis.com/google.rpc.RetryInfo") + _part(2, b"")
-    status = b"\x08\x03" + _part(2, b"text") + _part(3, other) + _part(3, bad_request)
-    assert field_of_details(status) == "frame.depth"
-    assert field_of_details(_part(3, other)) == ""
-    for broken in (b"", b"\xff", b"\x1a", b"\x1b", status[:-40]):
-        assert field_of_details(broken) == ""
-
-
-def test_fields_of_servers_that_send_details_and_of_older_ones() -> None:
-    for field in ("frame.depth", ""):
-        error = error_of(3, "frame.depth: is missing", field)
-        assert isinstance(error, fovea.InvalidArgument)
-        assert (error.field, error.message) == ("frame.depth", "frame.depth: is missing")
-    odd = error_of(3, "options.parameters[a]b]: no", "options.parameters[a]b]")
-    assert isinstance(odd, fovea.InvalidArgument)
-    assert odd.field == "options.parameters[a]b]"
-    assert error_of(8, "full", retry_after=0.5).args == error_of(8, "full").args
-    assert isinstance(error_of(8, "full", retry_after=0.5), fovea.Overloaded)
