@@ -7,27 +7,16 @@
 #include "core/objects/portions.h"
 #include "core/saliency/mean_saliency.h"
 #include "core/segmentation/alpha_expansion.h"
-#include "core/segmentation/contraction.h"
 #include "core/types/interruption.h"
 
 namespace fovea {
 namespace {
-
-// Of lambda: cutting between voxels of one cluster costs at least as much.
-constexpr double kMinShareOfCluster = 0.6;
 
 // Where no support is found all that is seen may be an object: in larger pieces.
 CoverOptions CoverOf(const SceneGeometry& scene, CoverOptions options) {
   constexpr double kWider = 1.5;
   if (scene.supports.empty()) options.spacing_m *= kWider;
   return options;
-}
-
-// In one sweep, which does nearly all that more would.
-std::vector<int> LabelVoxels(const PottsEnergy& energy, const MrfOptions& options) {
-  const auto min_weight = static_cast<float>(kMinShareOfCluster * options.lambda);
-  const Contraction clusters = Contract(energy, options.cluster_voxels, min_weight);
-  return Expand(clusters, MinimizeByAlphaExpansion(clusters.energy, 1));
 }
 
 // Section 3.1: where something stands out, in colour and in depth. The first stage of `clock`,
@@ -109,10 +98,11 @@ Search SearchInBlocks(const RgbdFrame& frame, const CameraIntrinsics& camera,
   search.found.objects.resize(scene.grid.voxels.size(), 0);
   const auto look_at = [&](const std::vector<char>& is_background) {
     clock.Begin("energy");
-    const PottsEnergy energy = BuildEnergy(scene.grid, scene.points, scene.colors, is_background,
-                                           search.seeds, options.mrf);
+    const auto [energy, clusters] =
+        BuildEnergy(scene.grid, scene.colors, is_background, search.seeds, options.mrf);
     clock.Begin("graph_cut");
-    const std::vector<int> labels = LabelVoxels(energy, options.mrf);
+    // In one sweep, which does nearly all that more would.
+    const std::vector<int> labels = LabelsOfNodes(clusters, MinimizeByAlphaExpansion(energy, 1));
     clock.Begin("refinement");
     // Section 3.3: segments that look alike are one object.
     Add(labels,

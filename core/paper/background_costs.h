@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/segmentation/data_term.h"
+#include "core/segmentation/voxel_grid.h"
 
 namespace fovea::paper {
 

@@ -1,6 +1,8 @@
 #include "core/paper/surface_energy.h"
 
 #include "core/paper/background_costs.h"
+#include "core/segmentation/foreground.h"
+#include "core/segmentation/points_of_voxels.h"
 #include "core/types/interruption.h"
 
 namespace fovea::paper {
@@ -12,16 +14,38 @@ float SurfaceWeight(const Voxel& a, const Voxel& b, const SurfaceEnergyOptions& 
   return static_cast<float>(options.lambda / distance * ((convex ? 1 : 0) + options.epsilon));
 }
 
+namespace {
+
+// The voxels that are not background, and their points.
+Sites SitesOf(const VoxelGrid& grid, const Foreground& foreground, const cv::Mat& points,
+              const std::vector<char>& is_background) {
+  std::vector<float> variances(grid.voxels.size());
+  ForEachPoint(grid, points, is_background, [&](int v, const Eigen::Vector3f& x, cv::Point) {
+    const float share = 1.0F / static_cast<float>(grid.voxels[v].num_points);
+    variances[v] += share * (x - grid.voxels[v].mean).squaredNorm();
+  });
+  Sites sites{foreground.means, {}, std::vector<float>(foreground.voxels.size(), 1)};
+  for (const int v : foreground.voxels) sites.variances_m2.push_back(variances[v]);
+  return sites;
+}
+
+}  // namespace
+
 PottsEnergy BuildSurfaceEnergy(const VoxelGrid& grid, const cv::Mat& points,
                                const std::vector<char>& is_background, const cv::Mat& on_support,
                                const std::vector<Seed>& seeds,
                                const SurfaceEnergyOptions& options) {
   PottsEnergy energy;
   energy.num_nodes = static_cast<int>(grid.voxels.size());
-  energy.choices = DataTerm(grid, points, is_background, seeds, options.data);
+  const Foreground foreground = CollectForeground(grid, is_background);
+  energy.choices = DataTerm(SitesOf(grid, foreground, points, is_background), seeds, options.data);
+  for (std::vector<PottsEnergy::Choice>& choices : energy.choices) {
+    for (PottsEnergy::Choice& choice : choices) choice.node = foreground.voxels[choice.node];
+  }
   const std::vector<float> costs =
       BackgroundCosts(grid, points, is_background, on_support, seeds, options.data);
-  for (PottsEnergy::Choice& choice : energy.choices[0]) choice.cost = costs[choice.node];
+  energy.choices[0].clear();
+  for (int v = 0; v < energy.num_nodes; ++v) energy.choices[0].push_back({v, costs[v]});
   LongLoop loop;
   for (const VoxelEdge& edge : grid.edges) {
     loop.Turn();

@@ -2,9 +2,9 @@
 // term from grooves, steps and colours in place of the paper's Eq. 7 (core/paper/surface_energy.h).
 #pragma once
 
-#include <opencv2/core/mat.hpp>
 #include <vector>
 
+#include "core/segmentation/clusters.h"
 #include "core/segmentation/data_term.h"
 #include "core/segmentation/mean_color.h"
 #include "core/segmentation/potts_energy.h"
@@ -32,14 +32,17 @@ struct MrfOptions {
   int cluster_voxels = 16;
 };
 
-// The energy over the voxels of `grid`, with the data term as in data_term.h. Voxels with
-// `is_background` set (one entry a voxel) can only be background. `points`: CV_32FC3, the image
-// that the grid was built from. `colors`: one entry a voxel, as of ColorsOfVoxels. Throws
-// TooComplex as DataTerm does.
-PottsEnergy BuildEnergy(const VoxelGrid& grid, const cv::Mat& points,
-                        const std::vector<MeanColor>& colors,
-                        const std::vector<char>& is_background, const std::vector<Seed>& seeds,
-                        const MrfOptions& options = {});
+// The energy over clusters of the voxels of `grid`, with the data term as in data_term.h. Voxels
+// with `is_background` set (one entry a voxel) can only be background, and are in no cluster: what
+// cutting between them and a cluster costs is taken off what it costs the cluster to be background.
+// `colors`: one entry a voxel, as of ColorsOfVoxels. Throws TooComplex as DataTerm does.
+struct ClusteredEnergy {
+  PottsEnergy energy;
+  Clusters clusters;
+};
+ClusteredEnergy BuildEnergy(const VoxelGrid& grid, const std::vector<MeanColor>& colors,
+                            const std::vector<char>& is_background, const std::vector<Seed>& seeds,
+                            const MrfOptions& options = {});
 
 // The cost of cutting between two neighbouring voxels.
 float PairwiseWeight(const Voxel& a, const Voxel& b, const MrfOptions& options);

@@ -14,7 +14,6 @@
 #include "core/scene/flat_things.h"
 #include "core/seeds/salient_positions.h"
 #include "core/segmentation/alpha_expansion.h"
-#include "core/segmentation/contraction.h"
 #include "core/segmentation/labels.h"
 #include "core/types/interruption.h"
 #include "core/types/lab.h"
@@ -102,14 +101,12 @@ TEST(Noise, CanBeStoppedInEachStage) {
     seeds = CoverWithSeeds(grid, nowhere, seeds, options.cover);
   });
   const std::vector<char> is_background(grid.voxels.size(), 0);
-  PottsEnergy energy;
-  ExpectToStop("energy", kRows + static_cast<int>(seeds.size()), [&] {
-    energy = BuildEnergy(grid, points, colors, is_background, seeds, options.mrf);
-  });
+  ClusteredEnergy clustered;
+  ExpectToStop("energy", static_cast<int>(seeds.size()),
+               [&] { clustered = BuildEnergy(grid, colors, is_background, seeds, options.mrf); });
   std::vector<int> labels;
   ExpectToStop("graph_cut", static_cast<int>(seeds.size()), [&] {
-    const Contraction contraction = Contract(energy, options.mrf.cluster_voxels, 1);
-    labels = Expand(contraction, MinimizeByAlphaExpansion(contraction.energy, 1));
+    labels = LabelsOfNodes(clustered.clusters, MinimizeByAlphaExpansion(clustered.energy, 1));
   });
   const cv::Mat standing = cv::Mat::zeros(depth.size(), CV_8UC1);
   const LabelledScene scene{grid,  labels,   points,   lab,     colors,      frame.intrinsics,
@@ -135,17 +132,13 @@ TEST(Noise, WithMoreSegmentsThanAnImageHoldsIsRefused) {
 }
 
 TEST(Noise, WithMoreHypothesesThanMemoryShouldHoldIsRefused) {
-  const RgbdFrame frame = Noise({160, 120});
-  const cv::Mat points = BackProject(frame.depth_m, frame.intrinsics, 10);
-  const VoxelGrid grid = BuildVoxelGrid(points, {cv::Mat(points.size(), CV_32FC3, 0.0)}, {});
-  const std::vector<Seed> seeds((std::size_t{1} << 25U) / grid.voxels.size() + 1,
-                                Seed{{}, Eigen::Vector3f(0, 0, 2)});
-  EXPECT_THAT(
-      [&] {
-        DataTerm(grid, points, std::vector<char>(grid.voxels.size(), 0), seeds,
-                 {.gamma_per_m2 = 0.1});
-      },
-      ThrowsMessage<TooComplex>(HasSubstr("raise mrf.gamma_per_m2")));
+  constexpr std::size_t kNum = 10'000;
+  const Eigen::Vector3f place(0, 0, 2);
+  const Sites sites{std::vector<Eigen::Vector3f>(kNum, place), std::vector<float>(kNum, 0),
+                    std::vector<float>(kNum, 1)};
+  const std::vector<Seed> seeds((std::size_t{1} << 25U) / kNum + 1, Seed{{}, place});
+  EXPECT_THAT([&] { DataTerm(sites, seeds, {.gamma_per_m2 = 0.1}); },
+              ThrowsMessage<TooComplex>(HasSubstr("raise mrf.gamma_per_m2")));
 }
 
 }  // namespace

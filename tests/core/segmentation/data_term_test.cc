@@ -13,8 +13,7 @@ namespace {
 TEST(DataTerm, HasTheDataTermAsPrinted) {
   const SeededPoints scene = RandomPoints(11);
   const DataTermOptions options;
-  const std::vector<char> none(scene.grid.voxels.size(), 0);
-  const auto choices = DataTerm(scene.grid, scene.points, none, scene.seeds, options);
+  const auto choices = DataTerm(SitesOf(scene), scene.seeds, options);
   ASSERT_EQ(choices.size(), 4U);
   ASSERT_EQ(choices[0].size(), scene.grid.voxels.size());
   for (int label = 1; label < 4; ++label) {
@@ -30,8 +29,7 @@ TEST(DataTerm, HasTheDataTermAsPrinted) {
 TEST(DataTerm, LeavesOutNothingWithinReach) {
   const SeededPoints scene = RandomPoints(15, 0.01);
   const DataTermOptions options{.gamma_per_m2 = 10'000, .min_probability = 1e-3};
-  const std::vector<char> none(scene.grid.voxels.size(), 0);
-  const auto choices = DataTerm(scene.grid, scene.points, none, scene.seeds, options);
+  const auto choices = DataTerm(SitesOf(scene), scene.seeds, options);
   const double max_cost = -std::log(options.min_probability);
   for (int label = 1; label < 4; ++label) {
     auto choice = choices[label].begin();
@@ -55,8 +53,7 @@ TEST(DataTerm, BackgroundOfSinglePointsCostsWhatIsPrinted) {
   const SeededPoints scene = RandomPoints(12, 1e-4);
   ASSERT_EQ(scene.grid.voxels.size(), scene.points.total());
   const DataTermOptions options;
-  const std::vector<char> none(scene.grid.voxels.size(), 0);
-  const auto choices = DataTerm(scene.grid, scene.points, none, scene.seeds, options);
+  const auto choices = DataTerm(SitesOf(scene), scene.seeds, options);
   for (const auto& choice : choices[0]) {
     EXPECT_NEAR(choice.cost, LiteralCost(scene, choice.node, 0, options), 2e-3) << choice.node;
   }
@@ -65,8 +62,7 @@ TEST(DataTerm, BackgroundOfSinglePointsCostsWhatIsPrinted) {
 TEST(DataTerm, BackgroundCostsAsMuchAsAtTheMeanDistanceOfTheNearestSeed) {
   const SeededPoints scene = RandomPoints(11);
   const DataTermOptions options;
-  const std::vector<char> none(scene.grid.voxels.size(), 0);
-  const auto choices = DataTerm(scene.grid, scene.points, none, scene.seeds, options);
+  const auto choices = DataTerm(SitesOf(scene), scene.seeds, options);
   for (std::size_t v = 0; v < scene.grid.voxels.size(); ++v) {
     const float least = std::min({choices[1][v].cost, choices[2][v].cost, choices[3][v].cost});
     const auto squared_distance = static_cast<float>(least / options.gamma_per_m2);  // Eq. 5
@@ -81,16 +77,27 @@ TEST(DataTerm, BackgroundCostsLeastFarFromAllSeeds) {
   EXPECT_NEAR(BackgroundCost(0, options), -std::log(options.alpha * options.min_probability), 1e-4);
 }
 
-TEST(DataTerm, OffersNothingOnTheSupportAndBeyondReach) {
+TEST(DataTerm, OffersNothingBeyondReach) {
   SeededPoints scene = RandomPoints(12);
   scene.seeds[2].position.z() = 3.0F;  // two metres off: Eq. 5 is below min_probability
-  std::vector<char> is_background(scene.grid.voxels.size(), 0);
-  is_background[0] = 1;
-  const auto choices = DataTerm(scene.grid, scene.points, is_background, scene.seeds);
+  const auto choices = DataTerm(SitesOf(scene), scene.seeds);
   EXPECT_EQ(choices[0].size(), scene.grid.voxels.size());
-  EXPECT_EQ(choices[1].size(), scene.grid.voxels.size() - 1);
-  EXPECT_EQ(choices[1].front().node, 1);
+  EXPECT_EQ(choices[1].size(), scene.grid.voxels.size());
   EXPECT_TRUE(choices[3].empty());
+}
+
+TEST(DataTerm, CostsASiteOfSeveralVoxelsSoOften) {
+  const SeededPoints scene = RandomPoints(11);
+  Sites sites = SitesOf(scene);
+  const auto single = DataTerm(sites, scene.seeds);
+  sites.weights[1] = 7;
+  const auto choices = DataTerm(sites, scene.seeds);
+  ASSERT_EQ(choices.size(), 4U);
+  for (int label = 0; label < 4; ++label) {
+    ASSERT_EQ(choices[label].size(), single[label].size());
+    EXPECT_EQ(choices[label][0].cost, single[label][0].cost);
+    EXPECT_EQ(choices[label][1].cost, 7 * single[label][1].cost);
+  }
 }
 
 }  // namespace

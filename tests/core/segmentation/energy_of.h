@@ -1,4 +1,4 @@
-// What alpha-expansion and contraction are judged by.
+// What alpha-expansion and clusters are judged by.
 #pragma once
 
 #include "core/segmentation/potts_energy.h"

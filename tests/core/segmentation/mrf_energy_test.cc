@@ -1,6 +1,6 @@
 #include "core/segmentation/mrf_energy.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 
@@ -48,21 +48,40 @@ TEST(BuildEnergy, WeighsColorsBetweenWhatMayBeObjects) {
   for (std::size_t v = 0; v < scene.grid.voxels.size(); ++v) {
     colors.push_back(Color(v % 2 == 0 ? 0 : 1000));
   }
-  const auto edges = [&](double floor) {
-    return BuildEnergy(scene.grid, scene.points, colors, is_background, scene.seeds,
-                       {.color_floor = floor})
-        .edges;
+  const auto edges = [&](double floor) {  // of single voxels, all but the first
+    return BuildEnergy(scene.grid, colors, is_background, scene.seeds,
+                       {.color_floor = floor, .cluster_voxels = 1})
+        .energy.edges;
   };
   const auto plain = edges(1), colored = edges(0.3);
   ASSERT_EQ(plain.size(), colored.size());
   std::size_t num_lighter = 0;
   for (std::size_t i = 0; i < plain.size(); ++i) {
     const bool differ = plain[i].a % 2 != plain[i].b % 2;
-    const bool counts = differ && plain[i].a != 0 && plain[i].b != 0;
-    EXPECT_NEAR(colored[i].weight, (counts ? 0.3F : 1.0F) * plain[i].weight, 1e-5);
-    num_lighter += counts ? 1 : 0;
+    EXPECT_NEAR(colored[i].weight, (differ ? 0.3F : 1.0F) * plain[i].weight, 1e-5);
+    num_lighter += differ ? 1 : 0;
   }
   EXPECT_GT(num_lighter, 0U);
+}
+
+// What is labelled together is one site: around the mean of its voxels, and pulled to the
+// background by all of them.
+TEST(BuildEnergy, IsOfClusters) {
+  VoxelGrid grid;
+  for (const float x : {0.0F, 0.01F, 0.02F}) grid.voxels.push_back(At(x, {0, 0, -1}));
+  grid.edges = {{0, 1}, {1, 2}};
+  const std::vector<MeanColor> colors(3, Color(0));
+  const std::vector<Seed> seeds{{{}, {0.015F, 0, 1.02F}}};
+  const MrfOptions options;
+  const auto [energy, clusters] = BuildEnergy(grid, colors, {1, 0, 0}, seeds, options);
+  EXPECT_THAT(clusters.of_node, ::testing::ElementsAre(-1, 0, 0));
+  EXPECT_TRUE(energy.edges.empty());
+  ASSERT_EQ(energy.choices.size(), 2U);
+  ASSERT_EQ(energy.choices[1].size(), 1U);
+  const float squared = 0.005F * 0.005F + 0.02F * 0.02F;  // of either voxel to the seed
+  EXPECT_NEAR(energy.choices[1][0].cost, 2 * options.data.gamma_per_m2 * squared, 1e-5);
+  EXPECT_NEAR(energy.choices[0][0].cost, 2 * BackgroundCost(squared, options.data) - options.lambda,
+              1e-4);
 }
 
 TEST(PairwiseWeight, DoesNotDependOnTheOrder) {

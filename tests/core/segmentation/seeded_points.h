@@ -32,6 +32,21 @@ inline SeededPoints RandomPoints(unsigned seed, double voxel_m = 0.05) {
   return scene;
 }
 
+// Each voxel as a site.
+inline Sites SitesOf(const SeededPoints& scene) {
+  const std::size_t count = scene.grid.voxels.size();
+  Sites sites{{}, std::vector<float>(count, 0), std::vector<float>(count, 1)};
+  for (const Voxel& voxel : scene.grid.voxels) sites.means.push_back(voxel.mean);
+  for (int i = 0; i < static_cast<int>(scene.points.total()); ++i) {
+    const auto& p = scene.points.at<cv::Vec3f>(i / scene.points.cols, i % scene.points.cols);
+    const int v = scene.grid.voxel_of_pixel.at<int>(i / scene.points.cols, i % scene.points.cols);
+    const Voxel& voxel = scene.grid.voxels[v];
+    sites.variances_m2[v] += (Eigen::Vector3f(p[0], p[1], p[2]) - voxel.mean).squaredNorm() /
+                             static_cast<float>(voxel.num_points);
+  }
+  return sites;
+}
+
 // Eq. 2 as printed: the mean over the voxel's points of −ln p(label | x).
 inline double LiteralCost(const SeededPoints& scene, int voxel, int label,
                           const DataTermOptions& options) {
