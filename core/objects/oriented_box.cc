@@ -104,6 +104,7 @@ std::vector<cv::Point2f> OuterPoints(const Eigen::ArrayXf& x, const Eigen::Array
   const bool has_inside = corners.size() >= 3;
   const std::vector<float> areas = AreasWithin(corners, x, y);
   std::vector<cv::Point2f> outer;
+  outer.reserve(areas.size());
   for (std::size_t i = 0; i < areas.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
     if (!has_inside || areas[i] < inside) outer.emplace_back(x[at], y[at]);

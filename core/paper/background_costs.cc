@@ -26,14 +26,14 @@ class SeedsOfVoxels {
   // Once for each voxel: the seeds that may be the nearest to a point of it, which is not farther
   // from its mean than `radius`. By the triangle inequality those not farther from the mean than
   // the nearest one is, plus twice the radius.
-  void AddNearest(int v, const Voxel& voxel, float radius, const Positions& seeds) {
-    if (seeds.rows() == 0) return;
-    squared_distance_ = SquaredDistances(seeds, voxel.mean);
+  void AddNearest(int v, const Voxel& voxel, float radius, Positions& seeds) {
+    if (seeds.size() == 0) return;
+    const std::vector<float>& squared_distances = seeds.SquaredDistances(voxel.mean);
     // A little more for rounding, also where the voxel is a single point.
-    const float limit = 1.00001F * std::sqrt(squared_distance_.minCoeff()) + 2.01F * radius;
+    const float limit = 1.00001F * std::sqrt(std::ranges::min(squared_distances)) + 2.01F * radius;
     const std::size_t first = seeds_.size();
-    for (Eigen::Index i = 0; i < seeds.rows(); ++i) {
-      if (squared_distance_[i] <= limit * limit) seeds_.emplace_back(seeds.row(i).matrix());
+    for (std::size_t i = 0; i < seeds.size(); ++i) {
+      if (squared_distances[i] <= limit * limit) seeds_.push_back(seeds.At(i));
     }
     range_of_voxel_[v] = {first, seeds_.size() - first};
   }
@@ -45,7 +45,6 @@ class SeedsOfVoxels {
 
   std::vector<Eigen::Vector3f> seeds_;
   std::vector<Range> range_of_voxel_;
-  Eigen::ArrayXf squared_distance_;  // kept for its memory
 };
 
 // The nearest ones of each voxel, without those from which no point of it is within `reach_m`.
@@ -56,10 +55,11 @@ SeedsOfVoxels FindNearSeeds(const VoxelGrid& grid, const Foreground& foreground,
   if (foreground.voxels.empty()) return near_seeds;
   const std::vector<Eigen::Vector3f> positions = PositionsOf(seeds);
   const float max_radius = std::sqrt(std::ranges::max(squared_radius));
+  Positions around;
   LongLoop loop;
   ForEachNeighborhood(foreground.means, positions, reach_m + max_radius,
                       [&](const std::vector<int>& members, const std::vector<int>& near) {
-                        const Positions around = Chosen(positions, near);
+                        around.Choose(positions, near);
                         for (const int i : members) {
                           loop.Turn();
                           const int v = foreground.voxels[i];

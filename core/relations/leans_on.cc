@@ -15,6 +15,7 @@ using Points = std::vector<Eigen::Vector3f>;
 Points SomePoints(const std::vector<ColoredPoint>& cloud) {
   const std::size_t count = std::min(cloud.size(), kMaxPoints);
   Points points;
+  points.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const ColoredPoint& p = cloud[i * cloud.size() / count];
     points.emplace_back(p.x, p.y, p.z);
@@ -55,6 +56,7 @@ std::optional<Face> OnlyFace(const Points& points) {
   const float noise_m = 0.003F + 0.003F * z * z;
   Face face = FitFace(points);
   Points inliers;
+  inliers.reserve(points.size());
   for (int round = 0; round < 2; ++round) {
     inliers.clear();
     const float reach_m = std::max(2 * noise_m, round == 0 ? 1.5F * face.scatter_m : 0.0F);

@@ -13,6 +13,26 @@ namespace {
 constexpr float kCellM = 0.03F;    // at least
 constexpr float kMaxCells = 2048;  // along a side, however far the points reach
 
+// Of the points, along both axes; one at least.
+struct Bounds {
+  Eigen::Vector2f low = Eigen::Vector2f::Constant(std::numeric_limits<float>::max());
+  Eigen::Vector2f high = -low;
+  Eigen::Vector2f Size() const { return high - low; }
+};
+
+Bounds BoundsOf(const std::vector<Eigen::Vector3f>& points, const LevelAxes& axes) {
+  Bounds bounds;
+  for (const Eigen::Vector3f& point : points) {
+    bounds.low = bounds.low.cwiseMin(axes * point);
+    bounds.high = bounds.high.cwiseMax(axes * point);
+  }
+  return bounds;
+}
+
+float CellFor(const Bounds& bounds) {
+  return std::max(kCellM, bounds.Size().maxCoeff() / kMaxCells);
+}
+
 // Cells with points, closed over gaps of one cell (far surfaces are sampled thinly).
 cv::Mat Occupancy(const std::vector<cv::Point>& cells, const cv::Size& size) {
   InterruptionPoint();
@@ -40,16 +60,11 @@ Footprint::Footprint(const std::vector<Eigen::Vector3f>& points,
                      const std::vector<Eigen::Vector3f>& above, const SupportSurface& surface,
                      double min_area_m2, double margin_m)
     : axes_(LevelAxesFor(surface.normal)) {
-  Eigen::Vector2f low = Eigen::Vector2f::Constant(std::numeric_limits<float>::max());
-  Eigen::Vector2f high = -low;
-  for (const Eigen::Vector3f& point : points) {
-    low = low.cwiseMin(axes_ * point);
-    high = high.cwiseMax(axes_ * point);
-  }
-  cell_m_ = std::max(kCellM, (high - low).maxCoeff() / kMaxCells);
+  const Bounds bounds = BoundsOf(points, axes_);
+  cell_m_ = CellFor(bounds);
   const int border = static_cast<int>(std::ceil(margin_m / cell_m_)) + 2;
-  origin_ = low - Eigen::Vector2f::Constant(cell_m_ * static_cast<float>(border));
-  const Eigen::Vector2i extent = ((high - low) / cell_m_).cast<int>().array() + 2 * border + 1;
+  origin_ = bounds.low - Eigen::Vector2f::Constant(cell_m_ * static_cast<float>(border));
+  const Eigen::Vector2i extent = (bounds.Size() / cell_m_).cast<int>().array() + 2 * border + 1;
   const cv::Size size(extent.x(), extent.y());
   InterruptionPoint();
 
@@ -79,9 +94,18 @@ Footprint::Footprint(const std::vector<Eigen::Vector3f>& points,
              cv::getStructuringElement(cv::MORPH_ELLIPSE, {reach, reach}));
 }
 
+double Footprint::LargestAreaM2(const std::vector<Eigen::Vector3f>& points,
+                                const SupportSurface& surface) {
+  InterruptionPoint();
+  const Bounds bounds = BoundsOf(points, LevelAxesFor(surface.normal));
+  // The outermost points may lie anywhere in their cells.
+  return (bounds.Size().array() + 2 * CellFor(bounds)).prod();
+}
+
 std::vector<cv::Point> Footprint::CellsOf(const std::vector<Eigen::Vector3f>& points) const {
   InterruptionPoint();
   std::vector<cv::Point> cells;
+  cells.reserve(points.size());
   for (const Eigen::Vector3f& point : points) {
     const Eigen::Vector2f cell = (axes_ * point - origin_) / cell_m_;
     cells.emplace_back(cvFloor(cell.x()), cvFloor(cell.y()));

@@ -23,6 +23,10 @@ class Footprint {
   Footprint(const std::vector<Eigen::Vector3f>& points, const std::vector<Eigen::Vector3f>& above,
             const SupportSurface& surface, double min_area_m2, double margin_m);
 
+  // As much as AreaM2 can be at most, for a look before all that work.
+  static double LargestAreaM2(const std::vector<Eigen::Vector3f>& points,
+                              const SupportSurface& surface);
+
   // True if the point's projection along the normal lies inside.
   bool Covers(const Eigen::Vector3f& point) const;
 

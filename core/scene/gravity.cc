@@ -21,9 +21,7 @@ struct Normals {
   Eigen::ArrayXd x, y, z;
 
   Eigen::Index Count() const { return x.size(); }
-  Eigen::ArrayXd Along(const Eigen::Vector3d& way) const {
-    return way.x() * x + way.y() * y + way.z() * z;
-  }
+  auto Along(const Eigen::Vector3d& way) const { return way.x() * x + way.y() * y + way.z() * z; }
 };
 
 Normals ValidNormals(const cv::Mat& normals) {
@@ -44,27 +42,6 @@ Normals ValidNormals(const cv::Mat& normals) {
   return valid;
 }
 
-Eigen::Vector3d Refine(const Normals& normals, const Eigen::Vector3d& down, double angle_rad) {
-  const double level = std::cos(angle_rad), upright = std::sin(angle_rad);
-  InterruptionPoint();
-  // Floors want to be parallel, walls orthogonal.
-  const Eigen::ArrayXd sign = normals.Along(down).unaryExpr([=](double along) {
-    const double c = std::abs(along);
-    const double otherwise = c < upright ? 1 : 0;
-    return c > level ? -1 : otherwise;
-  });
-  const Eigen::ArrayXd x = sign * normals.x, y = sign * normals.y;
-  const double xx = (x * normals.x).sum(), xy = (x * normals.y).sum(), xz = (x * normals.z).sum(),
-               yy = (y * normals.y).sum(), yz = (y * normals.z).sum(),
-               zz = (sign * normals.z * normals.z).sum();
-  Eigen::Matrix3d scatter;
-  scatter << xx, xy, xz, xy, yy, yz, xz, yz, zz;
-  if (scatter.isZero()) return down;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
-  const Eigen::Vector3d refined = solver.eigenvectors().col(0);  // eigenvalues ascend
-  return refined.dot(down) < 0 ? -refined : refined;
-}
-
 // Remembers its answers: different starts soon meet.
 class Refinement {
  public:
@@ -75,7 +52,7 @@ class Refinement {
       return step.from == down && step.angle_rad == angle_rad;
     });
     if (known != steps_.end()) return known->to;
-    steps_.push_back({down, angle_rad, Refine(normals_, down, angle_rad)});
+    steps_.push_back({down, angle_rad, Refine(down, angle_rad)});
     return steps_.back().to;
   }
 
@@ -85,8 +62,32 @@ class Refinement {
     double angle_rad;
     Eigen::Vector3d to;
   };
+
+  Eigen::Vector3d Refine(const Eigen::Vector3d& down, double angle_rad) {
+    const double level = std::cos(angle_rad), upright = std::sin(angle_rad);
+    InterruptionPoint();
+    // Floors want to be parallel, walls orthogonal.
+    sign_ = normals_.Along(down).unaryExpr([=](double along) {
+      const double c = std::abs(along);
+      const double otherwise = c < upright ? 1 : 0;
+      return c > level ? -1 : otherwise;
+    });
+    x_ = sign_ * normals_.x;
+    y_ = sign_ * normals_.y;
+    const double xx = (x_ * normals_.x).sum(), xy = (x_ * normals_.y).sum(),
+                 xz = (x_ * normals_.z).sum(), yy = (y_ * normals_.y).sum(),
+                 yz = (y_ * normals_.z).sum(), zz = (sign_ * normals_.z * normals_.z).sum();
+    Eigen::Matrix3d scatter;
+    scatter << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+    if (scatter.isZero()) return down;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
+    const Eigen::Vector3d refined = solver.eigenvectors().col(0);  // eigenvalues ascend
+    return refined.dot(down) < 0 ? -refined : refined;
+  }
+
   const Normals& normals_;
   std::vector<Step> steps_;
+  Eigen::ArrayXd sign_, x_, y_;  // kept for their memory
 };
 
 Eigen::Vector3d RefineFrom(Eigen::Vector3d down, Refinement& refinement,

@@ -87,6 +87,7 @@ std::vector<std::vector<cv::Point>> FindHoles(const cv::Mat& depth_m, double fx_
   const int width_px = 2 * ScaledPx(kNarrowPx, depth_m.cols, 1) + 1;
   cv::morphologyEx(holes, holes, cv::MORPH_OPEN,
                    cv::getStructuringElement(cv::MORPH_ELLIPSE, {width_px, width_px}));
+  if (cv::countNonZero(holes) == 0) return {};
   cv::Mat parts;
   const int count = cv::connectedComponents(holes, parts);
   std::vector<std::vector<cv::Point>> pixels(static_cast<std::size_t>(count));

@@ -16,6 +16,7 @@ constexpr double kUsualShare = 0.03;  // of the area of a support
 std::vector<int> VoxelsOn(const Support& support, const VoxelGrid& grid,
                           const std::vector<char>& is_background, const SupportOptions& tolerance) {
   std::vector<int> on;
+  on.reserve(grid.voxels.size());
   LongLoop loop;
   for (int v = 0; v < static_cast<int>(grid.voxels.size()); ++v) {
     loop.Turn();

@@ -108,6 +108,21 @@ double MinArea_m2(const std::vector<Support>& supports, const std::vector<Eigen:
                                                            : options.min_area_m2;
 }
 
+// None if too little of the surface is seen.
+std::optional<Support> SupportOn(const SupportSurface& surface,
+                                 const std::vector<Eigen::Vector3f>& inliers, const cv::Mat& points,
+                                 const std::vector<Support>& others,
+                                 const SupportOptions& options) {
+  const double min_area_m2 = MinArea_m2(others, inliers, options);
+  if (Footprint::LargestAreaM2(inliers, surface) < min_area_m2) return std::nullopt;
+  const float tolerance_share = ToleranceShare(inliers, surface, options);
+  const Footprint footprint = FootprintOf(inliers, points, surface, options, tolerance_share);
+  InterruptionPoint();
+  if (footprint.AreaM2() < min_area_m2) return std::nullopt;
+  return Support{surface, options.footprint_margin_m > 0 ? footprint : Footprint(),
+                 tolerance_share};
+}
+
 // Takes the points of a surface out, with what noise left around it. False if there were none.
 bool RemoveInliers(std::vector<Eigen::Vector3f>& level, const SupportSurface& surface,
                    const SupportOptions& options) {
@@ -143,13 +158,9 @@ std::vector<Support> FindSupports(const cv::Mat& points, const NormalMap& normal
     const std::vector<Eigen::Vector3f> inliers = PointsNear(level, surface, options);
     InterruptionPoint();
     if (supports.empty() && inliers.size() < min_points) break;
-    const float tolerance_share = ToleranceShare(inliers, surface, options);
-    const Footprint footprint = FootprintOf(inliers, points, surface, options, tolerance_share);
-    InterruptionPoint();
-    if (footprint.AreaM2() >= MinArea_m2(supports, inliers, options)) {
+    if (const auto support = SupportOn(surface, inliers, points, supports, options)) {
       if (options.max_surfaces > 1 && supports.empty()) up = surface.normal;  // the better vertical
-      supports.push_back(
-          {surface, options.footprint_margin_m > 0 ? footprint : Footprint(), tolerance_share});
+      supports.push_back(*support);
       if (static_cast<int>(supports.size()) == options.max_surfaces) break;
     }
     if (!RemoveInliers(level, surface, options)) break;

@@ -89,7 +89,9 @@ class LargeParts {
       low = low.cwiseMin(OnPlane(grid.voxels[v].mean));
       high = high.cwiseMax(OnPlane(grid.voxels[v].mean));
     }
-    cell_m_ = std::max(kWallCellM, (high - low).maxCoeff() / kMaxWallCells);
+    const float extent_m = (high - low).maxCoeff();
+    cell_m_ = std::max(kWallCellM, extent_m / kMaxWallCells);
+    if (extent_m + 2 * cell_m_ < options.min_extent_m) return;  // as most planes of small things
     origin_ = low - Eigen::Vector2f::Constant(2 * cell_m_);
     const Eigen::Vector2i size = ((high - low) / cell_m_).cast<int>().array() + 5;
     cv::Mat occupied = cv::Mat::zeros(size.y(), size.x(), CV_8UC1);

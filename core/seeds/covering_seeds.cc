@@ -73,15 +73,21 @@ class SurfaceDistance {
   std::vector<int> queue_;       // kept for its memory
 };
 
-// The connected parts of what is not background, as lists of voxels.
+// The connected parts of what is not background that are not noise, as lists of voxels.
 std::vector<std::vector<int>> Parts(const VoxelGrid& grid, const std::vector<char>& is_background) {
   InterruptionPoint();
   const std::vector<int> part_of_voxel = PartsOfForeground(grid, is_background);
+  std::vector<std::size_t> sizes(CountLabels(part_of_voxel) + 1, 0);
+  for (const int part : part_of_voxel) ++sizes[part];
   std::vector<std::vector<int>> parts;
+  std::vector<int> place_of_part(sizes.size(), -1);
+  for (std::size_t part = 1; part < sizes.size(); ++part) {
+    if (sizes[part] < kMinVoxels) continue;
+    place_of_part[part] = static_cast<int>(parts.size());
+    parts.emplace_back().reserve(sizes[part]);
+  }
   for (int v = 0; v < static_cast<int>(part_of_voxel.size()); ++v) {
-    const auto part = static_cast<std::size_t>(part_of_voxel[v]);
-    if (part > parts.size()) parts.resize(part);
-    if (part > 0) parts[part - 1].push_back(v);
+    if (const int place = place_of_part[part_of_voxel[v]]; place >= 0) parts[place].push_back(v);
   }
   return parts;
 }
@@ -116,7 +122,7 @@ std::vector<int> VoxelsToAdd(const VoxelGrid& grid, const std::vector<char>& is_
     distance.AddSource(voxel);
   };
   for (const std::vector<int>& part : Parts(grid, is_background)) {
-    if (part.size() < kMinVoxels || Extent(grid, part) > kMaxExtentM) continue;
+    if (Extent(grid, part) > kMaxExtentM) continue;
     if (distance.Of(part.front()) == kUnreached) add(MostCentral(grid, part));
     for (int voxel = Farthest(part, distance);
          distance.Of(voxel) > static_cast<float>(options.spacing_m);

@@ -20,6 +20,7 @@ struct Place {
 // Of the voxels of segments, by cell.
 std::vector<Place> SortedPlaces(const VoxelGrid& grid, const std::vector<int>& labels) {
   std::vector<Place> places;
+  places.reserve(labels.size());
   InterruptionPoint();
   for (int v = 0; v < static_cast<int>(labels.size()); ++v) {
     if (labels[v] != 0) places.push_back({CellKey(grid.voxels[v].cell), v, labels[v]});
@@ -58,22 +59,29 @@ std::pair<std::int64_t, std::int64_t> StepInYAndZ(std::uint64_t key_step) {
 
 std::vector<VoxelEdge> FindContacts(const VoxelGrid& grid, const std::vector<int>& labels,
                                     int reach_cells) {
+  struct Found {
+    VoxelEdge contact;
+    std::int64_t step = 0;  // in y
+  };
   const std::vector<Place> places = SortedPlaces(grid, labels);
   const int reach = reach_cells;
   std::vector<VoxelEdge> contacts;
-  std::vector<std::vector<VoxelEdge>> by_step(2 * reach + 1);  // in y, from -reach on
+  std::vector<Found> found;  // of one x
   // Half of the neighbourhood, so that each pair is met once; all cells of one x at a time: most of
   // what is met is of the same segment, and that is soon told.
   for (int x = 0; x <= reach; ++x) {
     const std::uint64_t first = x == 0 ? 1 : CellKeyStep({x, -reach, -reach});
+    found.clear();
     ForEachPair(places, first, CellKeyStep({x, reach, reach}), [&](const Place& a, const Place& b) {
       const auto [y, z] = StepInYAndZ(b.key - a.key - CellKeyStep({x, 0, 0}));
       if (std::abs(z) > reach) return;
-      by_step[y + reach].push_back({std::min(a.voxel, b.voxel), std::max(a.voxel, b.voxel)});
+      found.push_back({{std::min(a.voxel, b.voxel), std::max(a.voxel, b.voxel)}, y});
     });
-    for (std::vector<VoxelEdge>& of_step : by_step) {
-      contacts.insert(contacts.end(), of_step.begin(), of_step.end());
-      of_step.clear();
+    contacts.reserve(contacts.size() + found.size());
+    for (int y = -reach; y <= reach; ++y) {
+      for (const Found& one : found) {
+        if (one.step == y) contacts.push_back(one.contact);
+      }
     }
   }
   return contacts;

@@ -44,11 +44,11 @@ class ChoicesOfSeeds {
 
   // `near`: sites, ascending; `means`: theirs.
   std::vector<PottsEnergy::Choice> Of(const Seed& seed, const std::vector<int>& near,
-                                      const Positions& means) {
-    squared_distances_ = SquaredDistances(means, seed.position);
+                                      Positions& means) {
+    const std::vector<float>& squared_distances = means.SquaredDistances(seed.position);
     choices_.clear();
     for (std::size_t i = 0; i < near.size(); ++i) {
-      const float squared_distance = squared_distances_[static_cast<Eigen::Index>(i)];
+      const float squared_distance = squared_distances[i];
       if (squared_distance > max_squared_distance_) continue;
       const int site = near[i];
       const float squared = squared_distance + sites_.variances_m2[site];
@@ -66,8 +66,7 @@ class ChoicesOfSeeds {
   const float max_cost_, max_squared_distance_;
   const double gamma_per_m2_;
   std::vector<float> nearest_;
-  Eigen::ArrayXf squared_distances_;  // kept for their memory
-  std::vector<PottsEnergy::Choice> choices_;
+  std::vector<PottsEnergy::Choice> choices_;  // kept for their memory
 };
 
 }  // namespace
@@ -83,9 +82,10 @@ std::vector<std::vector<PottsEnergy::Choice>> DataTerm(const Sites& sites,
                                                        const DataTermOptions& options) {
   std::vector<std::vector<PottsEnergy::Choice>> choices(seeds.size() + 1);
   ChoicesOfSeeds of_seeds(sites, options);
+  Positions means;
   std::size_t num_choices = 0;
   const auto add_choices = [&](const std::vector<int>& members, const std::vector<int>& near) {
-    const Positions means = Chosen(sites.means, near);
+    means.Choose(sites.means, near);
     for (const int i : members) {
       InterruptionPoint();
       choices[i + 1] = of_seeds.Of(seeds[i], near, means);

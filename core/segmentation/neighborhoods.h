@@ -41,32 +41,40 @@ class Cubes {
 
 // Calls visit(members, near) for each cube that has any of `centers`, with sides of at least
 // `reach_m`: the indices of those in it, and those of `others` in it or the 26 cubes around, among
-// which are all within `reach_m` of a member. Both ascend. Cost: a look at each of `others` a cube.
+// which are all within `reach_m` of a member. Both ascend. Cost: a look at each of
+// `centers` and `others` a cube.
 template <typename Visit>
 void ForEachNeighborhood(const std::vector<Eigen::Vector3f>& centers,
                          const std::vector<Eigen::Vector3f>& others, float reach_m, Visit visit) {
   Cubes cubes(std::clamp(1.001F * reach_m, 1e-3F, 1e3F));  // a little more for rounding
-  std::vector<std::vector<int>> members;
-  for (std::size_t i = 0; i < centers.size(); ++i) {
-    const int cube = cubes.NumberOf(centers[i]);
-    members.resize(cubes.size());
-    members[cube].push_back(static_cast<int>(i));
-  }
+  const auto cubes_of = [&](const std::vector<Eigen::Vector3f>& positions) {
+    std::vector<int> numbers;
+    numbers.reserve(positions.size());
+    for (const Eigen::Vector3f& position : positions) numbers.push_back(cubes.NumberOf(position));
+    return numbers;
+  };
   InterruptionPoint();
-  std::vector<int> cube_of_other;
-  cube_of_other.reserve(others.size());
-  for (const Eigen::Vector3f& other : others) cube_of_other.push_back(cubes.NumberOf(other));
+  const std::vector<int> of_centers = cubes_of(centers);
+  const int num_with_centers = cubes.size();
+  InterruptionPoint();
+  const std::vector<int> of_others = cubes_of(others);
   std::vector<char> is_near(cubes.size(), 0);
-  std::vector<int> near;
-  for (std::size_t cube = 0; cube < members.size(); ++cube) {
+  std::vector<int> members, near;
+  members.reserve(centers.size());
+  near.reserve(others.size());
+  for (int cube = 0; cube < num_with_centers; ++cube) {
     InterruptionPoint();
-    cubes.Mark(static_cast<int>(cube), 1, is_near);
+    members.clear();
+    for (std::size_t i = 0; i < centers.size(); ++i) {
+      if (of_centers[i] == cube) members.push_back(static_cast<int>(i));
+    }
+    cubes.Mark(cube, 1, is_near);
     near.clear();
     for (std::size_t i = 0; i < others.size(); ++i) {
-      if (is_near[cube_of_other[i]] != 0) near.push_back(static_cast<int>(i));
+      if (is_near[of_others[i]] != 0) near.push_back(static_cast<int>(i));
     }
-    cubes.Mark(static_cast<int>(cube), 0, is_near);
-    visit(members[cube], near);
+    cubes.Mark(cube, 0, is_near);
+    visit(members, near);
   }
 }
 
