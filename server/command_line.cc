@@ -48,6 +48,10 @@ void AddConnectionFlags(CLI::App& app, ServerOptions& options) {
                  "What may have come of all messages that are not whole yet, 16 to 65536 MiB; "
                  "connections that hold most of it are ended")
       ->capture_default_str();
+  app.add_option("--max-unsent-mib", options.max_unsent_mib,
+                 "What may wait of answers that their callers have not taken yet, 16 to 65536 MiB; "
+                 "those that wait for longest are ended")
+      ->capture_default_str();
   app.add_option("--max-transfer-s", options.max_transfer_s,
                  "How long a message may take to come, and an answer to be taken, 1 to 3600 "
                  "seconds")

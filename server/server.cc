@@ -164,6 +164,7 @@ Server::Server(const ServerOptions& options, DetectFunction detect)
       credentials_(options_),
       gate_keeper_(options_.tokens, credentials_.authority()),
       stream_places_(StreamLimitsOf(options_)),
+      unsent_answers_(static_cast<std::size_t>(options_.max_unsent_mib) << 20),
       connections_(ConnectionLimitsOf(options_)),
       service_(InfoOf(options_, limits_),
                OptionList({options_.client_options, options_.fixed_options}), *metrics_,
@@ -251,7 +252,7 @@ void Server::Serve() {
   environment_ = std::make_unique<CallEnvironment>(
       CallEnvironment{service_, loop_->queue(), scheduler_, answerer_, live_calls_, *metrics_,
                       gate_keeper_, stream_places_, connections_, pick_board_.get(),
-                      std::chrono::seconds(options_.max_transfer_s),
+                      std::chrono::seconds(options_.max_transfer_s), unsent_answers_,
                       std::chrono::seconds(options_.max_connection_age_s)});
   DetectCall::Accept(*environment_);
   StreamCall::Accept(*environment_);
@@ -269,7 +270,7 @@ void Server::AcceptObservers() {
   observation_environment_ = std::make_unique<ObservationEnvironment>(ObservationEnvironment{
       observation_service_, loop_->queue(), live_calls_, observer_gate_, *watch_hub_, answerer_,
       *trial_bench_, *pick_board_, service_.options(), connections_,
-      std::chrono::seconds(options_.max_transfer_s)});
+      std::chrono::seconds(options_.max_transfer_s), unsent_answers_});
   observation_service_.Use(*observation_environment_);
   WatchCall::Accept(*observation_environment_);
 }

@@ -102,6 +102,7 @@ class Server {
   Credentials credentials_;
   GateKeeper gate_keeper_;
   StreamPlaces stream_places_;
+  UnsentAnswers unsent_answers_;
   LiveCalls live_calls_;
   ConnectionTable connections_;
   DetectionService service_;

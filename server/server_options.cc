@@ -96,6 +96,7 @@ void Validate(const ServerOptions& options) {
   RequireRange("--max-connections", options.max_connections, 1, 100'000);
   RequireRange("--max-connections-per-host", options.max_connections_per_host, 0, 100'000);
   RequireRange("--max-receiving-mib", options.max_receiving_mib, 16, 65'536);
+  RequireRange("--max-unsent-mib", options.max_unsent_mib, 16, 65'536);
   RequireRange("--max-transfer-s", options.max_transfer_s, 1, 3600);
   RequireRange("--self-check-s", options.self_check_s, 0, 3600);
   RequireRange("--max-idle-s", options.max_idle_s, 1, 86'400);

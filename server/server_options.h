@@ -34,6 +34,8 @@ struct ServerOptions {
   int max_connections = 1024, max_connections_per_host = 0;
   // What of all messages that are not whole yet may have come, 16 … 65536 MiB.
   int max_receiving_mib = 512;
+  // What of all answers may wait for their callers to take them, 16 … 65536 MiB.
+  int max_unsent_mib = 256;
   // How long a message may take to come, and an answer to be taken, 1 … 3600 s.
   int max_transfer_s = 30;
   // How often the server asks itself for its health through its own door, 0 … 3600 s; 0 = never,

@@ -33,7 +33,7 @@ DetectCall::DetectCall(const CallEnvironment& environment)
     : environment_(environment),
       token_(environment.live_calls.Enter()),
       caller_(&context_, environment.connections),
-      transfer_(&context_, environment.queue, environment.max_transfer) {}
+      transfer_(&context_, environment.queue, environment.max_transfer, environment.unsent) {}
 
 void DetectCall::Proceed(const std::function<void()>& step) {
   try {
@@ -110,10 +110,12 @@ void DetectCall::Compute() {
 }
 
 void DetectCall::Deliver() {
-  environment_.metrics.OnSent(response_.ByteSizeLong());
-  transfer_.Begin(shared_from_this());
+  const std::size_t size = response_.ByteSizeLong();
+  environment_.metrics.OnSent(size);
+  transfer_.BeginAnswer(shared_from_this(), size);
   stream_.Finish(response_, status_,
                  Then([self = shared_from_this()](bool) { self->transfer_.End(); }));
+  response_ = {};  // gRPC has it in bytes
 }
 
 // Work that has begun stops by itself.

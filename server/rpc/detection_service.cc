@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "server/rpc/late_reading.h"
 #include "server/status.h"
 #include "server/watching/statistics.h"
 
@@ -23,6 +24,12 @@ DetectionService::DetectionService(v1::GetServerInfoResponse info, v1::ListOptio
   // What gRPC has for its "streamed unary" methods: the same on the wire.
   MarkMethodStreamed(kDetect, nullptr);
   MarkMethodAsync(kDetect);
+  constexpr int kGetServerInfo = 2, kGetStatistics = 3, kListOptions = 4;
+  Answer<v1::GetServerInfoResponse>(kGetServerInfo, [this] { return info_; });
+  Answer<v1::ListOptionsResponse>(kListOptions, [this] { return options_; });
+  Answer<v1::GetStatisticsResponse>(kGetStatistics, [this] {
+    return StatisticsOf(metrics_.Collect(), std::chrono::steady_clock::now() - started_);
+  });
 }
 
 void DetectionService::RequestDetect(
@@ -32,36 +39,20 @@ void DetectionService::RequestDetect(
   RequestAsyncClientStreaming(kDetect, context, reader, queue, queue, tag);
 }
 
-grpc::Status DetectionService::GetServerInfo(grpc::ServerContext* context,
-                                             const v1::GetServerInfoRequest* /*request*/,
-                                             v1::GetServerInfoResponse* response) {
-  return IfAdmitted(*context, [&] { *response = info_; });
-}
-
-grpc::Status DetectionService::GetStatistics(grpc::ServerContext* context,
-                                             const v1::GetStatisticsRequest* /*request*/,
-                                             v1::GetStatisticsResponse* response) {
-  return IfAdmitted(*context, [&] {
-    *response = StatisticsOf(metrics_.Collect(), std::chrono::steady_clock::now() - started_);
-  });
-}
-
-grpc::Status DetectionService::ListOptions(grpc::ServerContext* context,
-                                           const v1::ListOptionsRequest* /*request*/,
-                                           v1::ListOptionsResponse* response) {
-  return IfAdmitted(*context, [&] { *response = options_; });
-}
-
-grpc::Status DetectionService::IfAdmitted(const grpc::ServerContext& context,
-                                          const std::function<void()>& answer) const {
-  try {
-    gate_keeper_.Admit(context);
-    connections_.Admit(context.peer());
-    answer();
-    return grpc::Status::OK;
-  } catch (...) {
-    return StatusOfCurrentException(/*deadline_passed=*/false);
-  }
+template <typename Response>
+void DetectionService::Answer(int method, std::function<Response()> answer) {
+  MarkMethodStreamed(method, LateReading<Response>(
+                                 [this, answer = std::move(answer)](grpc::ServerContext* context,
+                                                                    LateStream<Response>* stream) {
+                                   try {
+                                     gate_keeper_.Admit(*context);
+                                     connections_.Admit(context->peer());
+                                     stream->Write(answer());
+                                     return grpc::Status::OK;
+                                   } catch (...) {
+                                     return StatusOfCurrentException(/*deadline_passed=*/false);
+                                   }
+                                 }));
 }
 
 }  // namespace fovea::server

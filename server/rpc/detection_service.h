@@ -10,6 +10,7 @@
 #include "server/frame_answerer.h"
 #include "server/observing/pick_board.h"
 #include "server/rpc/live_calls.h"
+#include "server/rpc/unsent_answers.h"
 #include "server/scheduling/scheduler.h"
 #include "server/watching/metrics.h"
 
@@ -36,16 +37,10 @@ class DetectionService final : public AsyncDetectionService {
                      grpc::ServerAsyncReader<v1::DetectResponse, grpc::ByteBuffer>* reader,
                      grpc::ServerCompletionQueue* queue, void* tag);
 
-  grpc::Status GetServerInfo(grpc::ServerContext* context, const v1::GetServerInfoRequest* request,
-                             v1::GetServerInfoResponse* response) override;
-  grpc::Status GetStatistics(grpc::ServerContext* context, const v1::GetStatisticsRequest* request,
-                             v1::GetStatisticsResponse* response) override;
-  grpc::Status ListOptions(grpc::ServerContext* context, const v1::ListOptionsRequest* request,
-                           v1::ListOptionsResponse* response) override;
-
  private:
-  grpc::Status IfAdmitted(const grpc::ServerContext& context,
-                          const std::function<void()>& answer) const;
+  // A method whose message says nothing, and is not even read.
+  template <typename Response>
+  void Answer(int method, std::function<Response()> answer);
 
   const v1::GetServerInfoResponse info_;
   const v1::ListOptionsResponse options_;
@@ -68,6 +63,7 @@ struct CallEnvironment {
   ConnectionTable& connections;
   PickBoard* picks;  // null where nobody picks
   std::chrono::seconds max_transfer;
+  UnsentAnswers& unsent;
   // After which a stream is ended; zero = never.
   std::chrono::seconds max_stream_age;
 };

@@ -13,10 +13,6 @@ namespace {
 constexpr std::size_t kMaxRobot = 64, kMaxFrameId = 1024;
 constexpr std::chrono::seconds kPickPatience{5};
 
-void Require(bool right, const char* name) {
-  if (!right) throw PermissionDenied(std::string("the observer has no right ") + name);
-}
-
 void RequireRobot(const std::string& robot) {
   RequireField(!robot.empty() && robot.size() <= kMaxRobot, "robot",
                "must have 1 to 64 characters");
@@ -37,82 +33,106 @@ void RequirePick(const v1::Pick& pick) {
                "pick.oriented_box", "must be finite");
 }
 
-template <typename Answer>
-grpc::Status Guarded(grpc::ServerContext* context, Answer answer) {
-  try {
-    return answer();
-  } catch (const Overloaded& full) {
-    AddRetryAfter(full.retry_after, context);
-    return StatusOfCurrentException(/*deadline_passed=*/false);
-  } catch (const NoPicksTaken& nobody) {
-    return {grpc::StatusCode::FAILED_PRECONDITION, nobody.what()};
-  } catch (...) {
-    return StatusOfCurrentException(/*deadline_passed=*/false);
-  }
-}
-
 }  // namespace
 
-grpc::Status ObservationService::Try(grpc::ServerContext* context, const v1::TryRequest* request,
+ObservationService::ObservationService() {
+  constexpr int kTry = 1, kListOptions = 2, kSelectObject = 3;  // their places in the contract
+  Answer<v1::TryResponse>(kTry, &ObservationService::Try);
+  Answer<v1::ListOptionsResponse>(kListOptions, &ObservationService::ListOptions);
+  Answer<v1::SelectObjectResponse>(kSelectObject, &ObservationService::SelectObject);
+}
+
+template <typename Response>
+void ObservationService::Answer(int place, Method<Response> method) {
+  MarkMethodStreamed(place, LateReading<Response>([this, method](grpc::ServerContext* context,
+                                                                 LateStream<Response>* stream) {
+                       try {
+                         Response response;
+                         const grpc::Status status = (this->*method)(context, stream, &response);
+                         if (status.ok()) stream->Write(response);
+                         return status;
+                       } catch (const Overloaded& full) {
+                         AddRetryAfter(full.retry_after, context);
+                         return StatusOfCurrentException(/*deadline_passed=*/false);
+                       } catch (const NoPicksTaken& nobody) {
+                         return grpc::Status(grpc::StatusCode::FAILED_PRECONDITION, nobody.what());
+                       } catch (...) {
+                         return StatusOfCurrentException(/*deadline_passed=*/false);
+                       }
+                     }));
+}
+
+ObserverEntry ObservationService::Admit(const grpc::ServerContext& context,
+                                        bool ObserverRights::*right, const char* name) const {
+  ObserverEntry observer = environment_->gate.Admit(context);
+  environment_->connections.Admit(context.peer());
+  if (!(observer.rights.*right)) {
+    throw PermissionDenied(std::string("the observer has no right ") + name);
+  }
+  return observer;
+}
+
+template <typename Request, typename Response>
+grpc::Status ObservationService::ReadFrom(grpc::ServerContext* context,
+                                          LateStream<Response>* stream, Request* request) const {
+  const auto limit = std::make_shared<TransferLimit>(
+      context, environment_->queue, environment_->max_transfer, environment_->unsent);
+  return Read(stream, limit, request);
+}
+
+grpc::Status ObservationService::Try(grpc::ServerContext* context,
+                                     LateStream<v1::TryResponse>* stream,
                                      v1::TryResponse* response) {
-  return Guarded(context, [&] {
-    const auto received = std::chrono::steady_clock::now();
-    const ObserverEntry observer = environment_->gate.Admit(*context);
-    environment_->connections.Admit(context->peer());
-    Require(observer.rights.try_, "try");
-    RequireRobot(request->robot());
-    if (!observer.MaySee(request->robot())) throw PermissionDenied("robot: is none of yours");
-    const auto token = environment_->live_calls.Begin([] {});
-    if (!token) return StatusOfStopping();
-    grpc::Status status;
-    environment_->trials.Run(observer.name, [&] {
-      const FrameRequest frame{.frame = request->has_frame() ? &request->frame() : nullptr,
-                               .options = &request->options(),
-                               .received = received,
-                               .began = std::chrono::steady_clock::now()};
-      const auto is_gone = [&] {
-        return context->IsCancelled() || std::chrono::system_clock::now() >= context->deadline();
-      };
-      status = environment_->answerer.Try(
-          frame, {.robot = request->robot(), .is_gone = is_gone, .is_helped = false},
-          response->mutable_detections());
-    });
-    return status;
+  const auto received = std::chrono::steady_clock::now();
+  const ObserverEntry observer = Admit(*context, &ObserverRights::try_, "try");
+  v1::TryRequest request;
+  grpc::Status status = ReadFrom(context, stream, &request);
+  if (!status.ok()) return status;
+  RequireRobot(request.robot());
+  if (!observer.MaySee(request.robot())) throw PermissionDenied("robot: is none of yours");
+  const auto token = environment_->live_calls.Begin([] {});
+  if (!token) return StatusOfStopping();
+  environment_->trials.Run(observer.name, [&] {
+    const FrameRequest frame{.frame = request.has_frame() ? &request.frame() : nullptr,
+                             .options = &request.options(),
+                             .received = received,
+                             .began = std::chrono::steady_clock::now()};
+    const auto is_gone = [&] {
+      return context->IsCancelled() || std::chrono::system_clock::now() >= context->deadline();
+    };
+    status = environment_->answerer.Try(
+        frame, {.robot = request.robot(), .is_gone = is_gone, .is_helped = false},
+        response->mutable_detections());
   });
+  return status;
 }
 
 grpc::Status ObservationService::ListOptions(grpc::ServerContext* context,
-                                             const v1::ListOptionsRequest* /*request*/,
+                                             LateStream<v1::ListOptionsResponse>* /*stream*/,
                                              v1::ListOptionsResponse* response) {
-  return Guarded(context, [&] {
-    const ObserverEntry observer = environment_->gate.Admit(*context);
-    environment_->connections.Admit(context->peer());
-    Require(observer.rights.try_, "try");
-    *response = environment_->options;
-    return grpc::Status();
-  });
+  Admit(*context, &ObserverRights::try_, "try");
+  *response = environment_->options;
+  return grpc::Status::OK;
 }
 
 grpc::Status ObservationService::SelectObject(grpc::ServerContext* context,
-                                              const v1::SelectObjectRequest* request,
+                                              LateStream<v1::SelectObjectResponse>* stream,
                                               v1::SelectObjectResponse* response) {
-  return Guarded(context, [&] {
-    const ObserverEntry observer = environment_->gate.Admit(*context);
-    environment_->connections.Admit(context->peer());
-    Require(observer.rights.pick, "pick");
-    RequireRobot(request->robot());
-    RequirePick(request->pick());
-    v1::Pick pick = request->pick();
-    pick.set_observer(observer.name);
-    // A robot that the observer may not see is as one that is not there; its name is none.
-    const bool may_see = observer.MaySee(request->robot());
-    const PickBoard::Outcome outcome =
-        environment_->picks.Deliver(request->robot(), may_see, std::move(pick), kPickPatience,
-                                    [&] { return context->IsCancelled(); });
-    response->set_delivered(outcome.delivered);
-    response->set_reason(outcome.reason);
-    return grpc::Status();
-  });
+  const ObserverEntry observer = Admit(*context, &ObserverRights::pick, "pick");
+  v1::SelectObjectRequest request;
+  if (grpc::Status status = ReadFrom(context, stream, &request); !status.ok()) return status;
+  RequireRobot(request.robot());
+  RequirePick(request.pick());
+  v1::Pick pick = request.pick();
+  pick.set_observer(observer.name);
+  // A robot that the observer may not see is as one that is not there; its name is none.
+  const bool may_see = observer.MaySee(request.robot());
+  const PickBoard::Outcome outcome =
+      environment_->picks.Deliver(request.robot(), may_see, std::move(pick), kPickPatience,
+                                  [&] { return context->IsCancelled(); });
+  response->set_delivered(outcome.delivered);
+  response->set_reason(outcome.reason);
+  return grpc::Status::OK;
 }
 
 }  // namespace fovea::server

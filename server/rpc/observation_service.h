@@ -9,7 +9,9 @@
 #include "server/observing/pick_board.h"
 #include "server/observing/trial_bench.h"
 #include "server/observing/watch_hub.h"
+#include "server/rpc/late_reading.h"
 #include "server/rpc/live_calls.h"
+#include "server/rpc/unsent_answers.h"
 
 namespace fovea::server {
 
@@ -20,17 +22,34 @@ struct ObservationEnvironment;
 class ObservationService final
     : public v1::ObservationService::WithRawMethod_Watch<v1::ObservationService::Service> {
  public:
+  ObservationService();
+
   // Before the first call comes; must outlive the last.
   void Use(const ObservationEnvironment& environment) { environment_ = &environment; }
 
-  grpc::Status Try(grpc::ServerContext* context, const v1::TryRequest* request,
-                   v1::TryResponse* response) override;
-  grpc::Status ListOptions(grpc::ServerContext* context, const v1::ListOptionsRequest* request,
-                           v1::ListOptionsResponse* response) override;
-  grpc::Status SelectObject(grpc::ServerContext* context, const v1::SelectObjectRequest* request,
-                            v1::SelectObjectResponse* response) override;
-
  private:
+  template <typename Response>
+  using Method = grpc::Status (ObservationService::*)(grpc::ServerContext*, LateStream<Response>*,
+                                                      Response*);
+  template <typename Response>
+  void Answer(int place, Method<Response> method);
+
+  // Throws PermissionDenied where the observer has not that right.
+  ObserverEntry Admit(const grpc::ServerContext& context, bool ObserverRights::*right,
+                      const char* name) const;
+  template <typename Request, typename Response>
+  grpc::Status ReadFrom(grpc::ServerContext* context, LateStream<Response>* stream,
+                        Request* request) const;
+
+  grpc::Status Try(grpc::ServerContext* context, LateStream<v1::TryResponse>* stream,
+                   v1::TryResponse* response);
+  grpc::Status ListOptions(grpc::ServerContext* context,
+                           LateStream<v1::ListOptionsResponse>* stream,
+                           v1::ListOptionsResponse* response);
+  grpc::Status SelectObject(grpc::ServerContext* context,
+                            LateStream<v1::SelectObjectResponse>* stream,
+                            v1::SelectObjectResponse* response);
+
   const ObservationEnvironment* environment_ = nullptr;
 };
 
@@ -47,6 +66,7 @@ struct ObservationEnvironment {
   const v1::ListOptionsResponse& options;
   ConnectionTable& connections;
   std::chrono::seconds max_transfer;
+  UnsentAnswers& unsent;
 };
 
 }  // namespace fovea::server

@@ -49,7 +49,7 @@ StreamCall::StreamCall(const CallEnvironment& environment)
     : environment_(environment),
       token_(environment.live_calls.Enter()),
       caller_(&context_, environment.connections),
-      transfer_(&context_, environment.queue, environment.max_transfer) {}
+      transfer_(&context_, environment.queue, environment.max_transfer, environment.unsent) {}
 
 StreamCall::~StreamCall() {
   if (place_) environment_.metrics.OnStreams(-1);
@@ -233,8 +233,9 @@ void StreamCall::Deliver() {
   if (listening_) pick_ = environment_.picks->Take(caller_.robot());
   if (pick_) *response_.mutable_pick() = pick_->pick();
   const grpc::ByteBuffer bytes = BytesOf(response_);
+  response_ = {};
   environment_.metrics.OnSent(bytes.Length());
-  transfer_.Begin(shared_from_this());
+  transfer_.BeginAnswer(shared_from_this(), bytes.Length());
   stream_.Write(bytes, Then([self = shared_from_this()](bool ok) {
                   self->transfer_.End();
                   self->caller_.Guard([&] { self->OnWritten(ok); });

@@ -14,4 +14,11 @@ void TransferLimit::Begin(const std::shared_ptr<void>& call) {
               }));
 }
 
+void TransferLimit::BeginAnswer(const std::shared_ptr<void>& call, std::size_t bytes) {
+  answer_ = unsent_.Add(bytes, [this, weak = std::weak_ptr(call)] {
+    if (const auto alive = weak.lock()) context_->TryCancel();
+  });
+  Begin(call);
+}
+
 }  // namespace fovea::server

@@ -51,7 +51,7 @@ WatchCall::WatchCall(const ObservationEnvironment& environment)
     : environment_(environment),
       token_(environment.live_calls.Enter()),
       caller_(&context_, environment.connections),
-      transfer_(&context_, environment.queue, environment.max_transfer) {}
+      transfer_(&context_, environment.queue, environment.max_transfer, environment.unsent) {}
 
 WatchCall::~WatchCall() = default;
 
@@ -125,7 +125,7 @@ void WatchCall::End(const grpc::Status& status) {
 
 void WatchCall::Write(const grpc::ByteBuffer& bytes) {
   busy_ = true;
-  transfer_.Begin(shared_from_this());
+  transfer_.BeginAnswer(shared_from_this(), bytes.Length());
   stream_.Write(bytes, Then([self = shared_from_this()](bool ok) {
                   self->transfer_.End();
                   self->caller_.Guard([&] { self->OnWritten(ok); });

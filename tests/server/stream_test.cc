@@ -167,6 +167,18 @@ TEST(DetectStream, OutlivesMessagesThatAreNone) {
   }
 }
 
+TEST(DetectStream, KeepsNoOptionsThatAreTooLarge) {
+  Loopback loopback(FindOne);
+  RawStream stream(loopback.server.Address());
+  v1::DetectStreamRequest large = FrameNamed("0");
+  for (int i = 0; i < 40'000; ++i) large.mutable_options()->mutable_grasps()->add_grippers();
+  const v1::DetectStreamResponse refused = stream.Exchange(large.SerializeAsString());
+  EXPECT_EQ(refused.error().code(), grpc::StatusCode::INVALID_ARGUMENT);
+  EXPECT_EQ(refused.error().message(),
+            "the DetectStreamRequest has more than 65536 bytes beside its images");
+  EXPECT_TRUE(stream.Exchange(FrameNamed("1").SerializeAsString()).has_detections());
+}
+
 TEST(DetectStream, EndsWithTheAnswerItIsAtWhenTheServerStops) {
   Gate gate;
   Loopback loopback(std::ref(gate));

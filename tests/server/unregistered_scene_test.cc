@@ -17,7 +17,7 @@ namespace {
 
 using scenes::SensorKind;
 
-v1::DetectRequest RequestOf(const RgbdFrame& frame) {
+v1::DetectRequest UnregisteredRequest(const RgbdFrame& frame) {
   const auto width = static_cast<std::uint32_t>(frame.color_rgb.cols);
   const auto height = static_cast<std::uint32_t>(frame.color_rgb.rows);
   const CameraIntrinsics& k = frame.intrinsics;
@@ -63,7 +63,8 @@ TEST(UnregisteredScene, HasTheObjectsOfTheRegisteredOne) {
   // Without a bowl, whose inside depth of a quarter of the pixels may part in two.
   const scenes::Scene scene = scenes::RandomScene("tabletop", 2, {640, 480});
   const scenes::DepthCamera camera = scenes::DepthCameraBeside(0.025, {320, 240});
-  v1::DetectRequest request = RequestOf(scenes::MakeFrame(scene, SensorKind::kKinect, 1).frame);
+  v1::DetectRequest request =
+      UnregisteredRequest(scenes::MakeFrame(scene, SensorKind::kKinect, 1).frame);
   Loopback loopback;
   const v1::Detections registered = loopback.client.Detect(request).detections();
 

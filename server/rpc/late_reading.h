@@ -1,0 +1,44 @@
+// Unary methods whose message is read once their caller has been let in: gRPC's own would take and
+// parse it before.
+#pragma once
+
+#include <grpcpp/impl/codegen/method_handler.h>
+#include <grpcpp/support/byte_buffer.h>
+
+#include <functional>
+#include <memory>
+#include <utility>
+
+#include "server/rpc/parse.h"
+#include "server/rpc/transfer_limit.h"
+#include "server/status.h"
+
+namespace fovea::server {
+
+// Of such a call. What is never read is none of the server's memory.
+template <typename Response>
+using LateStream = grpc::ServerReaderWriter<Response, grpc::ByteBuffer>;
+
+// For Service::MarkMethodStreamed, which owns it: the same on the wire. `answer` writes one
+// response where it returns OK.
+template <typename Response>
+grpc::internal::MethodHandler* LateReading(
+    std::function<grpc::Status(grpc::ServerContext*, LateStream<Response>*)> answer) {
+  using Handler = grpc::internal::TemplatedBidiStreamingHandler<LateStream<Response>, false>;
+  return new Handler(std::move(answer));
+}
+
+// Waits for the message, for as long as `limit` allows.
+template <typename Request, typename Response>
+grpc::Status Read(LateStream<Response>* stream, const std::shared_ptr<TransferLimit>& limit,
+                  Request* request) {
+  grpc::ByteBuffer bytes;
+  limit->Begin(limit);
+  const bool came = stream->Read(&bytes);
+  limit->End();
+  if (limit->passed()) return StatusOfSlowness();
+  if (!came) return {grpc::StatusCode::INVALID_ARGUMENT, "the call has no message"};
+  return Parse(&bytes, request);
+}
+
+}  // namespace fovea::server
