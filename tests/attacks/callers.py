@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
+from itertools import cycle, product
 
-from http2 import DETECT, HEALTH, INFO, STREAM, Kind, call, message
+from http2 import DETECT, HEALTH, INFO, STREAM, Kind, call, is_end, message
 from protobuf import field
 from target import Tally, Target, attack, rounds
 
@@ -124,4 +125,24 @@ def nested_messages(target: Target) -> Tally:
             for body in bodies:
                 with survived:
                     _calls(target, path, [], message(body), tally)
+    return tally
+
+
+@attack("bytes", setups=("open",))
+def swelling_messages(target: Target) -> Tally:
+    """Megabytes of messages in a message that are empty, and take a hundred bytes each once parsed"""
+    tally: Tally = Tally()
+    grippers = field(2, field(10, b"\x0a\x00" * (4 << 20)))
+    bodies = [message(grippers), message(b"\x7b\x7c" * (4 << 20))]
+    kinds = cycle(product((DETECT, STREAM, INFO), bodies))
+    for survived, (path, body) in zip(rounds(target, tally), kinds):
+        with survived, target.connect() as connection:
+            stream, sent, ended = connection.next_stream(), 0, False
+            connection.send(call(path, stream))
+            while sent < len(body) and not ended and target.goes_on():
+                some = connection.send_data(stream, body[sent : sent + (1 << 17)], end=False)
+                sent += some
+                tally["bytes"] += some
+                for kind, flags, of, _ in connection.receive(0.01):
+                    ended |= of == stream and is_end(kind, flags)
     return tally
