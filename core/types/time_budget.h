@@ -24,6 +24,10 @@ class TimeBudget {
     is_stopped_ = is_stopped_ || (should_stop_ && should_stop_());
     return is_stopped_ || HasEnded();
   }
+  // Ends it by this share of it sooner: for what is left to do once it has ended.
+  void KeepBack(double share) {
+    end_ -= std::chrono::duration_cast<Clock::duration>(share * (end_ - begin_));
+  }
   // Whether what is left of it is more than so many times what has been used.
   bool HasMoreLeftThan(double times) const {
     const Clock::time_point now = Clock::now();
