@@ -267,10 +267,14 @@ void StreamCall::Compute() {
   grpc::Status status = Parse(&received.bytes, &request);
   received.bytes.Clear();
   response_.set_frame_id(request.frame().id());
-  if (options) options_.ParseFromString(*options);
-  if (request.has_options()) options_ = request.options();
+  if (request.has_options()) {
+    options_ = request.options().SerializeAsString();
+  } else {
+    if (options) options_ = std::move(*options);
+    request.mutable_options()->ParseFromString(options_);
+  }
   const FrameRequest frame{.frame = request.has_frame() ? &request.frame() : nullptr,
-                           .options = &options_,
+                           .options = &request.options(),
                            .received = received.at,
                            .began = began,
                            .tracker = &tracker_};

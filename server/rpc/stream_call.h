@@ -9,6 +9,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 
 #include "server/rpc/caller.h"
 #include "server/rpc/detection_service.h"
@@ -66,7 +67,7 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   grpc::ServerAsyncReaderWriter<grpc::ByteBuffer, grpc::ByteBuffer> stream_{&context_};
   grpc::ByteBuffer bytes_;             // of the message that is being read
   v1::DetectStreamResponse response_;  // of the frame that is worked on
-  v1::DetectOptions options_;          // the last ones given, up to that frame
+  std::string options_;                // the last ones given, up to that frame, in few bytes
   StreamTracker tracker_;              // of the frames that were answered
   PickBoard::Listening listening_;     // null where the stream takes no picks
   PickBoard::TakenPtr pick_;           // in response_
