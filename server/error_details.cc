@@ -38,30 +38,18 @@ bool IsOfRequest(std::string_view path) {
   return false;
 }
 
-// Where the path in front of a text ends; npos where there is none. Names in brackets come from the
-// caller and may hold anything.
-std::size_t EndOfPath(const std::string& text) {
-  const std::size_t colon = text.find(": ");
-  if (text.find('[') >= colon) return colon;
-  const std::size_t bracket = text.find("]: ");
-  return bracket == std::string::npos ? bracket : bracket + 1;
-}
-
 }  // namespace
 
-grpc::Status InvalidArgument(const std::string& text) {
-  const std::size_t end = EndOfPath(text);
-  std::string path = text.substr(0, end);
-  if (end == std::string::npos || !IsOfRequest(path)) {
-    return {grpc::StatusCode::INVALID_ARGUMENT, text};
-  }
+grpc::Status InvalidArgument(const FieldError& error) {
+  const std::string_view path = error.path();
+  if (!IsOfRequest(path)) return {grpc::StatusCode::INVALID_ARGUMENT, error.what()};
   google::rpc::BadRequest detail;
   google::rpc::BadRequest::FieldViolation& violation = *detail.add_field_violations();
-  violation.set_description(text.substr(end + 2));
-  const bool is_name = path.ends_with(']');
+  violation.set_description(std::string(error.message()));
   // The first of "frame.color.width, height".
-  violation.set_field(is_name ? path : path.substr(0, path.find(", ")));
-  return Detailed(grpc::StatusCode::INVALID_ARGUMENT, text, detail);
+  const bool has_name = path.find('[') != std::string_view::npos;
+  violation.set_field(std::string(has_name ? path : path.substr(0, path.find(", "))));
+  return Detailed(grpc::StatusCode::INVALID_ARGUMENT, error.what(), detail);
 }
 
 grpc::Status ResourceExhausted(const std::string& text, std::chrono::milliseconds retry_after) {

@@ -8,11 +8,13 @@
 #include <optional>
 #include <string>
 
+#include "server/conversion/field_error.h"
+
 namespace fovea::server {
 
-// INVALID_ARGUMENT. Has a BadRequest where the text starts with the path of a field of the request:
-// "frame.depth.data: …".
-grpc::Status InvalidArgument(const std::string& text);
+// INVALID_ARGUMENT. Has a BadRequest where the path is that of a field of the request:
+// "frame.depth.data".
+grpc::Status InvalidArgument(const FieldError& error);
 
 // RESOURCE_EXHAUSTED with a RetryInfo.
 grpc::Status ResourceExhausted(const std::string& text, std::chrono::milliseconds retry_after);

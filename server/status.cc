@@ -19,9 +19,9 @@ grpc::Status StatusOfCurrentException(bool deadline_passed) {
   try {
     throw;
   } catch (const FieldError& error) {
-    return InvalidArgument(error.what());
+    return InvalidArgument(error);
   } catch (const TooComplex& error) {
-    return InvalidArgument(error.what());
+    return {grpc::StatusCode::INVALID_ARGUMENT, error.what()};
   } catch (const Unauthenticated& error) {
     return {grpc::StatusCode::UNAUTHENTICATED, error.what()};
   } catch (const PermissionDenied& error) {

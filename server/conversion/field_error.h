@@ -1,8 +1,10 @@
 // Errors that name the field of the request they are about.
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace fovea::server {
@@ -11,12 +13,21 @@ namespace fovea::server {
 // mistake of ours.
 class FieldError : public std::invalid_argument {
  public:
-  using std::invalid_argument::invalid_argument;
+  // Its text is "<path>: <message>".
+  FieldError(const std::string& path, const std::string& message)
+      : std::invalid_argument(path + ": " + message), path_size_(path.size()) {}
+
+  // Both point into the error. Names in brackets come from the caller and may hold anything, so
+  // that the text alone does not say where the path ends.
+  std::string_view path() const { return std::string_view(what(), path_size_); }
+  std::string_view message() const { return what() + path_size_ + 2; }
+
+ private:
+  std::size_t path_size_;
 };
 
-// "<path>: <message>"
 [[noreturn]] inline void FailField(const std::string& path, const std::string& message) {
-  throw FieldError(path + ": " + message);
+  throw FieldError(path, message);
 }
 
 inline void RequireField(bool holds, const std::string& path, const std::string& message) {

@@ -79,7 +79,9 @@ void RequirePlausible(const CameraIntrinsics& intrinsics, const cv::Size& size,
   try {
     fovea::RequirePlausible(intrinsics, size);
   } catch (const std::invalid_argument& error) {
-    throw FieldError(path + "." + error.what());
+    const std::string text = error.what();  // "fx: …"
+    const std::size_t end = text.find(": ");
+    FailField(path + "." + text.substr(0, end), text.substr(end + 2));
   }
 }
 

@@ -81,16 +81,43 @@ TEST(Contract, ErrorsNameTheFieldForPrograms) {
 }
 
 TEST(Contract, FieldsArePathsOfTheRequest) {
-  const auto field_of = [](const char* text) {
-    return server::FieldOf(server::InvalidArgument(text));
+  const auto field_of = [](const char* path) {
+    const grpc::Status status = server::InvalidArgument({path, "is: wrong"});
+    EXPECT_EQ(status.error_message(), std::string(path) + ": is: wrong");
+    return server::FieldOf(status);
   };
-  EXPECT_EQ(field_of("frame: is missing"), "frame");
-  EXPECT_EQ(field_of("frame.color.width, height: too large"), "frame.color.width");
-  EXPECT_EQ(field_of("options.parameters[a: b]: no"), "options.parameters[a: b]");
-  EXPECT_EQ(field_of("metadata fovea-robot: must be"), "");
-  EXPECT_EQ(field_of("framed: a picture"), "");
-  EXPECT_EQ(field_of("the message is not a DetectRequest"), "");
-  EXPECT_EQ(server::InvalidArgument("x").error_details(), "");
+  for (const char* path :
+       {"frame", "frame.depth.data", "options.parameters[a.b]", "options.parameters[a: b]",
+        "options.parameters[a]: b]", "options.parameters[a, b]", "options.parameters[]",
+        "options.grasps.grippers[7].max_tilt_rad", "options.grasps.grippers[0].jaw.palm_size"}) {
+    EXPECT_EQ(field_of(path), path);
+  }
+  EXPECT_EQ(field_of("frame.color.width, height"), "frame.color.width");
+  for (const char* other : {"metadata fovea-robot", "framed", "robots", ""}) {
+    EXPECT_EQ(field_of(other), "");
+    EXPECT_EQ(server::InvalidArgument({other, "no"}).error_details(), "");
+  }
+}
+
+TEST(Contract, FieldsHoldIndicesAndNamesOfTheCaller) {
+  const Loopback loopback(FindOne);
+  v1::DetectRequest request = TestRequest();
+  v1::GraspOptions& grasps = *request.mutable_options()->mutable_grasps();
+  grasps.add_grippers();
+  grasps.add_grippers()->set_max_tilt_rad(2);
+  EXPECT_EQ(server::FieldOf(Detect(loopback, request)), "options.grasps.grippers[1].max_tilt_rad");
+  grasps.mutable_grippers(1)->clear_max_tilt_rad();
+  grasps.mutable_grippers(1)->mutable_suction()->set_diameter_m(-1);
+  EXPECT_EQ(server::FieldOf(Detect(loopback, request)),
+            "options.grasps.grippers[1].suction.diameter_m");
+  grasps.clear_grippers();
+  for (const std::string name : {"mrf.no", "mrf: no", "a]: b", "a].b: c", "[", ", "}) {
+    (*request.mutable_options()->mutable_parameters())[name] = 1;
+    EXPECT_EQ(server::FieldOf(Detect(loopback, request)), "options.parameters[" + name + "]");
+    request.mutable_options()->clear_parameters();
+  }
+  request.mutable_frame()->mutable_intrinsics()->set_fx(0.8);
+  EXPECT_EQ(server::FieldOf(Detect(loopback, request)), "frame.intrinsics.fx");
 }
 
 TEST(Contract, RefusalsSayWhenToReturn) {

@@ -10,8 +10,10 @@ import grpc
 from fovea.status_details import field_of_details
 
 # The path in front of the server's message: "frame.depth.data", "options.parameters[no.such]",
-# "frame.color.width, height" or "metadata fovea-robot".
-_FIELD = re.compile(r"((?:metadata )?[\w.-]+(?:\[.*?\])?(?:, [\w.]+)*): (.*)", re.DOTALL)
+# "options.grasps.grippers[0].name", "frame.color.width, height" or "metadata fovea-robot".
+_FIELD = re.compile(
+    r"((?:metadata )?[\w.-]+(?:\[.*?\](?:\.[\w.]+)?)?(?:, [\w.]+)*): (.*)", re.DOTALL
+)
 
 
 class FoveaError(Exception):

@@ -60,5 +60,9 @@ def test_fields_of_servers_that_send_details_and_of_older_ones() -> None:
     odd = error_of(3, "options.parameters[a]b]: no", "options.parameters[a]b]")
     assert isinstance(odd, fovea.InvalidArgument)
     assert odd.field == "options.parameters[a]b]"
+    for field in ("options.grasps.grippers[0].name", ""):
+        indexed = error_of(3, "options.grasps.grippers[0].name: is too long", field)
+        assert isinstance(indexed, fovea.InvalidArgument)
+        assert indexed.field == "options.grasps.grippers[0].name"
     assert error_of(8, "full", retry_after=0.5).args == error_of(8, "full").args
     assert isinstance(error_of(8, "full", retry_after=0.5), fovea.Overloaded)
