@@ -1,6 +1,8 @@
 #include "server/conversion/gripper.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 
@@ -12,12 +14,23 @@ namespace {
 
 constexpr float kSuctionTilt_rad = 0.8F;
 
-// What a length of 0 stands for is in `length` already.
+// From `least` to `most`. Answers say floats, which may lie beside a limit by what they are rounded
+// by, and can be sent again.
+bool IsFrom(double least, double most, double given) {
+  return given >= std::min<double>(least, static_cast<float>(least)) &&
+         given <= std::max<double>(most, static_cast<float>(most));
+}
+
+// What 0 stands for is in `value` already; what is more does not become it.
+void SetPositive(double given, float* value) {
+  if (given > 0) *value = std::max(static_cast<float>(given), std::numeric_limits<float>::min());
+}
+
 void SetLength(double given, double most, const std::string& path, float* length) {
   constexpr double kLeast_m = 1e-4;
-  RequireField(given == 0 || (given >= kLeast_m && given <= most), path,
+  RequireField(given == 0 || IsFrom(kLeast_m, most, given), path,
                "must be 0 (as the contract says) or from 0.0001 to " + std::to_string(most) + " m");
-  if (given > 0) *length = static_cast<float>(given);
+  SetPositive(given, length);
 }
 
 Eigen::Vector3f PalmFromProto(const v1::Vector3& palm, const std::string& path) {
@@ -33,9 +46,8 @@ JawGripper JawFromProto(const v1::JawGripper& proto, const std::string& path) {
   SetLength(proto.finger_length_m(), 1, path + ".finger_length_m", &jaw.finger_length_m);
   SetLength(proto.finger_width_m(), 0.5, path + ".finger_width_m", &jaw.finger_width_m);
   SetLength(proto.finger_thickness_m(), 0.2, path + ".finger_thickness_m", &jaw.finger_thickness_m);
-  RequireField(proto.friction() >= 0 && proto.friction() <= 2, path + ".friction",
-               "must be from 0 (0.5) to 2");
-  if (proto.friction() > 0) jaw.friction = static_cast<float>(proto.friction());
+  RequireField(IsFrom(0, 2, proto.friction()), path + ".friction", "must be from 0 (0.5) to 2");
+  SetPositive(proto.friction(), &jaw.friction);
   if (proto.has_palm_size()) jaw.palm_m = PalmFromProto(proto.palm_size(), path + ".palm_size");
   return jaw;
 }
@@ -43,11 +55,9 @@ JawGripper JawFromProto(const v1::JawGripper& proto, const std::string& path) {
 SuctionGripper SuctionFromProto(const v1::SuctionGripper& proto, const std::string& path) {
   SuctionGripper suction;
   SetLength(proto.diameter_m(), 0.3, path + ".diameter_m", &suction.diameter_m);
-  RequireField(proto.max_curvature_per_m() >= 0 && proto.max_curvature_per_m() <= 1000,
-               path + ".max_curvature_per_m", "must be from 0 (12) to 1000");
-  if (proto.max_curvature_per_m() > 0) {
-    suction.max_curvature_per_m = static_cast<float>(proto.max_curvature_per_m());
-  }
+  RequireField(IsFrom(0, 1000, proto.max_curvature_per_m()), path + ".max_curvature_per_m",
+               "must be from 0 (12) to 1000");
+  SetPositive(proto.max_curvature_per_m(), &suction.max_curvature_per_m);
   return suction;
 }
 
@@ -71,15 +81,15 @@ Gripper GripperFromProto(const v1::Gripper& proto, const std::string& path) {
     gripper.approach = approach.normalized().cast<float>();
   }
   if (proto.has_max_tilt_rad()) {
-    RequireField(proto.max_tilt_rad() >= 0 && proto.max_tilt_rad() <= std::numbers::pi / 2,
-                 path + ".max_tilt_rad", "must be from 0 to pi / 2");
+    RequireField(IsFrom(0, std::numbers::pi / 2, proto.max_tilt_rad()), path + ".max_tilt_rad",
+                 "must be from 0 to pi / 2");
     gripper.max_tilt_rad = static_cast<float>(proto.max_tilt_rad());
   }
   RequireField(proto.max_grasps() <= kMaxGrasps, path + ".max_grasps", "must be at most 20");
   if (proto.max_grasps() > 0) gripper.max_grasps = static_cast<int>(proto.max_grasps());
   if (proto.has_min_probability()) {
-    RequireField(proto.min_probability() >= 0 && proto.min_probability() <= 1,
-                 path + ".min_probability", "must be from 0 to 1");
+    RequireField(IsFrom(0, 1, proto.min_probability()), path + ".min_probability",
+                 "must be from 0 to 1");
     gripper.min_probability = static_cast<float>(proto.min_probability());
   }
   return gripper;
