@@ -1,13 +1,16 @@
 #include "core/lens/distort_answer.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 #include <utility>
 #include <vector>
 
+#include "core/objects/color_names.h"
 #include "core/types/interruption.h"
 
 namespace fovea {
@@ -34,15 +37,20 @@ cv::Rect DistortRect(const Lens& lens, const cv::Rect& ideal) {
   return cv::boundingRect(border);
 }
 
-// Calls visit(sent pixel, ideal pixel) for those of the rectangle that see something of the ideal
-// image.
+// Calls visit(sent pixel, ideal pixel) once, row by row, for each sent pixel that is not 0 in
+// `where` (CV_8UC1) and sees something of the ideal image.
 template <typename Visit>
-void ForEachSeen(const Lens& lens, const cv::Rect& sent, Visit visit) {
+void ForEachSeen(const Lens& lens, const cv::Mat& where, Visit visit) {
   const cv::Rect image({0, 0}, lens.size());
-  for (int y = sent.y; y < sent.y + sent.height; ++y) {
+  for (int y = 0; y < where.rows; ++y) {
     InterruptionPoint();
+    const auto* is_wanted = where.ptr<std::uint8_t>(y);
     cv::Point2d off(0, 0);  // of the pixel before
-    for (int x = sent.x; x < sent.x + sent.width; ++x) {
+    for (int x = 0; x < where.cols; ++x) {
+      if (is_wanted[x] == 0) {
+        off = {0, 0};
+        continue;
+      }
       const cv::Point2d pixel(x, y), ideal = lens.Undistort(pixel, pixel + off);
       if (std::isnan(ideal.x)) {
         off = {0, 0};
@@ -55,40 +63,73 @@ void ForEachSeen(const Lens& lens, const cv::Rect& sent, Visit visit) {
   }
 }
 
-// The place of each pixel of the mask in row-major order, -1 elsewhere; of the size of its bounds.
-cv::Mat OrderInMask(const cv::Mat& labels, const DetectedObject& object) {
-  cv::Mat order(object.bounds_px.size(), CV_32SC1, cv::Scalar(-1));
-  const cv::Mat own = labels(object.bounds_px) == object.label;
-  int next = 0;
-  for (int row = 0; row < order.rows; ++row) {
-    for (int col = 0; col < order.cols; ++col) {
-      if (own.at<std::uint8_t>(row, col) != 0) order.at<int>(row, col) = next++;
+// The place of each labelled pixel in row-major order among those of its label.
+cv::Mat OrderInMasks(const cv::Mat& labels) {
+  cv::Mat order(labels.size(), CV_32SC1);
+  std::vector<int> next(std::size_t{1} << 16, 0);
+  for (int row = 0; row < labels.rows; ++row) {
+    const auto* label = labels.ptr<std::uint16_t>(row);
+    for (int col = 0; col < labels.cols; ++col) {
+      if (label[col] != 0) order.at<int>(row, col) = next[label[col]]++;
     }
   }
   return order;
 }
 
-void DistortObject(const Lens& lens, const cv::Mat& ideal_labels, DetectedObject& object,
-                   cv::Mat& labels) {
-  const cv::Mat order = OrderInMask(ideal_labels, object);
-  const cv::Point origin = object.bounds_px.tl();
-  const cv::Rect around = DistortRect(lens, object.bounds_px);
-  // Beside its border pixels may be nearest to one within.
-  const cv::Rect searched =
-      (around + cv::Size(4, 4) - cv::Point(2, 2)) & cv::Rect({0, 0}, lens.size());
-  std::vector<cv::Point> mask;
+// What the camera shows of an object.
+struct Shown {
+  cv::Rect bounds_px;
+  std::size_t num_pixels = 0;
   std::vector<ColoredPoint> cloud;
-  ForEachSeen(lens, searched, [&](const cv::Point& sent, const cv::Point& ideal) {
-    if (!object.bounds_px.contains(ideal)) return;
-    if (ideal_labels.at<std::uint16_t>(ideal) != object.label) return;
-    labels.at<std::uint16_t>(sent) = static_cast<std::uint16_t>(object.label);
-    mask.push_back(sent);
-    const auto point = static_cast<std::size_t>(order.at<int>(ideal - origin));
-    if (point < object.cloud.size()) cloud.push_back(object.cloud[point]);
+};
+
+void SetShown(Shown&& shown, DetectedObject& object) {
+  object.bounds_px = shown.bounds_px;
+  object.num_pixels = shown.num_pixels;
+  object.cloud = std::move(shown.cloud);
+  if (object.cloud.empty()) return;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero(), color_sum = sum;
+  for (const ColoredPoint& p : object.cloud) {
+    sum += Eigen::Vector3d(p.x, p.y, p.z);
+    color_sum += Eigen::Vector3d(p.r, p.g, p.b);
+  }
+  const auto count = static_cast<double>(object.cloud.size());
+  object.centroid = (sum / count).cast<float>();
+  for (int i = 0; i < 3; ++i) {
+    object.mean_color[i] = static_cast<std::uint8_t>(std::lround(color_sum[i] / count));
+  }
+  object.colors = ColorPartsOf(object.cloud);
+}
+
+// Each sent pixel is looked at once, for all objects, so that masks and clouds are of the same
+// ones.
+void DistortObjects(const Lens& lens, Detections& detections) {
+  const cv::Mat ideal_labels = detections.labels, order = OrderInMasks(ideal_labels);
+  const cv::Rect image({0, 0}, lens.size());
+  cv::Mat may_show = cv::Mat::zeros(lens.size(), CV_8UC1);
+  std::vector<Shown> shown(detections.objects.size());
+  for (DetectedObject& object : detections.objects) {
+    object.bounds_px = DistortRect(lens, object.bounds_px);
+    // Beside its border pixels may be nearest to one within.
+    may_show((object.bounds_px + cv::Size(4, 4) - cv::Point(2, 2)) & image) = 255;
+  }
+  cv::Mat labels = cv::Mat::zeros(lens.size(), CV_16UC1);
+  ForEachSeen(lens, may_show, [&](const cv::Point& sent, const cv::Point& ideal) {
+    const std::uint16_t label = ideal_labels.at<std::uint16_t>(ideal);
+    if (label == 0) return;
+    labels.at<std::uint16_t>(sent) = label;
+    Shown& of_it = shown[label - 1U];
+    of_it.bounds_px |= cv::Rect(sent, cv::Size(1, 1));
+    ++of_it.num_pixels;
+    const std::vector<ColoredPoint>& cloud = detections.objects[label - 1U].cloud;
+    const auto point = static_cast<std::size_t>(order.at<int>(ideal));
+    if (point < cloud.size()) of_it.cloud.push_back(cloud[point]);
   });
-  object.bounds_px = mask.empty() ? around : cv::boundingRect(mask);
-  object.num_pixels = mask.size();
-  object.cloud = std::move(cloud);
+  detections.labels = labels;
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    if (shown[i].num_pixels == 0) shown[i].bounds_px = detections.objects[i].bounds_px;
+    SetShown(std::move(shown[i]), detections.objects[i]);
+  }
 }
 
 template <typename SeedType>
@@ -111,7 +152,8 @@ void DistortImages(const Lens& lens, Trace& trace) {
     ideal.push_back(*image);
     if (!image->empty()) *image = cv::Mat(image->size(), image->type(), cv::Scalar(none));
   }
-  ForEachSeen(lens, {{0, 0}, lens.size()}, [&](const cv::Point& sent, const cv::Point& from) {
+  const cv::Mat everywhere(lens.size(), CV_8UC1, cv::Scalar(255));
+  ForEachSeen(lens, everywhere, [&](const cv::Point& sent, const cv::Point& from) {
     for (std::size_t i = 0; i < ideal.size(); ++i) {
       // All have four bytes a pixel.
       if (!ideal[i].empty()) images[i].first->at<int>(sent) = ideal[i].at<int>(from);
@@ -122,11 +164,7 @@ void DistortImages(const Lens& lens, Trace& trace) {
 }  // namespace
 
 void DistortAnswer(const Lens& lens, Detections& detections, Trace& trace) {
-  cv::Mat labels = cv::Mat::zeros(detections.labels.size(), CV_16UC1);
-  for (DetectedObject& object : detections.objects) {
-    DistortObject(lens, detections.labels, object, labels);
-  }
-  detections.labels = labels;
+  DistortObjects(lens, detections);
   for (RejectedObject& rejected : detections.rejected) {
     rejected.bounds_px = DistortRect(lens, rejected.bounds_px);
   }

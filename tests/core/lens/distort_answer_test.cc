@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
@@ -67,6 +68,71 @@ TEST(DistortAnswer, TakesAMaskToWhereTheCameraShowsIt) {
   }
   // The disk would reach to column 152.
   EXPECT_LT(object.bounds_px.br().x, 150);
+}
+
+// Small squares side by side, and each pixel's point says which one it is.
+Detections AnswerWithSquares(const cv::Size& size, int side_px) {
+  Detections answer;
+  answer.labels = cv::Mat::zeros(size, CV_16UC1);
+  for (int y = 0; y + side_px <= size.height; y += side_px) {
+    for (int x = 0; x + side_px <= size.width; x += side_px) {
+      DetectedObject& object = answer.objects.emplace_back();
+      object.label = static_cast<int>(answer.objects.size());
+      object.bounds_px = {x, y, side_px, side_px};
+      object.num_pixels = object.bounds_px.area();
+      answer.labels(object.bounds_px) = object.label;
+      for (int i = 0; i < object.bounds_px.area(); ++i) {
+        object.cloud.push_back(
+            {static_cast<float>(x + i % side_px), static_cast<float>(y + i / side_px), 1, 0, 0, 0});
+      }
+    }
+  }
+  return answer;
+}
+
+// Sent pixels between two ideal ones are those of one of the two squares, in all that is said.
+TEST(DistortAnswer, MasksNumbersAndCloudsAgreeWhereObjectsTouch) {
+  const cv::Size size(640, 480);
+  for (const LensDistortion& distortion :
+       {LensDistortion{LensDistortion::Model::kBrownConrady, {-0.15, 0.01, 0.001, 0.002}},
+        LensDistortion{LensDistortion::Model::kBrownConrady, {0.3}},
+        // Slight ones, where neighbours bend alike to the precision of Undistort.
+        LensDistortion{LensDistortion::Model::kBrownConrady, {0.02, -0.01, 0.001, 0.001}},
+        LensDistortion{LensDistortion::Model::kBrownConrady, {-0.004}},
+        LensDistortion{LensDistortion::Model::kKannalaBrandt, {0.1}}}) {
+    const Lens lens({520, 520, 319.5, 239.5}, distortion, size);
+    Detections answer = AnswerWithSquares(size, 16);
+    Trace trace;
+    DistortAnswer(lens, answer, trace);
+    for (const DetectedObject& object : answer.objects) {
+      const cv::Mat mask = answer.labels == object.label;
+      ASSERT_EQ(static_cast<std::size_t>(cv::countNonZero(mask)), object.num_pixels);
+      ASSERT_EQ(object.cloud.size(), object.num_pixels);
+      if (object.num_pixels == 0) continue;
+      EXPECT_EQ(object.bounds_px, BoundsOf(mask));
+      Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+      for (const ColoredPoint& p : object.cloud) sum += Eigen::Vector3f(p.x, p.y, p.z);
+      EXPECT_LT((sum / static_cast<float>(object.num_pixels) - object.centroid).norm(), 1e-3);
+    }
+  }
+}
+
+// A barrel's corner shows fewer pixels of what is far out: of two halves that were as large, the
+// inner one has more.
+TEST(DistortAnswer, ColorsAreThoseOfThePixelsThatAreShown) {
+  Detections answer = AnswerWithSquares(kSize, 120);
+  DetectedObject& object = answer.objects.front();
+  for (ColoredPoint& point : object.cloud) (point.x < 20 ? point.r : point.g) = 200;
+  Trace trace;
+  const Lens lens({60, 60, 79.5, 59.5}, {LensDistortion::Model::kBrownConrady, {-0.1}}, kSize);
+  DistortAnswer(lens, answer, trace);
+  const auto red = std::count_if(object.cloud.begin(), object.cloud.end(),
+                                 [](const ColoredPoint& point) { return point.r > 0; });
+  const float share = static_cast<float>(red) / static_cast<float>(object.num_pixels);
+  ASSERT_EQ(object.colors.size(), 1U);
+  EXPECT_EQ(object.colors.front().name, ColorName::kGreen);
+  EXPECT_NEAR(object.colors.front().share, 1 - share, 1e-5);
+  EXPECT_EQ(object.mean_color[0], std::lround(200 * share));
 }
 
 TEST(DistortAnswer, KeepsARectangleOfWhatTheCameraDoesNotShow) {
