@@ -69,8 +69,8 @@ void SetIntrinsics(const DetectFlags& flags, FrameSettings* settings) {
 }
 
 void SetTimeBudget(double seconds, v1::DetectOptions* options) {
-  Require(seconds >= 0 && seconds < 3600,
-          fmt::format("--time-budget: {} is not from 0 (none) to less than an hour", seconds));
+  Require(seconds >= 0 && seconds <= 3600,
+          fmt::format("--time-budget: {} is not from 0 (none) to an hour", seconds));
   if (seconds == 0) return;
   // Nothing on the wire stands for no limit.
   *options->mutable_time_budget() = google::protobuf::util::TimeUtil::NanosecondsToDuration(

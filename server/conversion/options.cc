@@ -84,9 +84,10 @@ std::chrono::duration<double, std::milli> TimeBudgetFromProto(const v1::DetectOp
   if (!options.has_time_budget()) return {};
   constexpr std::int64_t kMax_s = 3600;
   const google::protobuf::Duration& budget = options.time_budget();
-  const bool is_in_range = budget.seconds() >= 0 && budget.nanos() >= 0 &&
-                           budget.nanos() < 1'000'000'000 && budget.seconds() < kMax_s;
-  RequireField(is_in_range, "options.time_budget", "must be from 0 (none) to less than an hour");
+  const bool is_in_range =
+      budget.seconds() >= 0 && budget.nanos() >= 0 && budget.nanos() < 1'000'000'000 &&
+      (budget.seconds() < kMax_s || (budget.seconds() == kMax_s && budget.nanos() == 0));
+  RequireField(is_in_range, "options.time_budget", "must be from 0 (none) to an hour");
   const std::chrono::duration<double, std::milli> time =
       std::chrono::seconds(budget.seconds()) + std::chrono::nanoseconds(budget.nanos());
   RequireField(time.count() == 0 || !options.return_trace(), "options.time_budget",

@@ -84,6 +84,12 @@ std::vector<BadInput> BadParts() {
       {"enormous_time_budget",
        [](auto& r) { r.mutable_options()->mutable_time_budget()->set_seconds(1'000'000'000'000); },
        "options.time_budget: must be from 0"},
+      {"more_than_an_hour",
+       [](auto& r) {
+         r.mutable_options()->mutable_time_budget()->set_seconds(3600);
+         r.mutable_options()->mutable_time_budget()->set_nanos(1);
+       },
+       "options.time_budget: must be from 0"},
       {"time_budget_with_trace",
        [](auto& r) {
          r.mutable_options()->mutable_time_budget()->set_seconds(1);

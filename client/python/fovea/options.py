@@ -100,10 +100,10 @@ class DetectOptions:
         if flag(self.tracking, "options.tracking.enabled"):
             proto.tracking.enabled = True
         if self.time_budget:
-            if not 0 < real(self.time_budget, "options.time_budget") < 3600:
+            if not 0 < real(self.time_budget, "options.time_budget") <= 3600:
                 raise InvalidArgument(
                     "options.time_budget",
-                    f"{shown(self.time_budget)} s is not from 0 (none) to less than an hour",
+                    f"{shown(self.time_budget)} s is not from 0 (none) to an hour",
                 )
             # Nothing on the wire stands for no limit.
             proto.time_budget.FromNanoseconds(max(1, round(self.time_budget * 1e9)))
