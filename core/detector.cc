@@ -113,7 +113,8 @@ void PrepareForPlanning(const ObjectSurroundings& around, const PlanningOptions&
   if (options.collision_primitives) {
     for (DetectedObject& object : result.objects) object.collision = PrimitiveOf(object);
     for (const Support& support : around.supports) {
-      result.support_collisions.push_back(PrimitiveOf(support, around.points));
+      const auto below = PrimitiveOf(support, around.points);
+      if (below) result.support_collisions.push_back(*below);
     }
   }
   if (options.height_map) {

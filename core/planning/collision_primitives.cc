@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -112,8 +113,10 @@ CollisionPrimitive PrimitiveOf(const DetectedObject& object) {
   return BoxGrownTo(object.cloud, object.box);
 }
 
-CollisionPrimitive PrimitiveOf(const Support& support, const cv::Mat& points, float tolerance_m) {
+std::optional<CollisionPrimitive> PrimitiveOf(const Support& support, const cv::Mat& points,
+                                              float tolerance_m) {
   constexpr float kThickness_m = 0.02F;
+  constexpr float kLeastSide_m = 0.01F;  // of a row of pixels; checkers refuse boxes without width
   constexpr std::size_t kMorePoints = 10'000;  // at once: bounds the time between interruptions
   const SupportSurface& surface = support.surface;
   const LevelAxes axes = LevelAxesAlongView(surface.normal);
@@ -133,8 +136,8 @@ CollisionPrimitive PrimitiveOf(const Support& support, const cv::Mat& points, fl
     KeepHull(on);
     most = 2 * on.size() + kMorePoints;
   }
+  if (on.empty()) return std::nullopt;
   CollisionPrimitive primitive;
-  if (on.empty()) return primitive;
   const cv::RotatedRect rectangle = cv::minAreaRect(on);
   cv::Point2f corners[4];
   rectangle.points(corners);
@@ -147,7 +150,8 @@ CollisionPrimitive PrimitiveOf(const Support& support, const cv::Mat& points, fl
   primitive.pose.translation() =
       axes.transpose() * Eigen::Vector2f(rectangle.center.x, rectangle.center.y) -
       (surface.offset_m + kThickness_m / 2) * surface.normal;
-  primitive.size_m = {rectangle.size.width, rectangle.size.height, kThickness_m};
+  primitive.size_m = {std::max(rectangle.size.width, kLeastSide_m),
+                      std::max(rectangle.size.height, kLeastSide_m), kThickness_m};
   return primitive;
 }
 

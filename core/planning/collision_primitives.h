@@ -2,6 +2,7 @@
 #pragma once
 
 #include <opencv2/core/mat.hpp>
+#include <optional>
 
 #include "core/scene/support_surface.h"
 #include "core/types/detections.h"
@@ -16,9 +17,9 @@ namespace fovea {
 CollisionPrimitive PrimitiveOf(const DetectedObject& object);
 
 // A box under what was seen of a support, its upper side in the surface, 20 mm thick: the smallest
-// rectangle around the points that lie on it to `tolerance_m` within its footprint. `points`:
-// CV_32FC3, NaN = none.
-CollisionPrimitive PrimitiveOf(const Support& support, const cv::Mat& points,
-                               float tolerance_m = 0.015F);
+// rectangle around the points that lie on it to `tolerance_m` within its footprint, each side at
+// least 10 mm; none without such points. `points`: CV_32FC3, NaN = none.
+std::optional<CollisionPrimitive> PrimitiveOf(const Support& support, const cv::Mat& points,
+                                              float tolerance_m = 0.015F);
 
 }  // namespace fovea

@@ -64,7 +64,7 @@ TEST(CollisionPrimitives, OfASupportLieBelowItsSurface) {
   Support support;
   support.surface.normal = -Vector3f::UnitY();
   support.surface.offset_m = 0.5F;
-  const CollisionPrimitive table = PrimitiveOf(support, points);
+  const CollisionPrimitive table = PrimitiveOf(support, points).value();
   EXPECT_EQ(table.kind, Kind::kBox);
   EXPECT_NEAR(table.size_m.head<2>().maxCoeff(), 0.6, 1e-5);
   EXPECT_NEAR(table.size_m.head<2>().minCoeff(), 0.4, 1e-5);
@@ -73,6 +73,25 @@ TEST(CollisionPrimitives, OfASupportLieBelowItsSurface) {
   EXPECT_NEAR(table.pose.translation().z(), 0.8, 1e-5);
   EXPECT_TRUE(table.pose.linear().col(2).isApprox(support.surface.normal));
   EXPECT_NEAR(table.pose.linear().determinant(), 1, 1e-5);
+}
+
+TEST(CollisionPrimitives, OfARowOfASupportHaveAWidth) {
+  Support support;
+  support.surface.normal = -Vector3f::UnitY();
+  support.surface.offset_m = 0.5F;
+  cv::Mat points(1, 11, CV_32FC3);
+  for (int column = 0; column < points.cols; ++column) {
+    points.at<cv::Vec3f>(0, column) = {0.03F * static_cast<float>(column), 0.5F, 1};
+  }
+  const CollisionPrimitive row = PrimitiveOf(support, points).value();
+  EXPECT_NEAR(row.size_m.head<2>().maxCoeff(), 0.3, 1e-5);
+  EXPECT_NEAR(row.size_m.head<2>().minCoeff(), 0.01, 1e-5);
+  EXPECT_TRUE(row.pose.translation().isApprox(Vector3f(0.15F, 0.51F, 1), 1e-4F));
+  const CollisionPrimitive pixel = PrimitiveOf(support, points.col(3)).value();
+  EXPECT_TRUE(pixel.size_m.isApprox(Vector3f(0.01F, 0.01F, 0.02F)));
+  EXPECT_TRUE(pixel.pose.linear().isUnitary(1e-5F));
+  points.setTo(cv::Scalar::all(1));
+  EXPECT_FALSE(PrimitiveOf(support, points)) << "nothing of it is seen";
 }
 
 }  // namespace
