@@ -28,9 +28,19 @@ bool IsWithin(const Eigen::Isometry3d& motion, double distance_m, double angle_r
   return motion.translation().norm() < distance_m && AngleOf(motion) < angle_rad;
 }
 
-// What a robot says may be nonsense; numbers beyond the earth's size leave nothing of millimetres.
+// What a robot says may be nonsense; doubles are 0.1 mm apart there, and lose millimetres beyond.
 bool IsPlausible(const Eigen::Isometry3d& pose) {
-  return pose.matrix().allFinite() && pose.translation().norm() < 1e7;
+  constexpr double kFarthestPlace_m = 1e12;
+  return pose.matrix().allFinite() && pose.translation().norm() <= kFarthestPlace_m;
+}
+
+// Of the camera that is at `pose`, in the frame of that at `last`. Positions are subtracted before
+// anything else: far from the origin each rounding is of millimetres.
+Eigen::Isometry3d MotionBetween(const Eigen::Isometry3d& last, const Eigen::Isometry3d& pose) {
+  const Eigen::Matrix3d last_from_reference = last.linear().transpose();
+  Eigen::Isometry3d motion(last_from_reference * pose.linear());
+  motion.translation() = last_from_reference * (pose.translation() - last.translation());
+  return motion;
 }
 
 std::vector<PointPair> PairsOf(const Features& from, const Features& to,
@@ -47,7 +57,7 @@ std::vector<PointPair> PairsOf(const Features& from, const Features& to,
 
 CameraPath::Place FromPoses(const Eigen::Isometry3d& last, const Eigen::Isometry3d& pose) {
   CameraPath::Place place;
-  const Eigen::Isometry3d motion = last.inverse() * pose;
+  const Eigen::Isometry3d motion = MotionBetween(last, pose);
   if (motion.translation().norm() > kFarthestPose_m) {
     place.motion.source = CameraMotionSource::kUnknown;
     place.error_m = kUnknownError_m;

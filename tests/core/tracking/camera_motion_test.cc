@@ -42,6 +42,24 @@ TEST(CameraPath, TakesTheMotionFromPoses) {
   EXPECT_NEAR(place.motion.last_from_this.translation().x(), 0.25, 1e-9);
 }
 
+// Turned, so that a product with the position would be rounded, too.
+TEST(CameraPath, TakesTheMotionFromPosesFarFromTheirOrigin) {
+  for (const double far_m : {1e6, 1e7, 1e9, 5e11}) {
+    const Eigen::AngleAxisd turn(0.7, Eigen::Vector3d(1, 2, 3).normalized());
+    const auto pose_at = [&](double x_m) {
+      return Eigen::Translation3d(far_m + x_m, -far_m, far_m / 3) * turn;
+    };
+    CameraPath path;
+    AddAt(path, 0, 1, pose_at(0));
+    const CameraMotion motion = AddAt(path, 0, 2, pose_at(0.25)).motion;
+    ASSERT_EQ(motion.source, kGiven) << far_m;
+    const Eigen::Vector3d expected = turn.inverse() * Eigen::Vector3d(0.25, 0, 0);
+    EXPECT_LT((motion.last_from_this.translation() - expected).norm(), 1e-6 + 1e-16 * far_m)
+        << far_m;
+    EXPECT_TRUE(motion.last_from_this.linear().isIdentity(1e-12)) << far_m;
+  }
+}
+
 TEST(CameraPath, EstimatesTheMotionFromFrames) {
   CameraPath path;
   AddAt(path, 0, 1);
