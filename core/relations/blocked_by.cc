@@ -1,18 +1,16 @@
 #include "core/relations/blocked_by.h"
 
-#include <algorithm>
-
 namespace fovea {
 namespace {
 
-// Adds what stands on the object with this label, directly or not, the farthest away last.
-void AddAbove(const std::vector<std::vector<int>>& carried, int label, int lifted,
+// Adds what rests on the object with this label, directly or not, each after all that rests on it.
+void AddAbove(const std::vector<std::vector<int>>& carried, int label, std::vector<bool>& is_known,
               std::vector<int>& above) {
   for (const int other : carried[static_cast<std::size_t>(label)]) {
-    const bool is_known = std::find(above.begin(), above.end(), other) != above.end();
-    if (is_known || other == lifted) continue;
+    if (is_known[static_cast<std::size_t>(other)]) continue;
+    is_known[static_cast<std::size_t>(other)] = true;
+    AddAbove(carried, other, is_known, above);
     above.push_back(other);
-    AddAbove(carried, other, lifted, above);
   }
 }
 
@@ -29,8 +27,9 @@ void BlockByWhatStandsOn(std::vector<DetectedObject>& objects) {
   }
   for (DetectedObject& object : objects) {
     object.blocked_by.clear();
-    AddAbove(carried, object.label, object.label, object.blocked_by);
-    std::reverse(object.blocked_by.begin(), object.blocked_by.end());
+    std::vector<bool> is_known(objects.size() + 1);
+    is_known[static_cast<std::size_t>(object.label)] = true;
+    AddAbove(carried, object.label, is_known, object.blocked_by);
   }
 }
 

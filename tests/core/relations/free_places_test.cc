@@ -6,8 +6,6 @@
 #include <limits>
 #include <opencv2/core.hpp>
 
-#include "core/relations/blocked_by.h"
-
 namespace fovea {
 namespace {
 
@@ -166,30 +164,6 @@ TEST(FindFreePlaces, ClearanceCountsFromTheThing) {
 TEST(FindFreePlaces, OfWhatIsTooLargeThereIsNone) {
   EXPECT_TRUE(Table().Places({.size_m = {0.9F, 0.7F, 0.1F}}).empty());
   EXPECT_TRUE(FindFreePlaces(Table().points, {}, {}, {.size_m = {0.1F, 0.1F, 0.1F}}).empty());
-}
-
-std::vector<DetectedObject> Stack(const std::vector<std::vector<int>>& stands_on) {
-  std::vector<DetectedObject> objects(stands_on.size());
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    objects[i].label = static_cast<int>(i) + 1;
-    objects[i].stands_on = stands_on[i];
-  }
-  BlockByWhatStandsOn(objects);
-  return objects;
-}
-
-TEST(BlockByWhatStandsOn, IsAllAboveTheTopmostFirst) {
-  const auto objects = Stack({{0}, {1}, {2}, {0}});
-  EXPECT_EQ(objects[0].blocked_by, (std::vector<int>{3, 2}));
-  EXPECT_EQ(objects[1].blocked_by, std::vector<int>{3});
-  EXPECT_TRUE(objects[2].blocked_by.empty());
-  EXPECT_TRUE(objects[3].blocked_by.empty());
-}
-
-TEST(BlockByWhatStandsOn, EndsWhereThingsCarryEachOther) {
-  const auto objects = Stack({{2}, {1}});
-  EXPECT_EQ(objects[0].blocked_by, std::vector<int>{2});
-  EXPECT_EQ(objects[1].blocked_by, std::vector<int>{1});
 }
 
 }  // namespace
