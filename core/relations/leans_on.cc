@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "core/relations/rests_on.h"
+
 namespace fovea {
 namespace {
 
@@ -112,29 +114,43 @@ Points UpperHalf(Points points, const Eigen::Vector3f& up) {
   return points;
 }
 
+struct Leaning {
+  int label, on;
+  float held;
+};
+
+// All that hold the object up well enough at its side.
+void AddWhatHolds(const DetectedObject& object, const Eigen::Vector3f& up,
+                  const std::vector<DetectedObject>& others, std::vector<Leaning>& leanings) {
+  constexpr float kMinHeld = 0.2F, kBelow_m = 0.03F;
+  const Points points = SomePoints(object.cloud);
+  const std::optional<Face> face = OnlyFace(points);
+  if (!face || !IsTilted(*face, up)) return;
+  const Points upper = UpperHalf(points, up);
+  const OrientedBox& seen = object.visible_box;
+  const float bottom = up.dot(seen.center) - seen.size_m.z() / 2;
+  for (const DetectedObject& other : others) {
+    const float top = up.dot(other.box.center) + other.box.size_m.z() / 2;
+    if (other.label == object.label || Contains(object.stands_on, other.label)) continue;
+    if (bottom > top - kBelow_m) continue;
+    const float held = ShareHeld(upper, *face, other.box);
+    if (held > kMinHeld) leanings.push_back({object.label, other.label, held});
+  }
+}
+
 }  // namespace
 
 void FindWhatLeans(const Eigen::Vector3f& up, std::vector<DetectedObject>& objects) {
-  constexpr float kMinHeld = 0.2F, kBelow_m = 0.03F;
-  for (DetectedObject& object : objects) {
-    if (object.depth_missing) continue;
-    const Points points = SomePoints(object.cloud);
-    const std::optional<Face> face = OnlyFace(points);
-    if (!face || !IsTilted(*face, up)) continue;
-    const Points upper = UpperHalf(points, up);
-    const OrientedBox& seen = object.visible_box;
-    const float bottom = up.dot(seen.center) - seen.size_m.z() / 2;
-    float best = kMinHeld;
-    for (const DetectedObject& other : objects) {
-      const float top = up.dot(other.box.center) + other.box.size_m.z() / 2;
-      const bool stand_on_each_other =
-          Contains(object.stands_on, other.label) || Contains(other.stands_on, object.label);
-      if (other.label == object.label || stand_on_each_other || bottom > top - kBelow_m) continue;
-      const float held = ShareHeld(upper, *face, other.box);
-      if (held <= best) continue;
-      best = held;
-      object.leans_on = {other.label};
-    }
+  std::vector<Leaning> leanings;
+  for (const DetectedObject& object : objects) {
+    if (!object.depth_missing) AddWhatHolds(object, up, objects, leanings);
+  }
+  std::stable_sort(leanings.begin(), leanings.end(),
+                   [](const Leaning& a, const Leaning& b) { return a.held > b.held; });
+  for (const Leaning& leaning : leanings) {
+    DetectedObject& object = objects[static_cast<std::size_t>(leaning.label) - 1];
+    if (!object.leans_on.empty() || RestsOn(objects, leaning.on, leaning.label)) continue;
+    object.leans_on = {leaning.on};
   }
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "core/relations/rests_on.h"
+
 namespace fovea {
 namespace {
 
@@ -43,6 +45,12 @@ std::optional<int> Touching(const DetectedObject& object, const std::vector<Dete
   constexpr float kMinShare = 0.12F;  // of the outline where it ends
   const Eigen::Vector3f up = object.visible_box.rotation.col(2);
   const float bottom = HeightAlong(up, object.visible_box, 0);
+  // What rises higher stands beside it.
+  const auto may_carry = [&](int label) {
+    if (label == 0) return false;
+    const OrientedBox& seen = others[static_cast<std::size_t>(label) - 1].visible_box;
+    return HeightAlong(up, seen, 1) < bottom + kContact_m && !RestsOn(others, label, object.label);
+  };
   std::map<int, int> touches;
   int ends = 0, touching = 0;
   for (const OutlinePoint& point : outline) {
@@ -50,12 +58,7 @@ std::optional<int> Touching(const DetectedObject& object, const std::vector<Dete
     ++ends;
     if (std::abs(up.dot(point.beyond) - bottom) > kContact_m) continue;
     ++touching;
-    // What rises higher stands beside it.
-    const int label = point.label_beyond;
-    const bool is_below =
-        label > 0 && HeightAlong(up, others[static_cast<std::size_t>(label) - 1].visible_box, 1) <
-                         bottom + kContact_m;
-    ++touches[is_below ? label : 0];
+    ++touches[may_carry(point.label_beyond) ? point.label_beyond : 0];
   }
   if (touching == 0 || static_cast<float>(touching) < kMinShare * static_cast<float>(ends)) {
     return std::nullopt;
@@ -75,7 +78,8 @@ std::vector<Carrier> CarriersOf(const DetectedObject& object,
   for (const std::size_t i : lower) {
     const DetectedObject& other = others[i];
     const float drop = bottom - HeightAlong(up, other.box, 1);
-    if (drop < -kMaxGap_m || ShareAbove(object.cloud, other.box) < kMinOverlap) continue;
+    if (drop < -kMaxGap_m || RestsOn(others, other.label, object.label)) continue;
+    if (ShareAbove(object.cloud, other.box) < kMinOverlap) continue;
     carriers.push_back({other.label, drop});
   }
   std::stable_sort(carriers.begin(), carriers.end(),
@@ -96,6 +100,7 @@ std::optional<int> HeldBy(const DetectedObject& object, const std::vector<Detect
   for (const std::size_t i : lower) {
     const DetectedObject& other = others[i];
     if (std::abs(bottom - HeightAlong(up, other.box, 1)) > kMaxGap_m) continue;
+    if (RestsOn(others, other.label, object.label)) continue;
     const float share = ShareAbove(object.cloud, other.box);
     if (share <= most) continue;
     most = share;

@@ -1,4 +1,5 @@
-// What may carry an object: another one below it, or its support.
+// What may carry an object: another one below it that does not rest on it, or its support. Object k
+// has label k.
 #pragma once
 
 #include <cstddef>

@@ -79,6 +79,47 @@ TEST(LeansOn, NothingThatIsNotFlat) {
   EXPECT_TRUE(Find({rough, Box(0.87F)})[0].leans_on.empty());
 }
 
+// Half of a tent whose ridge points away from the camera, at x = 0: leans to the right (side -1) or
+// to the left (1) by 40 degrees, its upper end 2 mm before the ridge.
+DetectedObject TentSide(float side) {
+  DetectedObject board = Face(40);
+  const float reach_m = 0.16F * std::sin(40 * std::numbers::pi_v<float> / 180) + 0.002F;
+  const auto turned = [&](const Vector3f& p) {
+    return Vector3f(side * (reach_m - (p.z() - 0.8F)), p.y(), 0.9F + side * p.x());
+  };
+  for (ColoredPoint& p : board.cloud) {
+    const Vector3f at = turned({p.x, p.y, p.z});
+    p = {at.x(), at.y(), at.z(), 0, 0, 0};
+  }
+  board.visible_box.center = turned(board.visible_box.center);
+  board.visible_box.rotation.col(0) = Vector3f::UnitZ();
+  board.visible_box.rotation.col(1) = Vector3f::UnitX();
+  board.box = board.visible_box;
+  return board;
+}
+
+TEST(LeansOn, OfTwoThatHoldEachOtherTheBetterHeldOneLeans) {
+  const DetectedObject left = TentSide(-1);
+  DetectedObject right = TentSide(1);
+  EXPECT_EQ(Find({left, right})[0].leans_on, std::vector<int>{2});  // both are held as well
+  EXPECT_TRUE(Find({left, right})[1].leans_on.empty());
+  // The box of the left one ends lower now and holds less of the right one.
+  DetectedObject low = left;
+  low.box.size_m.z() -= 0.06F;
+  low.box.center.y() += 0.03F;
+  EXPECT_EQ(Find({right, low})[1].leans_on, std::vector<int>{1});
+  EXPECT_TRUE(Find({right, low})[0].leans_on.empty());
+}
+
+TEST(LeansOn, NothingOnWhatStandsOnItByAnother) {
+  std::vector<DetectedObject> pile = {Face(25), Box(0.87F), Box(1.5F)};
+  pile[1].stands_on = {3};
+  pile[2].stands_on = {1};
+  EXPECT_TRUE(Find(pile)[0].leans_on.empty());
+  pile[2].stands_on = {0};
+  EXPECT_EQ(Find(pile)[0].leans_on, std::vector<int>{2});
+}
+
 TEST(LeansOn, WhatLeansMustGoFirst) {
   auto objects = Find({Face(25), Box(0.87F)});
   BlockByWhatStandsOn(objects);

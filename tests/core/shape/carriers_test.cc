@@ -1,0 +1,63 @@
+#include "core/shape/carriers.h"
+
+#include <gtest/gtest.h>
+
+namespace fovea {
+namespace {
+
+using Eigen::Vector3f;
+
+// Upright on y = 0.5 m, where up is -y; its points lie in its top.
+DetectedObject Slab(int label, float bottom_m, float height_m) {
+  DetectedObject object;
+  object.label = label;
+  object.box.rotation.col(0) = Vector3f::UnitX();
+  object.box.rotation.col(1) = Vector3f::UnitZ();
+  object.box.rotation.col(2) = -Vector3f::UnitY();
+  object.box.center = {0, 0.5F - bottom_m - height_m / 2, 1};
+  object.box.size_m = {0.2F, 0.2F, height_m};
+  object.visible_box = object.box;
+  object.cloud.assign(20, {0, 0.5F - bottom_m - height_m, 1, 0, 0, 0});
+  return object;
+}
+
+// A sheet whose lower end lies a little below the top of another sheet, and the other way round.
+class TwoSheets : public testing::Test {
+ protected:
+  TwoSheets() {
+    floor_.normal = -Vector3f::UnitY();
+    floor_.offset_m = 0.5F;
+    edge_.is_own_end = true;
+    edge_.beyond = {0, 0.47F, 1};
+    edge_.label_beyond = 2;
+  }
+
+  std::vector<DetectedObject> sheets_ = {Slab(1, 0.03F, 0.01F), Slab(2, 0.025F, 0.01F)};
+  SupportSurface floor_;
+  OutlinePoint edge_;
+};
+
+TEST_F(TwoSheets, MayCarryEachOther) {
+  EXPECT_EQ(Touching(sheets_[0], sheets_, {edge_}), 2);
+  EXPECT_EQ(CarriersOf(sheets_[0], sheets_, {1}, floor_).front().label, 2);
+  EXPECT_EQ(HeldBy(sheets_[0], sheets_, {1}, floor_), 2);
+}
+
+TEST_F(TwoSheets, DoNotCarryWhatTheyStandOn) {
+  sheets_[1].stands_on = {1};
+  EXPECT_EQ(Touching(sheets_[0], sheets_, {edge_}), 0);
+  EXPECT_EQ(CarriersOf(sheets_[0], sheets_, {1}, floor_).front().label, 0);
+  EXPECT_EQ(HeldBy(sheets_[0], sheets_, {1}, floor_), std::nullopt);
+}
+
+TEST_F(TwoSheets, DoNotCarryWhatTheyStandOnByAnother) {
+  sheets_.push_back(Slab(3, 0.4F, 0.01F));
+  sheets_[1].stands_on = {3};
+  sheets_[2].leans_on = {1};
+  EXPECT_EQ(Touching(sheets_[0], sheets_, {edge_}), 0);
+  EXPECT_EQ(CarriersOf(sheets_[0], sheets_, {1}, floor_).front().label, 0);
+  EXPECT_EQ(HeldBy(sheets_[0], sheets_, {1}, floor_), std::nullopt);
+}
+
+}  // namespace
+}  // namespace fovea
