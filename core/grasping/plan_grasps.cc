@@ -24,8 +24,8 @@ float ReachOf(const Gripper& gripper) {
   return jaw->max_opening_m / 2 + jaw->finger_thickness_m + kRoom_m;
 }
 
-// The ways in that are tried: the preferred one, and level ones where the gripper may tilt that
-// far.
+// The ways in that are tried: the preferred one, and where the gripper may tilt nearly that far,
+// away from the camera, as level as it may.
 std::vector<Eigen::Vector3f> ApproachesOf(const Gripper& gripper, const Eigen::Vector3f& up,
                                           const DetectedObject& object) {
   constexpr float kLevel_rad = 1.4F;
@@ -33,7 +33,16 @@ std::vector<Eigen::Vector3f> ApproachesOf(const Gripper& gripper, const Eigen::V
   std::vector<Eigen::Vector3f> approaches = {preferred};
   if (gripper.max_tilt_rad < kLevel_rad || std::abs(preferred.dot(up)) < 0.5F) return approaches;
   const Eigen::Vector3f away = object.box.center - up * up.dot(object.box.center);
-  if (away.norm() > 0.01F) approaches.push_back(away.normalized());
+  if (away.norm() <= 0.01F) return approaches;
+  const Eigen::Vector3f level = away.normalized();
+  // With doubles, whose last bits, which differ between machines, do not show in floats.
+  const auto most = static_cast<float>(std::cos(double{gripper.max_tilt_rad}));
+  if (preferred.dot(level) >= most) {
+    approaches.push_back(level);
+  } else {
+    const Eigen::Vector3f tilted = (level - preferred * preferred.dot(level)).normalized();
+    approaches.push_back((most * preferred + std::sqrt(1 - most * most) * tilted).normalized());
+  }
   return approaches;
 }
 

@@ -59,9 +59,11 @@ float UsableDiameter(const GraspScene& scene, const DetectedObject& object,
   return usable;
 }
 
-// What a lip does not seal on, or why a place is out of reach.
+// What a lip does not seal on, or why a place is out of reach. The way that the grid is against and
+// the preferred one are the same or both ends of how far the gripper may tilt.
 std::optional<NoGrasp::Reason> WhyNot(const SuctionPlace& place, const Gripper& gripper,
-                                      const Eigen::Vector3f& approach, float noise_m) {
+                                      const Eigen::Vector3f& approach,
+                                      const Eigen::Vector3f& preferred, float noise_m) {
   const auto& cup = std::get<SuctionGripper>(gripper.hand);
   const bool is_uneven = place.of_solid
                              ? place.seen.unevenness_m > cup.max_unevenness_m + 2 * noise_m
@@ -69,7 +71,8 @@ std::optional<NoGrasp::Reason> WhyNot(const SuctionPlace& place, const Gripper& 
   if (is_uneven || place.curvature_per_m > kMostCurvature * cup.max_curvature_per_m) {
     return NoGrasp::Reason::kNoSeal;
   }
-  const bool is_sloped = -place.normal.dot(approach) < std::cos(gripper.max_tilt_rad);
+  const float cosine = -std::max(place.normal.dot(approach), place.normal.dot(preferred));
+  const bool is_sloped = cosine < std::cos(gripper.max_tilt_rad);
   return is_sloped ? std::optional(NoGrasp::Reason::kSloped) : std::nullopt;
 }
 
@@ -82,6 +85,7 @@ std::vector<ScoredGrasp> FindSuctionGrasps(const GraspScene& scene, const Detect
   constexpr float kNoise_m = 0.001F, kNoisePerM = 0.002F;  // of depth, per square metre
   const auto& cup = std::get<SuctionGripper>(gripper.hand);
   const Eigen::Vector3f approach = -grid.frame.rotation.col(2);
+  const Eigen::Vector3f preferred = gripper.approach.value_or(-scene.up);
   const CompletedSolid solid(object, grid.frame);
   int num_missed = 0;
   std::vector<SuctionPlace> places = SeenPlaces(scene, object, cup.diameter_m, num_missed);
@@ -93,7 +97,7 @@ std::vector<ScoredGrasp> FindSuctionGrasps(const GraspScene& scene, const Detect
     InterruptionPoint();
     const Eigen::Vector3f& normal = place.normal;
     const float noise = kNoise_m + kNoisePerM * place.center.z() * place.center.z();
-    if (const auto reason = WhyNot(place, gripper, approach, noise)) {
+    if (const auto reason = WhyNot(place, gripper, approach, preferred, noise)) {
       if (!place.of_solid) failures.Add(*reason);
       continue;
     }

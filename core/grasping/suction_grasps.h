@@ -11,7 +11,8 @@
 namespace fovea {
 
 // Of at most 64 patches that are spread over the mask, those that the cup may seal on and reach
-// without touching anything else. `grid`: around the object, against the gripper's approach.
+// without touching anything else, no farther from the gripper's preferred approach than it may
+// tilt. `grid`: around the object, against that approach or another one.
 std::vector<ScoredGrasp> FindSuctionGrasps(const GraspScene& scene, const DetectedObject& object,
                                            const GraspTerms& of_object, const HandGrid& grid,
                                            const Gripper& gripper, std::size_t index,

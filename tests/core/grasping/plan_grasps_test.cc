@@ -176,6 +176,29 @@ TEST(PlanGrasps, FarFromStraightDownItComesFromTheSideToo) {
                           [](const Grasp& g) { return g.kind == Grasp::Kind::kSide; }));
 }
 
+TEST(PlanGrasps, NoneIsTiltedFurtherThanItMay) {
+  const scenes::Body can = Thing(ShapeKind::kCylinder, {0.06, 0.06, 0.2}, {0, 0}, 0);
+  const scenes::Body box = Thing(ShapeKind::kBox, {0.12, 0.07, 0.15}, {0.2, 0}, 0, 0.4);
+  for (Gripper gripper : {Jaw(0.085F), Cup()}) {
+    gripper.max_grasps = 20;
+    gripper.min_probability = 0;
+    for (const float tilt_rad : {0.35F, 1.3F, 1.4F, 1.5F, std::numbers::pi_v<float> / 2}) {
+      gripper.max_tilt_rad = tilt_rad;
+      float farthest_rad = 0;
+      for (const DetectedObject& object : Plan({can, box}, {gripper}, 20)) {
+        for (const Grasp& grasp : object.grasps) {
+          const float cosine = grasp.approach.dot(-object.box.rotation.col(2));
+          farthest_rad = std::max(farthest_rad, std::acos(std::clamp(cosine, -1.0F, 1.0F)));
+        }
+      }
+      EXPECT_LE(farthest_rad, tilt_rad + 1e-3F) << gripper.name;
+      // Both are taken at their sides as well, by cups, which stand across these, at pi / 2 alone.
+      const bool is_level = tilt_rad > (gripper.name == "jaw" ? 1.35F : 1.55F);
+      EXPECT_EQ(farthest_rad > 1.2F, is_level) << gripper.name << " " << tilt_rad;
+    }
+  }
+}
+
 TEST(PlanGrasps, WhoAllowsLessLikelyGraspsGetsMore) {
   Gripper careful = Jaw(0.085F), bold = Jaw(0.085F);
   careful.max_grasps = bold.max_grasps = 20;
