@@ -139,7 +139,8 @@ void TryRun(const Station& at, const Run& run, bool is_part, float tip_m, Failur
   if (!PalmFits(at, run, place, failures)) return;
   const int free = std::min(left, right) - needed;
   place.clearance_m = static_cast<float>(std::min(free, told)) * at.grid.cell_m;
-  place.room_m = static_cast<float>(std::max(0, free - told)) * at.grid.cell_m;
+  const float beyond_m = static_cast<float>(std::max(0, free - told)) * at.grid.cell_m;
+  place.room_m = std::min(kMostRoom_m, beyond_m);  // no part of a cell more
   const float below = std::max(std::max(Highest(at.pads.other, run.first - needed, run.first - 1),
                                         Highest(at.pads.other, run.last + 1, run.last + needed)),
                                std::max(Highest(at.pads.target, run.first - needed, run.first - 1),

@@ -199,6 +199,20 @@ TEST(PlanGrasps, NoneIsTiltedFurtherThanItMay) {
   }
 }
 
+TEST(PlanGrasps, OpensNoWiderThanItSaysWhereverItsCellsEnd) {
+  Gripper jaw = Jaw(0.2F);
+  jaw.max_grasps = 20;
+  // Cells of the hand's grid grow with the object.
+  for (const double length_m : {0.1, 0.3, 0.4, 0.5}) {
+    const auto objects =
+        Plan({Thing(ShapeKind::kBox, {length_m, 0.05, 0.1}, {0, 0}, 0)}, {jaw}, 60);
+    ASSERT_FALSE(objects[0].grasps.empty()) << length_m;
+    for (const Grasp& grasp : objects[0].grasps) {
+      EXPECT_LE(grasp.pre_grasp_opening_m, grasp.opening_m + 0.0601F) << length_m;
+    }
+  }
+}
+
 TEST(PlanGrasps, WhoAllowsLessLikelyGraspsGetsMore) {
   Gripper careful = Jaw(0.085F), bold = Jaw(0.085F);
   careful.max_grasps = bold.max_grasps = 20;
