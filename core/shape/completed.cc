@@ -59,7 +59,8 @@ BoxUncertainty InCamera(const BoxUncertainty& level, const LevelFrame& frame, bo
   Eigen::Matrix4f turn = Eigen::Matrix4f::Identity();
   turn.topLeftCorner<3, 3>() = frame.rotation;
   BoxUncertainty uncertainty = level;
-  uncertainty.pose_covariance = turn * level.pose_covariance * turn.transpose();
+  const Eigen::Matrix4f turned = turn * level.pose_covariance * turn.transpose();
+  uncertainty.pose_covariance = (turned + turned.transpose()) / 2;  // but for rounding it is that
   if (is_swapped) std::swap(uncertainty.size_sigma_m.x(), uncertainty.size_sigma_m.y());
   return uncertainty;
 }

@@ -1,6 +1,7 @@
 #include "core/shape/uncertainty.h"
 
-#include <Eigen/LU>
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "core/shape/solid_residuals.h"
@@ -9,6 +10,8 @@ namespace fovea {
 namespace {
 
 using Vector7f = Eigen::Matrix<float, 7, 1>;
+using DoubleMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
+                                   kMaxParameters, kMaxParameters>;
 using BoxDerivatives = Eigen::Matrix<float, 7, Eigen::Dynamic, Eigen::ColMajor, 7, kMaxParameters>;
 
 // Where neither points nor outline say anything: standard deviations of places and sizes as shares
@@ -44,19 +47,27 @@ BoxDerivatives Derivatives(const Solid& solid) {
 ParameterMatrix ParameterCovariance(const SeenObject& seen, const Solid& solid) {
   SolidResiduals residuals(seen);
   const SeenArray at = residuals.Of(solid);
-  ParameterMatrix normal = Linearize(residuals, solid, at, 1).normal;
+  // With doubles: of thin solids some numbers are known 10^6 times as well as others. Rounding has
+  // made some curvatures negative, which would take away from how vague the others are.
+  const Eigen::SelfAdjointEigenSolver<DoubleMatrix> curvatures(
+      Linearize(residuals, solid, at, 1).normal.cast<double>());
+  const DoubleMatrix& ways = curvatures.eigenvectors();
+  DoubleMatrix normal = ways * curvatures.eigenvalues().cwiseMax(0).asDiagonal() * ways.transpose();
   const float vague_m = kVagueShare * solid.Size().maxCoeff();
   for (Eigen::Index k = 0; k < normal.rows(); ++k) {
     const bool is_turn = HasTurn(solid.kind) && k == kTurnParameter;
     const float vague = is_turn ? kVagueTurn_rad : vague_m;
     normal(k, k) += 1 / (vague * vague);
   }
-  return normal.inverse();
+  const auto identity = DoubleMatrix::Identity(normal.rows(), normal.cols());
+  return normal.llt().solve(identity).cast<float>();
 }
 
 }  // namespace
 
-BoxUncertainty UncertaintyOf(const SeenObject& seen, const Solid& solid, float cost) {
+BoxUncertainty UncertaintyOf(const SeenObject& seen, const Solid& fitted, float cost) {
+  // As thick as fitting has it at least: else a step of a thinner one jumps there.
+  const Solid solid = Moved(fitted, ParameterVector::Zero(NumParameters(fitted.kind)));
   const auto derivatives = Derivatives(solid);
   Vector7f stretch, common;
   stretch << Eigen::Vector3f::Constant(kStretchOfMiddle), kStretchOfTurn,

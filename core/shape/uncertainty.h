@@ -14,7 +14,8 @@ namespace fovea {
 // is bounded by the size of the solid. Points of a depth image do not err independently, and a
 // solid is not quite what an object is: all is stretched by factors that were fitted to generated
 // scenes, so that some 68 of a hundred errors are within one standard deviation (`fovea-eval
-// objects`). `cost`: as FittedSolid has it. Cost: some hundredths of a ms.
-BoxUncertainty UncertaintyOf(const SeenObject& seen, const Solid& solid, float cost);
+// objects`). Finite however thin the solid is. `cost`: as FittedSolid has it. Cost: some hundredths
+// of a ms.
+BoxUncertainty UncertaintyOf(const SeenObject& seen, const Solid& fitted, float cost);
 
 }  // namespace fovea

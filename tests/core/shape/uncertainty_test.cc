@@ -58,6 +58,21 @@ TEST(Uncertainty, GrowsWithTheNoise) {
   EXPECT_GT(noisy.pose_covariance(3, 3), clear.pose_covariance(3, 3));
 }
 
+TEST(Uncertainty, IsFiniteHoweverThinTheSolidIs) {
+  for (const float thickness_m : {0.0F, 1e-6F, 1e-4F, 1e-3F}) {
+    for (const float noise_m : {0.0002F, 0.001F, 0.002F, 0.004F}) {
+      Solid sheet = KnownBox();  // in the plane of what is seen
+      sheet.center.y() = -0.06F;
+      sheet.half_width_m = thickness_m / 2;
+      const BoxUncertainty thin = UncertaintyOf(SeenFrom(0.08F, noise_m, false), sheet, 0.1F);
+      EXPECT_TRUE(thin.pose_covariance.allFinite()) << thickness_m << " " << noise_m;
+      EXPECT_TRUE(thin.size_sigma_m.allFinite()) << thickness_m << " " << noise_m;
+      EXPECT_GT(thin.size_sigma_m.minCoeff(), 0);
+      EXPECT_GE(thin.pose_covariance.diagonal().minCoeff(), 0);
+    }
+  }
+}
+
 TEST(Uncertainty, IsACovarianceInTheCamerasFrame) {
   const Detections found =
       CompleteThings({Thing(ShapeKind::kBox, {0.2, 0.12, 0.15}, {-0.15, 0}, 0, 0.5),
@@ -67,7 +82,7 @@ TEST(Uncertainty, IsACovarianceInTheCamerasFrame) {
   for (const DetectedObject& object : found.objects) {
     ASSERT_TRUE(object.uncertainty);
     const Eigen::Matrix4f& covariance = object.uncertainty->pose_covariance;
-    EXPECT_TRUE(covariance.isApprox(covariance.transpose(), 1e-4F));
+    EXPECT_EQ(covariance, covariance.transpose());
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4f> solver(covariance);
     EXPECT_GE(solver.eigenvalues().minCoeff(), -1e-9F);
     EXPECT_GT(object.uncertainty->size_sigma_m.minCoeff(), 0);
