@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/planning/grown_primitive.h"
 #include "core/types/interruption.h"
 #include "core/types/level_axes.h"
 
@@ -51,51 +52,13 @@ CollisionPrimitive OfShape(const DetectedObject& object) {
   return BoxPrimitive(object.box);
 }
 
-// How far the point lies outside, 0 inside; of cylinders the larger of both ways out.
-float Outside(const CollisionPrimitive& primitive, const Eigen::Vector3f& point) {
-  const Eigen::Vector3f p = primitive.pose.inverse(Eigen::Isometry) * point;
-  const Eigen::Vector3f half = primitive.size_m / 2;
-  switch (primitive.kind) {
-    case CollisionPrimitive::Kind::kSphere:
-      return std::max(0.0F, p.norm() - half.x());
-    case CollisionPrimitive::Kind::kCylinder:
-      return std::max({0.0F, p.head<2>().norm() - half.x(), std::abs(p.z()) - half.z()});
-    case CollisionPrimitive::Kind::kBox:
-      break;
-  }
-  return (p.cwiseAbs() - half).cwiseMax(0).maxCoeff();
-}
-
-Eigen::Vector3f PositionOf(const ColoredPoint& point) { return {point.x, point.y, point.z}; }
-
 bool HoldsItsPoints(const CollisionPrimitive& primitive, const std::vector<ColoredPoint>& cloud) {
-  constexpr float kOutside_m = 0.01F;
-  constexpr std::size_t kOneIn = 50;
-  const auto outside = std::count_if(cloud.begin(), cloud.end(), [&](const ColoredPoint& point) {
-    return Outside(primitive, PositionOf(point)) >= kOutside_m;
+  constexpr float kOutside_m = 0.005F;
+  constexpr std::size_t kOneIn = 100;
+  const auto outside = std::count_if(cloud.begin(), cloud.end(), [&](const ColoredPoint& p) {
+    return OutsideBy_m(primitive, {p.x, p.y, p.z}) >= kOutside_m;
   });
   return kOneIn * static_cast<std::size_t>(outside) <= cloud.size();
-}
-
-// All but a hundredth of the points along each way.
-CollisionPrimitive BoxGrownTo(const std::vector<ColoredPoint>& cloud, const OrientedBox& box) {
-  constexpr std::size_t kOneIn = 100;
-  OrientedBox grown = box;
-  std::vector<float> along(cloud.size());
-  for (int axis = 0; axis < 3; ++axis) {
-    const Eigen::Vector3f way = box.rotation.col(axis);
-    std::transform(cloud.begin(), cloud.end(), along.begin(), [&](const ColoredPoint& point) {
-      return way.dot(PositionOf(point) - box.center);
-    });
-    const auto few = static_cast<std::ptrdiff_t>(along.size() / kOneIn);
-    std::nth_element(along.begin(), along.begin() + few, along.end());
-    const float low = std::min(along[static_cast<std::size_t>(few)], -box.size_m[axis] / 2);
-    std::nth_element(along.begin(), along.end() - 1 - few, along.end());
-    const float high = std::max(*(along.end() - 1 - few), box.size_m[axis] / 2);
-    grown.size_m[axis] = high - low;
-    grown.center += way * ((low + high) / 2);
-  }
-  return BoxPrimitive(grown);
 }
 
 // Leaves the corners of the convex hull.
@@ -110,7 +73,9 @@ void KeepHull(std::vector<cv::Point2f>& points) {
 CollisionPrimitive PrimitiveOf(const DetectedObject& object) {
   CollisionPrimitive primitive = OfShape(object);
   if (object.cloud.empty() || HoldsItsPoints(primitive, object.cloud)) return primitive;
-  return BoxGrownTo(object.cloud, object.box);
+  const CollisionPrimitive box = GrownTo(object.cloud, BoxPrimitive(object.box));
+  primitive = GrownTo(object.cloud, primitive);
+  return VolumeOf_m3(primitive) < VolumeOf_m3(box) ? primitive : box;
 }
 
 std::optional<CollisionPrimitive> PrimitiveOf(const Support& support, const cv::Mat& points,

@@ -12,8 +12,8 @@ namespace fovea {
 
 // The smallest of them that encloses the object as it is described: its cylinder or sphere where
 // its shape is one, a cylinder around what is round about the upright, else its oriented box. Where
-// more than a fiftieth of its points lie 10 mm and more outside of that (a handle, a spout), the
-// oriented box grown to hold them.
+// more than a hundredth of its points lie 5 mm and more outside of that (a handle, a spout), this
+// or the oriented box, grown to hold all but a hundredth, whichever is smaller then.
 CollisionPrimitive PrimitiveOf(const DetectedObject& object);
 
 // A box under what was seen of a support, its upper side in the surface, 20 mm thick: the smallest

@@ -49,6 +49,48 @@ TEST(CollisionPrimitives, HoldAHandleBesideTheCylinder) {
   EXPECT_NEAR(box.size_m.y(), 0.06, 1e-6);
 }
 
+// Its points in one place, 2 of 1000 far off to each side, as where a mask reaches over.
+DetectedObject WithPoints(DetectedObject object, int num_out, float out_m) {
+  const float x = object.box.center.x(), y = object.box.center.y(), z = object.box.center.z();
+  object.cloud.assign(1000, {x, y, z, 0, 0, 0});
+  for (int i = 0; i < num_out; ++i) object.cloud[i].z = z + object.box.size_m.z() / 2 + out_m;
+  object.cloud[998].x = x + 0.5F;
+  object.cloud[999].y = y - 0.5F;
+  return object;
+}
+
+TEST(CollisionPrimitives, HoldAllButAHundredthOfWhatWasSeenTo5mm) {
+  const auto height_of = [](int num_out, float out_m) {
+    return PrimitiveOf(WithPoints(Object(Shape::Kind::kBox), num_out, out_m)).size_m.z();
+  };
+  EXPECT_FLOAT_EQ(height_of(20, 0.004F), 0.2F);
+  EXPECT_FLOAT_EQ(height_of(8, 0.009F), 0.2F);
+  EXPECT_NEAR(height_of(9, 0.009F), 0.209F, 1e-6F);
+  EXPECT_NEAR(height_of(15, 0.04F), 0.24F, 1e-6F);
+}
+
+TEST(CollisionPrimitives, DoNotGrowToStrays) {
+  const CollisionPrimitive box = PrimitiveOf(WithPoints(Object(Shape::Kind::kBox), 15, 0.04F));
+  EXPECT_NEAR(box.size_m.x(), 0.1F, 1e-6F);
+  EXPECT_NEAR(box.size_m.y(), 0.06F, 1e-6F);
+}
+
+TEST(CollisionPrimitives, StayRoundWhereThatIsSmaller) {
+  DetectedObject can = Object(Shape::Kind::kCylinder);
+  can.shape.axis = Vector3f::UnitZ();
+  can.box.size_m = {0.08F, 0.08F, 0.2F};
+  const CollisionPrimitive higher = PrimitiveOf(WithPoints(can, 30, 0.02F));
+  EXPECT_EQ(higher.kind, Kind::kCylinder);
+  EXPECT_NEAR(higher.size_m.x(), 0.08F, 1e-6F);
+  EXPECT_NEAR(higher.size_m.z(), 0.22F, 1e-6F);
+  EXPECT_NEAR(higher.pose.translation().z(), 1.01F, 1e-6F);
+  DetectedObject ball = Object(Shape::Kind::kSphere);
+  ball.box.size_m = Vector3f::Constant(0.08F);
+  const CollisionPrimitive larger = PrimitiveOf(WithPoints(ball, 30, 0.006F));
+  EXPECT_EQ(larger.kind, Kind::kSphere);
+  EXPECT_NEAR(larger.size_m.x(), 0.092F, 1e-6F);
+}
+
 TEST(CollisionPrimitives, OfASupportLieBelowItsSurface) {
   // A table top 0.5 m below the camera, from 0.6 to 1 m away, and a thing on it; more points than
   // are kept at once.
