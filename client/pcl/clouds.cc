@@ -2,8 +2,6 @@
 
 #include <google/protobuf/util/time_util.h>
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -11,68 +9,26 @@
 
 #include "client/images.h"
 #include "client/mask.h"
+#include "client/pcl/organized.h"
 
 namespace fovea::client {
 namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZRGB>;
 
-void RequireOrganized(const Cloud& cloud) {
-  if (cloud.width > 0 && cloud.height > 1 &&
-      cloud.size() == std::size_t{cloud.width} * cloud.height) {
-    return;
+// Clouds of PCL have microseconds, 0 where there is no time.
+google::protobuf::Timestamp TimeOf(std::uint64_t stamp_us) {
+  constexpr std::uint64_t kLast_us = 253'402'300'799'999'999;  // of the year 9999
+  if (stamp_us > kLast_us) {
+    throw std::invalid_argument("the cloud's header.stamp " + std::to_string(stamp_us) +
+                                " is no time: it must be microseconds since 1970, at most " +
+                                std::to_string(kLast_us));
   }
-  throw std::invalid_argument("the cloud of " + std::to_string(cloud.width) + "x" +
-                              std::to_string(cloud.height) + " is not organised as an image");
+  return google::protobuf::util::TimeUtil::MicrosecondsToTimestamp(
+      static_cast<std::int64_t>(stamp_us));
 }
-
-bool HasDepth(const pcl::PointXYZRGB& point) { return std::isfinite(point.z) && point.z > 0; }
-
-// pixel = focal · slope + center, by least squares.
-struct Line {
-  double n = 0, slope = 0, pixel = 0, slope2 = 0, both = 0;
-
-  void Add(double s, double p) {
-    n += 1;
-    slope += s;
-    pixel += p;
-    slope2 += s * s;
-    both += s * p;
-  }
-  double Focal() const { return (n * both - slope * pixel) / (n * slope2 - slope * slope); }
-  double Center() const { return (pixel - Focal() * slope) / n; }
-};
 
 }  // namespace
-
-v1::CameraIntrinsics IntrinsicsOf(const Cloud& cloud) {
-  RequireOrganized(cloud);
-  Line across, down;
-  const auto for_each = [&](const auto& visit) {
-    for (std::uint32_t v = 0; v < cloud.height; ++v) {
-      for (std::uint32_t u = 0; u < cloud.width; ++u) {
-        const pcl::PointXYZRGB& point = cloud.at(u, v);
-        if (HasDepth(point)) visit(double{point.x} / point.z, double{point.y} / point.z, u, v);
-      }
-    }
-  };
-  for_each([&](double x, double y, std::uint32_t u, std::uint32_t v) {
-    across.Add(x, u);
-    down.Add(y, v);
-  });
-  const v1::CameraIntrinsics k =
-      MakeIntrinsics(across.Focal(), down.Focal(), across.Center(), down.Center());
-  if (!(k.fx() > 0 && k.fy() > 0) || !std::isfinite(k.fx() + k.fy() + k.cx() + k.cy())) {
-    throw std::invalid_argument("the cloud has too few points to tell its camera");
-  }
-  double farthest = 0;
-  for_each([&](double x, double y, std::uint32_t u, std::uint32_t v) {
-    farthest =
-        std::max({farthest, std::abs(k.fx() * x + k.cx() - u), std::abs(k.fy() * y + k.cy() - v)});
-  });
-  if (farthest > 1) throw std::invalid_argument("no pinhole camera took this cloud");
-  return k;
-}
 
 v1::Frame ToFrame(const Cloud& cloud, const v1::CameraIntrinsics& intrinsics) {
   RequireOrganized(cloud);
@@ -89,10 +45,7 @@ v1::Frame ToFrame(const Cloud& cloud, const v1::CameraIntrinsics& intrinsics) {
       MakeColorImage(color.data(), cloud.width, cloud.height, v1::COLOR_ENCODING_RGB8);
   *frame.mutable_depth() = MakeDepthImage(depth.data(), cloud.width, cloud.height);
   *frame.mutable_intrinsics() = intrinsics;
-  if (cloud.header.stamp != 0) {  // microseconds
-    *frame.mutable_captured_at() = google::protobuf::util::TimeUtil::MicrosecondsToTimestamp(
-        static_cast<std::int64_t>(cloud.header.stamp));
-  }
+  if (cloud.header.stamp != 0) *frame.mutable_captured_at() = TimeOf(cloud.header.stamp);
   return frame;
 }
 
@@ -121,6 +74,10 @@ Cloud ToPcl(const v1::PointCloud& cloud) {
 }
 
 pcl::PointIndices IndicesOf(const v1::Object& object, std::uint32_t width) {
+  if (!object.has_mask()) {
+    throw std::invalid_argument("object " + std::to_string(object.label()) +
+                                " has no mask; ask for it with DetectOptions.return_masks");
+  }
   const v1::BoundingBox2D& bounds = object.mask().bounds();
   if (std::uint64_t{bounds.x()} + bounds.width() > width) {
     throw std::runtime_error("the server's answer has an object outside of the image");

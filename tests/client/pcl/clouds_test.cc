@@ -1,20 +1,29 @@
 #include "client/pcl/clouds.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
+#include <string>
+#include <tuple>
 
 namespace fovea::client {
 namespace {
 
+using Cloud = pcl::PointCloud<pcl::PointXYZRGB>;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr std::uint32_t kWidth = 8, kHeight = 6;
 
 // A slope before the camera with focal lengths 10 and 11, and one point without depth.
-pcl::PointCloud<pcl::PointXYZRGB> Slope() {
-  pcl::PointCloud<pcl::PointXYZRGB> cloud(kWidth, kHeight);
+Cloud Slope() {
+  Cloud cloud(kWidth, kHeight);
   for (std::uint32_t v = 0; v < kHeight; ++v) {
     for (std::uint32_t u = 0; u < kWidth; ++u) {
       pcl::PointXYZRGB& point = cloud.at(u, v);
@@ -26,7 +35,7 @@ pcl::PointCloud<pcl::PointXYZRGB> Slope() {
       point.b = 7;
     }
   }
-  cloud.at(2, 1).x = cloud.at(2, 1).y = cloud.at(2, 1).z = std::numeric_limits<float>::quiet_NaN();
+  cloud.at(2, 1).x = cloud.at(2, 1).y = cloud.at(2, 1).z = kNaN;
   cloud.header.stamp = 1'700'000'000'250'000;
   return cloud;
 }
@@ -38,16 +47,53 @@ TEST(PclClouds, TellTheirCamera) {
   EXPECT_NEAR(k.cx(), 3.5, 1e-4);
   EXPECT_NEAR(k.cy(), 2.25, 1e-4);
 
-  pcl::PointCloud<pcl::PointXYZRGB> bent = Slope();
+  Cloud bent = Slope();
   bent.at(0, 0).x += 1;
   EXPECT_THROW(IntrinsicsOf(bent), std::invalid_argument);
-  pcl::PointCloud<pcl::PointXYZRGB> empty = Slope();
+  Cloud empty = Slope();
   for (auto& point : empty) point.z = 0;
   EXPECT_THROW(IntrinsicsOf(empty), std::invalid_argument);
-  pcl::PointCloud<pcl::PointXYZRGB> loose = Slope();
+  Cloud loose = Slope();
   loose.width = static_cast<std::uint32_t>(loose.size());
   loose.height = 1;
   EXPECT_THROW(IntrinsicsOf(loose), std::invalid_argument);
+}
+
+TEST(PclClouds, TellTheirCameraInSpiteOfPointsThatAreNotFinite) {
+  Cloud cloud = Slope();
+  cloud.at(5, 5).x = kNaN;
+  cloud.at(6, 5).y = std::numeric_limits<float>::infinity();
+  cloud.at(7, 5).z = std::numeric_limits<float>::infinity();
+  const v1::CameraIntrinsics k = IntrinsicsOf(cloud);
+  EXPECT_NEAR(k.fx(), 10, 1e-4);
+  EXPECT_NEAR(k.cy(), 2.25, 1e-4);
+  float depth_m = 0;  // of a point whose x is not known
+  std::memcpy(&depth_m, ToFrame(cloud, k).depth().data().data() + 4 * (5 * kWidth + 5), 4);
+  EXPECT_TRUE(std::isnan(depth_m));
+}
+
+TEST(PclClouds, SayWhyTheyTellNoCamera) {
+  const auto expect = [](const Cloud& cloud, const char* why) {
+    EXPECT_THAT([&] { IntrinsicsOf(cloud); }, ThrowsMessage<std::invalid_argument>(HasSubstr(why)))
+        << why;
+  };
+  Cloud mirrored = Slope();
+  for (auto& point : mirrored) point.x = -point.x;
+  expect(mirrored, "mirrored or turned: its points must have x right, y down, z forward");
+  Cloud of_the_body = Slope();  // x forward, y left, z up
+  for (auto& point : of_the_body) {
+    std::tie(point.x, point.y, point.z) = std::tuple(point.z, -point.x, -point.y);
+  }
+  expect(of_the_body, "no pinhole camera took this cloud");
+  expect(of_the_body, "x right, y down, z forward");
+  Cloud one_row = Slope();
+  for (std::size_t i = kWidth; i < one_row.size(); ++i) one_row[i].z = kNaN;
+  expect(one_row, "too few points");
+  Cloud one_column = Slope();
+  for (std::size_t i = 0; i < one_column.size(); ++i) {
+    if (i % kWidth != 4) one_column[i].z = kNaN;
+  }
+  expect(one_column, "too few points");
 }
 
 TEST(PclClouds, BecomeFrames) {
@@ -62,6 +108,37 @@ TEST(PclClouds, BecomeFrames) {
   EXPECT_TRUE(std::isnan(depth[kWidth + 2]));
   EXPECT_EQ(frame.captured_at().seconds(), 1'700'000'000);
   EXPECT_EQ(frame.captured_at().nanos(), 250'000'000);
+}
+
+TEST(PclClouds, HaveTimesInMicroseconds) {
+  const v1::CameraIntrinsics k = IntrinsicsOf(Slope());
+  Cloud cloud = Slope();
+  cloud.header.stamp = 0;
+  EXPECT_FALSE(ToFrame(cloud, k).has_captured_at());
+  cloud.header.stamp = 253'402'300'799'999'999;
+  EXPECT_EQ(ToFrame(cloud, k).captured_at().seconds(), 253'402'300'799);
+  for (const std::uint64_t no_time : {std::uint64_t{253'402'300'800'000'000},
+                                      std::uint64_t{1'700'000'000'000'000'000}, ~std::uint64_t{}}) {
+    cloud.header.stamp = no_time;
+    EXPECT_THAT(
+        [&] { ToFrame(cloud, k); },
+        ThrowsMessage<std::invalid_argument>(AllOf(
+            HasSubstr("header.stamp " + std::to_string(no_time)), HasSubstr("microseconds"))));
+  }
+}
+
+TEST(PclClouds, NeedMasksForLabelsAndIndices) {
+  v1::Detections detections;
+  detections.set_width(kWidth);
+  detections.set_height(kHeight);
+  EXPECT_EQ(Labelled(Slope(), detections).at(3, 1).label, 0U)
+      << "without objects, nothing is needed";
+  v1::Object& object = *detections.add_objects();
+  object.set_label(3);
+  const auto names_the_option = ThrowsMessage<std::invalid_argument>(
+      AllOf(HasSubstr("object 3 "), HasSubstr("DetectOptions.return_masks")));
+  EXPECT_THAT([&] { IndicesOf(object, kWidth); }, names_the_option);
+  EXPECT_THAT([&] { Labelled(Slope(), detections); }, names_the_option);
 }
 
 TEST(PclClouds, TakeLabelsAndIndices) {
