@@ -17,12 +17,14 @@ int main(int argc, char** argv) try {
   const fovea::client::Client client(argv[1]);
   fovea::v1::DetectRequest request;
   *request.mutable_frame() = fovea::client::ToFrame(cloud, fovea::client::IntrinsicsOf(cloud));
+  request.mutable_options()->set_return_masks(true);  // they tell which points are an object's
   const fovea::v1::DetectResponse response = client.Detect(request);
   for (const auto& object : response.detections().objects()) {
     const pcl::PointIndices points = fovea::client::IndicesOf(object, cloud.width);
     Eigen::Vector4f middle;
-    pcl::compute3DCentroid(cloud, points, middle);
-    std::cout << object.label() << ": " << points.indices.size() << " points around "
+    const unsigned num_points = pcl::compute3DCentroid(cloud, points, middle);  // with depth
+    if (num_points == 0) continue;
+    std::cout << object.label() << ": " << num_points << " points around "
               << middle.head<3>().transpose() << " m\n";
   }
 } catch (const std::exception& error) {
