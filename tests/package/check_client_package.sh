@@ -14,6 +14,8 @@ cmake --install "$build" --component dev --prefix "$work/prefix" >/dev/null
 cmake -S "$source/client/examples/cpp" -B "$work/examples" -G Ninja \
   -DCMAKE_PREFIX_PATH="$work/prefix" >/dev/null
 cmake --build "$work/examples"
+cmake -S "$source/tests/package/without_pcl" -B "$work/without_pcl" -G Ninja \
+  -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_DISABLE_FIND_PACKAGE_PCL=ON >/dev/null
 if [ -n "$python" ]; then
   cmake -S "$source/client/examples/pcl" -B "$work/pcl_example" -G Ninja \
     -DCMAKE_PREFIX_PATH="$work/prefix" >/dev/null
