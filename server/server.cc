@@ -207,9 +207,10 @@ void Server::AddGauges() {
 void Server::AddTraceCounters() {
   metrics_->AddCounter("fovea_traces_sent_total", "Frames whose spans the collector took",
                        [this] { return static_cast<double>(tracer_->exporter().num_sent()); });
-  metrics_->AddCounter("fovea_traces_dropped_total",
-                       "Frames whose spans were dropped: the collector is away or too slow",
-                       [this] { return static_cast<double>(tracer_->exporter().num_dropped()); });
+  metrics_->AddCounter(
+      "fovea_traces_dropped_total",
+      "Frames whose spans were dropped: the collector is away, too slow or refuses them",
+      [this] { return static_cast<double>(tracer_->exporter().num_dropped()); });
 }
 
 void Server::AddWatchCounters() {

@@ -9,7 +9,7 @@
 #include "flags/listen_address.h"
 #include "server/conversion/option_policy.h"
 #include "server/conversion/robot_grippers.h"
-#include "server/http/http_post.h"
+#include "server/http/http_url.h"
 
 namespace fovea::server {
 namespace {

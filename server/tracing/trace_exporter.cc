@@ -1,10 +1,15 @@
 #include "server/tracing/trace_exporter.h"
 
-#include <spdlog/spdlog.h>
+#include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <utility>
+
+#include "server/logging/log_limiter.h"
+#include "server/logging/log_record.h"
+#include "server/tracing/refused_spans.h"
 
 namespace fovea::server {
 namespace {
@@ -14,6 +19,14 @@ using std::chrono::milliseconds;
 constexpr std::size_t kMaxWaiting = 512;  // frames, each of some 25 spans
 constexpr milliseconds kBatch{500};       // how long others may come to the first
 constexpr milliseconds kPatience{5000}, kLastPatience{500};
+
+constexpr std::size_t kMaxReason = 300;  // bytes
+
+std::size_t NumSpans(const std::vector<FrameSpans>& frames) {
+  std::size_t count = 0;
+  for (const FrameSpans& frame : frames) count += frame.size();
+  return count;
+}
 
 }  // namespace
 
@@ -38,7 +51,9 @@ void TraceExporter::Run(const std::stop_token& stop) {
     const std::vector<FrameSpans> frames = Take(lock, stop);
     if (frames.empty()) return;
     lock.unlock();
-    (Send(frames, stop) ? num_sent_ : num_dropped_) += frames.size();
+    const std::size_t num_dropped = Send(frames, stop);
+    num_dropped_ += num_dropped;
+    num_sent_ += frames.size() - num_dropped;
     lock.lock();
     if (stop.stop_requested()) return;
   }
@@ -51,21 +66,36 @@ std::vector<FrameSpans> TraceExporter::Take(std::unique_lock<std::mutex>& lock,
   return std::exchange(waiting_, {});
 }
 
-bool TraceExporter::Send(const std::vector<FrameSpans>& frames, const std::stop_token& stop) {
+std::size_t TraceExporter::Send(const std::vector<FrameSpans>& frames,
+                                const std::stop_token& stop) {
   const bool last = stop.stop_requested();
-  std::string problem;
+  PostResult result;
+  RefusedSpans refused;
   try {
-    problem = PostJson(url_, OtlpJson(frames), last ? kLastPatience : kPatience,
-                       [&] { return !last && stop.stop_requested(); });
+    result = PostJson(url_, OtlpJson(frames), last ? kLastPatience : kPatience,
+                      [&] { return !last && stop.stop_requested(); });
+    refused = RefusedSpansIn(result.body);
   } catch (const std::exception& error) {
-    problem = error.what();
+    result.problem = error.what();
   }
-  if (!problem.empty() && !failing_) {
-    spdlog::warn("--trace-endpoint: {}:{} takes no traces: {}", url_.host, url_.port, problem);
+  if (!result.problem.empty()) {
+    Tell(Taken::kNone, "takes no traces: " + result.problem);
+    return frames.size();
   }
-  if (problem.empty() && failing_) spdlog::warn("--trace-endpoint: traces are taken again");
-  failing_ = !problem.empty();
-  return problem.empty();
+  const std::size_t num_spans = NumSpans(frames);
+  const std::size_t num_refused = std::min<std::size_t>(refused.count, num_spans);
+  Tell(num_refused == 0 ? Taken::kAll : Taken::kSome,
+       fmt::format("refuses {} of {} spans: \"{}\"", num_refused, num_spans,
+                   Harmless(refused.reason.substr(0, kMaxReason))));
+  return num_refused == 0 ? 0 : (num_refused * frames.size() + num_spans - 1) / num_spans;
+}
+
+void TraceExporter::Tell(Taken taken, const std::string& problem) {
+  if (taken == std::exchange(taken_, taken)) return;
+  // Limited: a collector may take and refuse by turns.
+  LogLimited("--trace-endpoint", spdlog::level::warn,
+             "--trace-endpoint: " + (taken == Taken::kAll ? "traces are taken again"
+                                                          : url_.Authority() + " " + problem));
 }
 
 }  // namespace fovea::server

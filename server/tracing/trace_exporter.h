@@ -16,7 +16,7 @@
 namespace fovea::server {
 
 // Sends spans to a collector, from a thread of its own: frames never wait for it. What a collector
-// that is away or slow does not take is dropped and counted.
+// that is away or slow, or refuses it, does not take is dropped and counted.
 class TraceExporter {
  public:
   explicit TraceExporter(HttpUrl url);
@@ -29,21 +29,25 @@ class TraceExporter {
   // Thread-safe; takes no time.
   void Add(FrameSpans frame);
 
-  // Frames, since the start.
+  // Frames, since the start. Of spans that are refused it is not said which frames they are of:
+  // their share of the spans sent, rounded up, counts as dropped.
   std::uint64_t num_sent() const { return num_sent_; }
   std::uint64_t num_dropped() const { return num_dropped_; }
 
  private:
   void Run(const std::stop_token& stop);
   std::vector<FrameSpans> Take(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
-  bool Send(const std::vector<FrameSpans>& frames, const std::stop_token& stop);
+  // How many were dropped.
+  std::size_t Send(const std::vector<FrameSpans>& frames, const std::stop_token& stop);
+  enum class Taken { kAll, kSome, kNone };
+  void Tell(Taken taken, const std::string& problem);
 
   const HttpUrl url_;
   std::mutex mutex_;
   std::condition_variable_any changed_;
   std::vector<FrameSpans> waiting_;
   std::atomic<std::uint64_t> num_sent_ = 0, num_dropped_ = 0;
-  bool failing_ = false;  // of the thread
+  Taken taken_ = Taken::kAll;  // of the last that were sent; of the thread
   std::jthread thread_;
 };
 

@@ -15,7 +15,9 @@
 #include <string>
 #include <thread>
 
+#include "server/tracing/refused_spans.h"
 #include "server/tracing/tracer.h"
+#include "tests/server/captured_log.h"
 #include "tests/server/detectors.h"
 #include "tests/server/frames.h"
 #include "tests/server/loopback.h"
@@ -30,7 +32,7 @@ using asio::ip::tcp;
 using nlohmann::json;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::ThrowsMessage;
+using ::testing::Not;
 
 constexpr char kTraceId[] = "0af7651916cd43dd8448eb211c80319c", kParentId[] = "b7ad6b7169203331";
 
@@ -44,10 +46,11 @@ std::string Url(const tcp::acceptor& acceptor) {
 
 tcp::endpoint FreePort() { return {asio::ip::address_v4::loopback(), 0}; }
 
-// Takes what is posted.
+// Takes what is posted, and answers 200 with `answer`.
 class Collector {
  public:
-  Collector() : thread_([this] { Run(); }) {}
+  explicit Collector(std::string answer = "")
+      : answer_(std::move(answer)), thread_([this] { Run(); }) {}
   ~Collector() {
     stopping_ = true;
     boost::system::error_code ignored;  // the connection only wakes it
@@ -76,7 +79,8 @@ class Collector {
       boost::beast::flat_buffer buffer;
       http::request<http::string_body> request;
       http::read(socket, buffer, request, error);
-      http::response<http::empty_body> response(http::status::ok, request.version());
+      http::response<http::string_body> response(http::status::ok, request.version());
+      response.body() = answer_;
       response.prepare_payload();
       http::write(socket, response, error);
       if (request.target() != "/v1/traces") continue;
@@ -86,6 +90,7 @@ class Collector {
     }
   }
 
+  const std::string answer_;
   asio::io_context context_;
   tcp::acceptor acceptor_{context_, FreePort()};
   std::mutex mutex_;
@@ -270,6 +275,37 @@ TEST(Tracing, GoesOnWithoutACollector) {
   EXPECT_TRUE(Detect(loopback, "").ok());
 }
 
+TEST(Tracing, CountsWhatTheCollectorRefusesAndSaysSoOnce) {
+  const CapturedLog log;
+  Collector collector(R"({"partialSuccess":{"rejectedSpans":"1","errorMessage":"no\nroom"}})");
+  const Loopback loopback(FindOne, TracingTo(collector.url()));
+  EXPECT_TRUE(Detect(loopback, "").ok());
+  AwaitMetric(*loopback.server.metrics(), "fovea_traces_dropped_total", 1);
+  EXPECT_TRUE(Detect(loopback, "").ok());
+  AwaitMetric(*loopback.server.metrics(), "fovea_traces_dropped_total", 2);
+  EXPECT_EQ(MetricValue(*loopback.server.metrics(), "fovea_traces_sent_total"), 0);
+  const std::string once = " refuses 1 of 4 spans: \"no?room\"";
+  EXPECT_THAT(log.text(), HasSubstr(once));
+  EXPECT_THAT(log.text().substr(log.text().find(once) + once.size()), Not(HasSubstr("refuses")));
+}
+
+TEST(RefusedSpans, AreReadFromTheAnswer) {
+  const auto read = [](const char* answer) {
+    const server::RefusedSpans refused = server::RefusedSpansIn(answer);
+    return std::to_string(refused.count) + " " + refused.reason;
+  };
+  EXPECT_EQ(read(R"({"partialSuccess":{"rejectedSpans":"26","errorMessage":"no"}})"), "26 no");
+  EXPECT_EQ(read(R"({"partialSuccess":{"rejectedSpans":26}})"), "26 ");
+  EXPECT_EQ(read(R"({"partialSuccess":{"rejectedSpans":"0","errorMessage":"soon"}})"), "0 soon");
+  for (const char* none :
+       {"", "{}", "[]", "{", "ok", R"({"partialSuccess":3})", R"({"partialSuccess":{}})",
+        R"({"partialSuccess":{"rejectedSpans":"x","errorMessage":3}})",
+        R"({"partialSuccess":{"rejectedSpans":-1}})",
+        R"({"partialSuccess":{"rejectedSpans":[]}})"}) {
+    EXPECT_EQ(read(none), "0 ") << none;
+  }
+}
+
 // That this ends is the test: the collector takes connections and never answers.
 TEST(Tracing, WaitsForNoCollector) {
   asio::io_context context;
@@ -291,23 +327,6 @@ TEST(Tracing, ReplacesWhatIsNoText) {
   const auto spans = server::SpansOf(
       {name, name, name, no_parent, grpc::Status::OK, {}, std::chrono::seconds(1)}, {});
   EXPECT_THAT(server::OtlpJson({spans}), HasSubstr("caf\xEF\xBF\xBD"));
-}
-
-TEST(HttpUrl, HasHostPortAndPath) {
-  const auto parts = [](const char* text) {
-    const server::HttpUrl url = server::ParseHttpUrl("--flag", text);
-    return url.host + " " + url.port + " " + url.path;
-  };
-  EXPECT_EQ(parts("http://collector:4318/v1/traces"), "collector 4318 /v1/traces");
-  EXPECT_EQ(parts("http://10.0.0.1"), "10.0.0.1 80 /");
-  EXPECT_EQ(parts("http://[::1]:4318"), "::1 4318 /");
-  for (const char* bad : {"collector:4318", "https://collector", "http://", "http://:80/",
-                          "http://a:/", "http://a:99999", "http://a:b", "http://a b/", "http://[]",
-                          "http://[::1", "http://[::1]x"}) {
-    EXPECT_THAT([&] { server::ParseHttpUrl("--flag", bad); },
-                ThrowsMessage<std::invalid_argument>(HasSubstr("--flag: \"" + std::string(bad))))
-        << bad;
-  }
 }
 
 }  // namespace
