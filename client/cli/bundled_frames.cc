@@ -28,9 +28,7 @@ FrameFiles FilesOf(const std::string& path, const std::shared_ptr<const bundle::
 
 }  // namespace
 
-bool IsBundle(const std::string& path) {
-  return path.size() > 4 && std::filesystem::path(path).extension() == ".zip";
-}
+bool IsBundle(const std::string& path) { return LowerEnding(path) == ".zip"; }
 
 FrameList ListBundle(const std::string& path) {
   std::error_code error;

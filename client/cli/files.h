@@ -5,7 +5,12 @@
 
 namespace fovea::cli {
 
-// All throw std::runtime_error that names the file.
+// Letters of ASCII in lower case, as endings of files are compared.
+std::string Lower(std::string text);
+// ".png" of "a.PNG"; empty where there is none.
+std::string LowerEnding(const std::string& path);
+
+// All others throw std::runtime_error that names the file.
 
 std::string ReadFile(const std::string& path);
 void WriteFile(const std::string& path, const std::string& bytes);

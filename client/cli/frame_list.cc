@@ -28,13 +28,8 @@ std::vector<fs::path> FilesIn(const fs::path& folder) {
   return files;
 }
 
-std::string Lower(std::string text) {
-  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return text;
-}
-
 bool IsImage(const fs::path& path) {
-  const std::string ending = Lower(path.extension().string());
+  const std::string ending = LowerEnding(path.string());
   return ending == ".png" || ending == ".jpg" || ending == ".jpeg";
 }
 

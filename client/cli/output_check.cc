@@ -10,6 +10,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "client/cli/files.h"
+
 namespace fovea::cli {
 namespace {
 
@@ -56,7 +58,7 @@ void RequireImageFormat(const std::string& flag, const std::string& path) {
 // Numbers must come back as they were.
 void RequireLossless(const std::string& flag, const std::string& path) {
   RequireImageFormat(flag, path);
-  const std::string ending = fs::path(path).extension().string();
+  const std::string ending = LowerEnding(path);
   if (ending == ".png" || ending == ".tif" || ending == ".tiff" || ending == ".pgm") return;
   FailToWrite(flag, path, "labels need a format without loss; end it in .png");
 }
@@ -98,7 +100,7 @@ void CheckOutputs(const Outputs& outputs, const FrameFiles& files) {
 }
 
 void CheckCloudFormat(const std::string& ending) {
-  if (ending == "ply" || ending == "pcd") return;
+  if (Lower(ending) == "ply" || Lower(ending) == "pcd") return;
   throw std::invalid_argument("--cloud: \"" + ending +
                               "\" is not a kind of cloud that is written: ply or pcd");
 }

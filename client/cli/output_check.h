@@ -20,7 +20,7 @@ void CheckOutputs(const Outputs& outputs, const FrameFiles& files);
 void PrepareFolder(const std::string& input, const std::vector<FrameFiles>& frames,
                    const std::string& output);
 
-// Throws std::invalid_argument unless it is "ply" or "pcd", which --cloud writes.
+// Throws std::invalid_argument unless it is "ply" or "pcd" in either case, which --cloud writes.
 void CheckCloudFormat(const std::string& ending);
 
 }  // namespace fovea::cli

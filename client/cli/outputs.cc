@@ -28,7 +28,7 @@ void WriteCloud(const std::string& path, const cv::Mat& color, const cv::Mat& de
       TintedCloud(color, PointsInColor(depth, settings, color.size()), detections);
   const std::vector<CloudPoint> dots = DotsOf(detections);
   cloud.insert(cloud.end(), dots.begin(), dots.end());
-  WriteFile(path, path.ends_with(".pcd") ? MakePcd(cloud) : MakePly(cloud));
+  WriteFile(path, LowerEnding(path) == ".pcd" ? MakePcd(cloud) : MakePly(cloud));
 }
 
 void WritePictures(const Outputs& outputs, const FrameFiles& files, const FrameSettings& settings,

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "client/cli/files.h"
 #include "client/cli/mcap/mcap.h"
 #include "client/cli/mcap/ros_messages.h"
 #include "client/cli/mcap/topics.h"
@@ -66,7 +67,7 @@ std::vector<std::string> TopicsOf(const Index& index) {
 
 }  // namespace
 
-bool IsBag(const std::string& path) { return path.ends_with(".mcap"); }
+bool IsBag(const std::string& path) { return LowerEnding(path) == ".mcap"; }
 
 Bag ReadBag(std::string_view bytes, const std::string& name, const BagTopics& topics,
             const std::shared_ptr<const void>& owner) {
