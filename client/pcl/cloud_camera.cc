@@ -83,7 +83,7 @@ v1::CameraIntrinsics IntrinsicsOf(const Cloud& cloud) {
         "in fewer than two columns or rows; they must have " +
         std::string(kAxes));
   }
-  const v1::CameraIntrinsics k =
+  v1::CameraIntrinsics k =
       MakeIntrinsics(across.Focal(), down.Focal(), across.Center(), down.Center());
   const bool is_finite = std::isfinite(k.fx() + k.fy() + k.cx() + k.cy());
   if (!is_finite || FarthestFrom(k, cloud) > 1) {

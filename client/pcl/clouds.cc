@@ -18,11 +18,11 @@ using Cloud = pcl::PointCloud<pcl::PointXYZRGB>;
 
 // Clouds of PCL have microseconds, 0 where there is no time.
 google::protobuf::Timestamp TimeOf(std::uint64_t stamp_us) {
-  constexpr std::uint64_t kLast_us = 253'402'300'799'999'999;  // of the year 9999
-  if (stamp_us > kLast_us) {
+  constexpr std::uint64_t kLastMicrosecond = 253'402'300'799'999'999;  // of the year 9999
+  if (stamp_us > kLastMicrosecond) {
     throw std::invalid_argument("the cloud's header.stamp " + std::to_string(stamp_us) +
                                 " is no time: it must be microseconds since 1970, at most " +
-                                std::to_string(kLast_us));
+                                std::to_string(kLastMicrosecond));
   }
   return google::protobuf::util::TimeUtil::MicrosecondsToTimestamp(
       static_cast<std::int64_t>(stamp_us));

@@ -68,7 +68,8 @@ TEST(PclClouds, TellTheirCameraInSpiteOfPointsThatAreNotFinite) {
   EXPECT_NEAR(k.fx(), 10, 1e-4);
   EXPECT_NEAR(k.cy(), 2.25, 1e-4);
   float depth_m = 0;  // of a point whose x is not known
-  std::memcpy(&depth_m, ToFrame(cloud, k).depth().data().data() + 4 * (5 * kWidth + 5), 4);
+  std::memcpy(&depth_m, ToFrame(cloud, k).depth().data().data() + 4 * (std::size_t{kWidth} * 5 + 5),
+              4);
   EXPECT_TRUE(std::isnan(depth_m));
 }
 
@@ -99,7 +100,8 @@ TEST(PclClouds, SayWhyTheyTellNoCamera) {
 TEST(PclClouds, BecomeFrames) {
   const v1::Frame frame = ToFrame(Slope(), IntrinsicsOf(Slope()));
   EXPECT_EQ(frame.color().width(), kWidth);
-  EXPECT_EQ(frame.color().data().substr(3 * (2 * kWidth + 5), 3), std::string("\x05\x02\x07", 3));
+  EXPECT_EQ(frame.color().data().substr(3 * (std::size_t{kWidth} * 2 + 5), 3),
+            std::string("\x05\x02\x07", 3));
   EXPECT_EQ(frame.depth().encoding(), v1::DEPTH_ENCODING_32FC1);
   float depth[kWidth * kHeight];
   ASSERT_EQ(frame.depth().data().size(), sizeof depth);
