@@ -10,9 +10,10 @@ using Reason = NoGrasp::Reason;
 
 constexpr float kMargin_m = 0.002F;  // to what was seen
 constexpr float kAboveFloor_m = 0.003F;
-constexpr float kFarthestTold_m = 0.02F;  // to which distances are told
-constexpr float kMostRoom_m = 0.02F;      // to open wider than what is needed
-constexpr float kLeastGrip_m = 0.004F;    // of the fingers below the object's top
+constexpr float kFarthestTold_m = 0.02F;   // to which distances are told
+constexpr float kMostRoom_m = 0.02F;       // to open wider than what is needed, in whole cells,
+constexpr float kMostWithCell_m = 0.025F;  // and with what the last of these is more
+constexpr float kLeastGrip_m = 0.004F;     // of the fingers below the object's top
 constexpr std::size_t kMostRuns = 4;
 
 struct Run {
@@ -140,7 +141,7 @@ void TryRun(const Station& at, const Run& run, bool is_part, float tip_m, Failur
   const int free = std::min(left, right) - needed;
   place.clearance_m = static_cast<float>(std::min(free, told)) * at.grid.cell_m;
   const float beyond_m = static_cast<float>(std::max(0, free - told)) * at.grid.cell_m;
-  place.room_m = std::min(kMostRoom_m, beyond_m);  // no part of a cell more
+  place.room_m = std::min(kMostWithCell_m, beyond_m);
   const float below = std::max(std::max(Highest(at.pads.other, run.first - needed, run.first - 1),
                                         Highest(at.pads.other, run.last + 1, run.last + needed)),
                                std::max(Highest(at.pads.target, run.first - needed, run.first - 1),

@@ -17,7 +17,7 @@ struct JawPlace {
   float tip_m = 0;                        // height of the finger tips
   bool is_part = false;   // only one of several parts of the object between which fingers fit
   float clearance_m = 0;  // beside the open fingers, up to 20 mm
-  float room_m = 0;       // beyond that clearance, to open wider on each side, up to 20 mm
+  float room_m = 0;       // beyond that clearance, to open wider on each side, up to 25 mm
   float tip_gap_m = 0;    // below the tips, up to 20 mm
   float palm_gap_m = 0;   // above what is under the palm, up to 20 mm
 };

@@ -23,7 +23,7 @@ struct Grasp {
                                                         // suction, any direction along the surface
   // Distance between the fingers that the object needs, without clearance; 0 for suction.
   float opening_m = 0;
-  // Before and while the hand moves in: 10 mm more on each side, and up to 30 mm where 20 mm more
+  // Before and while the hand moves in: 10 mm more on each side, and up to 35 mm where 20 mm more
   // than that are free, since a side that is not seen may lie farther out; at most what the hand
   // can. 0 for suction.
   float pre_grasp_opening_m = 0;
