@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "client/bundle/bundle.h"
+#include "client/cli/endings.h"
 #include "client/cli/files.h"
 
 namespace fovea::cli {

@@ -29,15 +29,6 @@ cv::Mat Decode(const std::string& file, int flags) {
 
 }  // namespace
 
-std::string Lower(std::string text) {
-  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return text;
-}
-
-std::string LowerEnding(const std::string& path) {
-  return Lower(std::filesystem::path(path).extension().string());
-}
-
 std::string ReadFile(const std::string& path) {
   // Opening a folder works; reading from it fails deep inside of the library.
   if (std::filesystem::is_directory(path)) {

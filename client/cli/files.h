@@ -5,11 +5,6 @@
 
 namespace fovea::cli {
 
-// Letters of ASCII in lower case, as endings of files are compared.
-std::string Lower(std::string text);
-// ".png" of "a.PNG"; empty where there is none.
-std::string LowerEnding(const std::string& path);
-
 // All others throw std::runtime_error that names the file.
 
 std::string ReadFile(const std::string& path);

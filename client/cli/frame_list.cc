@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "client/cli/endings.h"
 #include "client/cli/files.h"
 #include "client/cli/timed_images.h"
 

@@ -10,7 +10,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "client/cli/files.h"
+#include "client/cli/endings.h"
 
 namespace fovea::cli {
 namespace {

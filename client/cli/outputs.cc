@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "client/cli/cloud.h"
+#include "client/cli/endings.h"
 #include "client/cli/files.h"
 #include "client/cli/json.h"
 #include "client/cli/labels.h"

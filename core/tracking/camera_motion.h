@@ -13,11 +13,10 @@
 namespace fovea {
 
 // Takes the motion from the poses where two frames in turn have plausible ones (finite, and within
-// 1e12 m), else from the
-// frames: the same view is a standing camera, else from features outside of objects, or on all of
-// the scene where those do not suffice, against a key frame or else the last one. The key frame
-// stays as long as the camera is near it, so that errors do not add up while it stands or shakes.
-// Holds two frames' features, some 200 KB.
+// 1e12 m), else from the frames: the same view is a standing camera, else from features outside of
+// objects, or on all of the scene where those do not suffice, against a key frame or else the last
+// one. The key frame stays as long as the camera is near it, so that errors do not add up while it
+// stands or shakes. Holds two frames' features, some 200 KB.
 class CameraPath {
  public:
   struct Place {

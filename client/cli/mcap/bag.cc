@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "client/cli/files.h"
+#include "client/cli/endings.h"
 #include "client/cli/mcap/mcap.h"
 #include "client/cli/mcap/ros_messages.h"
 #include "client/cli/mcap/topics.h"

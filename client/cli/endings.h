@@ -1,0 +1,20 @@
+// The endings of names of files, in letters of either case.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace fovea::cli {
+
+// Letters of ASCII in lower case.
+inline std::string Lower(std::string text) {
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
+
+// ".png" of "a.PNG"; empty where there is none.
+inline std::string LowerEnding(const std::string& path) {
+  return Lower(std::filesystem::path(path).extension().string());
+}
+
+}  // namespace fovea::cli
