@@ -37,9 +37,9 @@ void RequirePick(const v1::Pick& pick) {
 
 ObservationService::ObservationService() {
   constexpr int kTry = 1, kListOptions = 2, kSelectObject = 3;  // their places in the contract
-  Answer<v1::TryResponse>(kTry, &ObservationService::Try);
-  Answer<v1::ListOptionsResponse>(kListOptions, &ObservationService::ListOptions);
-  Answer<v1::SelectObjectResponse>(kSelectObject, &ObservationService::SelectObject);
+  Answer<v1::TryResponse>(kTry, &ObservationService::TryOptions);
+  Answer<v1::ListOptionsResponse>(kListOptions, &ObservationService::TellOptions);
+  Answer<v1::SelectObjectResponse>(kSelectObject, &ObservationService::PassSelection);
 }
 
 template <typename Response>
@@ -48,7 +48,7 @@ void ObservationService::Answer(int place, Method<Response> method) {
                                                                  LateStream<Response>* stream) {
                        try {
                          Response response;
-                         const grpc::Status status = (this->*method)(context, stream, &response);
+                         grpc::Status status = (this->*method)(context, stream, &response);
                          if (status.ok()) stream->Write(response);
                          return status;
                        } catch (const Overloaded& full) {
@@ -80,9 +80,9 @@ grpc::Status ObservationService::ReadFrom(grpc::ServerContext* context,
   return Read(stream, limit, request);
 }
 
-grpc::Status ObservationService::Try(grpc::ServerContext* context,
-                                     LateStream<v1::TryResponse>* stream,
-                                     v1::TryResponse* response) {
+grpc::Status ObservationService::TryOptions(grpc::ServerContext* context,
+                                            LateStream<v1::TryResponse>* stream,
+                                            v1::TryResponse* response) {
   const auto received = std::chrono::steady_clock::now();
   const ObserverEntry observer = Admit(*context, &ObserverRights::try_, "try");
   v1::TryRequest request;
@@ -107,7 +107,7 @@ grpc::Status ObservationService::Try(grpc::ServerContext* context,
   return status;
 }
 
-grpc::Status ObservationService::ListOptions(grpc::ServerContext* context,
+grpc::Status ObservationService::TellOptions(grpc::ServerContext* context,
                                              LateStream<v1::ListOptionsResponse>* /*stream*/,
                                              v1::ListOptionsResponse* response) {
   Admit(*context, &ObserverRights::try_, "try");
@@ -115,9 +115,9 @@ grpc::Status ObservationService::ListOptions(grpc::ServerContext* context,
   return grpc::Status::OK;
 }
 
-grpc::Status ObservationService::SelectObject(grpc::ServerContext* context,
-                                              LateStream<v1::SelectObjectResponse>* stream,
-                                              v1::SelectObjectResponse* response) {
+grpc::Status ObservationService::PassSelection(grpc::ServerContext* context,
+                                               LateStream<v1::SelectObjectResponse>* stream,
+                                               v1::SelectObjectResponse* response) {
   const ObserverEntry observer = Admit(*context, &ObserverRights::pick, "pick");
   v1::SelectObjectRequest request;
   if (grpc::Status status = ReadFrom(context, stream, &request); !status.ok()) return status;

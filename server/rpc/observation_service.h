@@ -41,14 +41,14 @@ class ObservationService final
   grpc::Status ReadFrom(grpc::ServerContext* context, LateStream<Response>* stream,
                         Request* request) const;
 
-  grpc::Status Try(grpc::ServerContext* context, LateStream<v1::TryResponse>* stream,
-                   v1::TryResponse* response);
-  grpc::Status ListOptions(grpc::ServerContext* context,
+  grpc::Status TryOptions(grpc::ServerContext* context, LateStream<v1::TryResponse>* stream,
+                          v1::TryResponse* response);
+  grpc::Status TellOptions(grpc::ServerContext* context,
                            LateStream<v1::ListOptionsResponse>* stream,
                            v1::ListOptionsResponse* response);
-  grpc::Status SelectObject(grpc::ServerContext* context,
-                            LateStream<v1::SelectObjectResponse>* stream,
-                            v1::SelectObjectResponse* response);
+  grpc::Status PassSelection(grpc::ServerContext* context,
+                             LateStream<v1::SelectObjectResponse>* stream,
+                             v1::SelectObjectResponse* response);
 
   const ObservationEnvironment* environment_ = nullptr;
 };
