@@ -6,14 +6,6 @@
 #include "core/types/interruption.h"
 
 namespace fovea::paper {
-
-float SurfaceWeight(const Voxel& a, const Voxel& b, const SurfaceEnergyOptions& options) {
-  const Eigen::Vector3f difference = a.normal - b.normal;
-  const bool convex = difference.dot(a.mean - b.mean) > 0;  // Eq. 8
-  const double distance = difference.norm() + options.normal_constant;
-  return static_cast<float>(options.lambda / distance * ((convex ? 1 : 0) + options.epsilon));
-}
-
 namespace {
 
 // The voxels that are not background, and their points.
@@ -30,6 +22,13 @@ Sites SitesOf(const VoxelGrid& grid, const Foreground& foreground, const cv::Mat
 }
 
 }  // namespace
+
+float SurfaceWeight(const Voxel& a, const Voxel& b, const SurfaceEnergyOptions& options) {
+  const Eigen::Vector3f difference = a.normal - b.normal;
+  const bool convex = difference.dot(a.mean - b.mean) > 0;  // Eq. 8
+  const double distance = difference.norm() + options.normal_constant;
+  return static_cast<float>(options.lambda / distance * ((convex ? 1 : 0) + options.epsilon));
+}
 
 PottsEnergy BuildSurfaceEnergy(const VoxelGrid& grid, const cv::Mat& points,
                                const std::vector<char>& is_background, const cv::Mat& on_support,

@@ -1,5 +1,5 @@
 // The data term of the scene labelling: what the object hypotheses and the background say of each
-// voxel (paper Eq. 2, 5 and 6).
+// voxel, or of several that are labelled together (paper Eq. 2, 5 and 6).
 #pragma once
 
 #include <Eigen/Core>

@@ -32,14 +32,16 @@ struct MrfOptions {
   int cluster_voxels = 16;
 };
 
-// The energy over clusters of the voxels of `grid`, with the data term as in data_term.h. Voxels
-// with `is_background` set (one entry a voxel) can only be background, and are in no cluster: what
-// cutting between them and a cluster costs is taken off what it costs the cluster to be background.
-// `colors`: one entry a voxel, as of ColorsOfVoxels. Throws TooComplex as DataTerm does.
+// What is labelled, and what its nodes are.
 struct ClusteredEnergy {
   PottsEnergy energy;
   Clusters clusters;
 };
+
+// The energy over clusters of the voxels of `grid`, with the data term as in data_term.h. Voxels
+// with `is_background` set (one entry a voxel) can only be background, and are in no cluster: what
+// cutting between them and a cluster costs is taken off what it costs the cluster to be background.
+// `colors`: one entry a voxel, as of ColorsOfVoxels. Throws TooComplex as DataTerm does.
 ClusteredEnergy BuildEnergy(const VoxelGrid& grid, const std::vector<MeanColor>& colors,
                             const std::vector<char>& is_background, const std::vector<Seed>& seeds,
                             const MrfOptions& options = {});
