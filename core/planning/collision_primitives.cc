@@ -75,7 +75,7 @@ CollisionPrimitive PrimitiveOf(const DetectedObject& object) {
   if (object.cloud.empty() || HoldsItsPoints(primitive, object.cloud)) return primitive;
   const CollisionPrimitive box = GrownTo(object.cloud, BoxPrimitive(object.box));
   primitive = GrownTo(object.cloud, primitive);
-  return VolumeOf_m3(primitive) < VolumeOf_m3(box) ? primitive : box;
+  return VolumeOf(primitive) < VolumeOf(box) ? primitive : box;
 }
 
 std::optional<CollisionPrimitive> PrimitiveOf(const Support& support, const cv::Mat& points,

@@ -52,7 +52,7 @@ float OutsideBy_m(const CollisionPrimitive& primitive, const Eigen::Vector3f& po
   return (p.cwiseAbs() - half).cwiseMax(0).maxCoeff();
 }
 
-float VolumeOf_m3(const CollisionPrimitive& primitive) {
+float VolumeOf(const CollisionPrimitive& primitive) {
   constexpr float kPi = std::numbers::pi_v<float>;
   const float around = primitive.size_m.prod();
   if (primitive.kind == Kind::kSphere) return kPi / 6 * around;

@@ -11,7 +11,8 @@ namespace fovea {
 // How far the point lies outside, 0 inside; of boxes and cylinders the farthest of their ways out.
 float OutsideBy_m(const CollisionPrimitive& primitive, const Eigen::Vector3f& point);
 
-float VolumeOf_m3(const CollisionPrimitive& primitive);
+// Cubic metres.
+float VolumeOf(const CollisionPrimitive& primitive);
 
 // Grown along its axes to hold all but a hundredth of the points, of which each of its sides lets
 // go as many: strays, where a mask reaches beyond its thing. Nothing shrinks. Cost: proportional to

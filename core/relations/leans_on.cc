@@ -90,10 +90,11 @@ bool IsInside(const OrientedBox& box, const Eigen::Vector3f& point) {
 
 // Share of the points that have the box behind them.
 float ShareHeld(const Points& points, const Face& face, const OrientedBox& box) {
-  constexpr float kBehind_m = 0.06F, kStep_m = 0.01F;
+  constexpr int kSteps = 6;  // behind a point
+  constexpr float kStep_m = 0.01F;
   const auto has_it_behind = [&](const Eigen::Vector3f& p) {
-    for (float depth_m = 0; depth_m <= kBehind_m; depth_m += kStep_m) {
-      if (IsInside(box, p - depth_m * face.normal)) return true;
+    for (int step = 0; step <= kSteps; ++step) {
+      if (IsInside(box, p - static_cast<float>(step) * kStep_m * face.normal)) return true;
     }
     return false;
   };
