@@ -5,7 +5,7 @@
 
 namespace fovea::cli {
 
-// All others throw std::runtime_error that names the file.
+// All throw std::runtime_error that names the file.
 
 std::string ReadFile(const std::string& path);
 void WriteFile(const std::string& path, const std::string& bytes);

@@ -41,18 +41,15 @@ void DetectionService::RequestDetect(
 
 template <typename Response>
 void DetectionService::Answer(int method, std::function<Response()> answer) {
-  MarkMethodStreamed(method, LateReading<Response>(
-                                 [this, answer = std::move(answer)](grpc::ServerContext* context,
-                                                                    LateStream<Response>* stream) {
-                                   try {
-                                     gate_keeper_.Admit(*context);
-                                     connections_.Admit(context->peer());
-                                     stream->Write(answer());
-                                     return grpc::Status::OK;
-                                   } catch (...) {
-                                     return StatusOfCurrentException(/*deadline_passed=*/false);
-                                   }
-                                 }));
+  const auto if_admitted = [this, answer = std::move(answer)](grpc::ServerContext* context,
+                                                              LateStream<Response>* /*stream*/,
+                                                              Response* response) {
+    gate_keeper_.Admit(*context);
+    connections_.Admit(context->peer());
+    *response = answer();
+    return grpc::Status::OK;
+  };
+  MarkMethodStreamed(method, LateReading<Response>(if_admitted));
 }
 
 }  // namespace fovea::server

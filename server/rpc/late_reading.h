@@ -11,6 +11,7 @@
 
 #include "server/rpc/parse.h"
 #include "server/rpc/transfer_limit.h"
+#include "server/scheduling/scheduler.h"
 #include "server/status.h"
 
 namespace fovea::server {
@@ -19,13 +20,29 @@ namespace fovea::server {
 template <typename Response>
 using LateStream = grpc::ServerReaderWriter<Response, grpc::ByteBuffer>;
 
-// For Service::MarkMethodStreamed, which owns it: the same on the wire. `answer` writes one
-// response where it returns OK.
+// For Service::MarkMethodStreamed, which owns it: the same on the wire. The response is sent where
+// `answer` returns OK; what it throws becomes a status.
 template <typename Response>
 grpc::internal::MethodHandler* LateReading(
-    std::function<grpc::Status(grpc::ServerContext*, LateStream<Response>*)> answer) {
+    std::function<grpc::Status(grpc::ServerContext*, LateStream<Response>*, Response*)> answer) {
   using Handler = grpc::internal::TemplatedBidiStreamingHandler<LateStream<Response>, false>;
-  return new Handler(std::move(answer));
+  const auto respond = [answer = std::move(answer)](grpc::ServerContext* context,
+                                                    LateStream<Response>* stream) {
+    Response response;
+    grpc::Status status = answer(context, stream, &response);
+    if (status.ok()) stream->Write(response);
+    return status;
+  };
+  return new Handler([respond](grpc::ServerContext* context, LateStream<Response>* stream) {
+    try {
+      return respond(context, stream);
+    } catch (const Overloaded& full) {
+      AddRetryAfter(full.retry_after, context);
+      return StatusOfCurrentException(/*deadline_passed=*/false);
+    } catch (...) {  // whatever it is, the caller gets a status
+      return StatusOfCurrentException(/*deadline_passed=*/false);
+    }
+  });
 }
 
 // Waits for the message, for as long as `limit` allows.

@@ -1,6 +1,9 @@
 #include "server/rpc/observation_service.h"
 
 #include <cmath>
+#include <functional>
+#include <memory>
+#include <utility>
 
 #include "server/access/unauthenticated.h"
 #include "server/conversion/field_error.h"
@@ -44,22 +47,7 @@ ObservationService::ObservationService() {
 
 template <typename Response>
 void ObservationService::Answer(int place, Method<Response> method) {
-  MarkMethodStreamed(place, LateReading<Response>([this, method](grpc::ServerContext* context,
-                                                                 LateStream<Response>* stream) {
-                       try {
-                         Response response;
-                         grpc::Status status = (this->*method)(context, stream, &response);
-                         if (status.ok()) stream->Write(response);
-                         return status;
-                       } catch (const Overloaded& full) {
-                         AddRetryAfter(full.retry_after, context);
-                         return StatusOfCurrentException(/*deadline_passed=*/false);
-                       } catch (const NoPicksTaken& nobody) {
-                         return grpc::Status(grpc::StatusCode::FAILED_PRECONDITION, nobody.what());
-                       } catch (...) {
-                         return StatusOfCurrentException(/*deadline_passed=*/false);
-                       }
-                     }));
+  MarkMethodStreamed(place, LateReading<Response>(std::bind_front(method, this)));
 }
 
 ObserverEntry ObservationService::Admit(const grpc::ServerContext& context,
@@ -127,12 +115,16 @@ grpc::Status ObservationService::PassSelection(grpc::ServerContext* context,
   pick.set_observer(observer.name);
   // A robot that the observer may not see is as one that is not there; its name is none.
   const bool may_see = observer.MaySee(request.robot());
-  const PickBoard::Outcome outcome =
-      environment_->picks.Deliver(request.robot(), may_see, std::move(pick), kPickPatience,
-                                  [&] { return context->IsCancelled(); });
-  response->set_delivered(outcome.delivered);
-  response->set_reason(outcome.reason);
-  return grpc::Status::OK;
+  try {
+    const PickBoard::Outcome outcome =
+        environment_->picks.Deliver(request.robot(), may_see, std::move(pick), kPickPatience,
+                                    [&] { return context->IsCancelled(); });
+    response->set_delivered(outcome.delivered);
+    response->set_reason(outcome.reason);
+    return grpc::Status::OK;
+  } catch (const NoPicksTaken& nobody) {
+    return {grpc::StatusCode::FAILED_PRECONDITION, nobody.what()};
+  }
 }
 
 }  // namespace fovea::server
