@@ -28,10 +28,10 @@ struct Ring {
 // `all_seen`: it bounds a face that the camera looks at; else only what faces the camera is seen.
 void AddRing(const Ring& ring, const cv::Vec3d& axis, bool all_seen,
              std::vector<SpaceLine>* lines) {
-  const auto [u, v] = Across(axis);
+  const auto across = Across(axis);
   const auto at = [&](int step) {
     const double angle = 2 * std::numbers::pi * step / kSteps;
-    return ring.radius * (std::cos(angle) * u + std::sin(angle) * v);
+    return ring.radius * (std::cos(angle) * across.first + std::sin(angle) * across.second);
   };
   for (int step = 0; step < kSteps; ++step) {
     const cv::Vec3d from = at(step), to = at(step + 1);
