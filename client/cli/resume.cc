@@ -11,7 +11,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Whether a frame's files are all there, and no older than what they were made from.
+std::string RequestPath(const Batch& batch) {
+  return (fs::path(batch.output) / "fovea_request.json").string();
+}
+
+// Whether a frame's files are all there, and no older than what they were made from: its images and
+// the request, since a run that asks for something else may have ended before it came to this
+// frame.
 bool IsDone(const FrameFiles& files, const Batch& batch) {
   const Outputs outputs = OutputsOf(files.id, batch);
   for (const std::string& path : {outputs.json, outputs.labels, outputs.overlay, outputs.cloud}) {
@@ -20,6 +26,7 @@ bool IsDone(const FrameFiles& files, const Batch& batch) {
   const auto is_newer = [&](const std::string& path) {
     return fs::exists(path) && fs::last_write_time(path) > fs::last_write_time(outputs.json);
   };
+  if (is_newer(RequestPath(batch))) return false;
   const bool are_files = !files.read_color && !files.sent_before;
   return are_files ? !is_newer(files.color_path) && !is_newer(files.depth_path)
                    : !is_newer(batch.input);
@@ -44,13 +51,15 @@ Outputs OutputsOf(const std::string& name, const Batch& batch) {
 }
 
 void SaveRequest(const Batch& batch, const FrameSettings& settings) {
-  const std::string path = (fs::path(batch.output) / "fovea_request.json").string();
+  const std::string path = RequestPath(batch);
   const std::string asked = ToJson(CommonRequest(settings));
-  if (batch.resume && fs::exists(path) && ReadFile(path) != asked) {
+  if (batch.resume && fs::exists(path)) {
+    if (ReadFile(path) == asked) return;
     throw std::invalid_argument("--resume: the results in " + batch.output +
                                 " are answers to another request, see " + path);
   }
-  WriteFile(path, asked);
+  WriteFile(path + ".part", asked);
+  fs::rename(path + ".part", path);
 }
 
 std::size_t LeaveOutDone(const Batch& batch, std::vector<FrameFiles>* frames) {

@@ -51,6 +51,29 @@ TEST_F(ResumeTest, DoesAgainWhatHasNewImages) {
   EXPECT_EQ(NumDone(), 0U);
 }
 
+// A run that asked for something else and ended before it came to this frame.
+TEST_F(ResumeTest, DoesAgainWhatWasAskedBefore) {
+  Write("fovea_request.json", -6);
+  EXPECT_EQ(NumDone(), 1U);
+  Write("fovea_request.json", -4);
+  EXPECT_EQ(NumDone(), 0U);
+}
+
+TEST_F(ResumeTest, LeavesTheRequestAsOldAsItIs) {
+  const FrameSettings settings;
+  batch_.resume = false;
+  SaveRequest(batch_, settings);
+  const std::string path = folder_.At("fovea_request.json");
+  fs::last_write_time(path, fs::last_write_time(path) - std::chrono::hours(1));
+  const fs::file_time_type before = fs::last_write_time(path);
+  batch_.resume = true;
+  SaveRequest(batch_, settings);
+  EXPECT_EQ(fs::last_write_time(path), before);
+  batch_.resume = false;
+  SaveRequest(batch_, settings);
+  EXPECT_GT(fs::last_write_time(path), before);
+}
+
 TEST_F(ResumeTest, DoesAgainWhatLacksAFile) {
   batch_.clouds = "ply";
   EXPECT_EQ(NumDone(), 0U);
