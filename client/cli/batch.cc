@@ -50,7 +50,7 @@ std::vector<std::string> ComparisonOf(const FrameFiles& files, const v1::Detecti
 }
 
 void WriteComparable(const Outputs& outputs, const FrameFiles& files, const v1::Detections& found) {
-  if (!files.sent_before || outputs.json == kStandardOutput) return;
+  if (!files.sent_before) return;
   const std::string path =
       outputs.json.substr(0, outputs.json.size() - std::string(".json").size());
   WriteFile(path + "_answer.pb",
@@ -102,6 +102,8 @@ v1::DetectResponse Ask(const Run& run, const v1::DetectRequest& request) {
 void WriteFiles(Outputs outputs, const FrameFiles& files, const FrameSettings& settings,
                 const v1::DetectRequest& request, const v1::Detections& found) {
   if (outputs.json == kStandardOutput) return;
+  fs::remove(outputs.json);  // of a run before
+  WriteComparable(outputs, files, found);
   const std::string json = std::exchange(outputs.json, outputs.json + ".part");
   WriteOutputs(outputs, files, settings, request, found);
   fs::rename(outputs.json, json);
@@ -116,7 +118,6 @@ Outcome DetectFrame(const Run& run, const FrameFiles& files) {
     const v1::DetectResponse response = Ask(run, request);
     const v1::Detections& found = response.detections();
     CheckSize(run.settings, found);
-    WriteComparable(outputs, files, found);
     WriteFiles(outputs, files, SettingsFor(files, run.settings), request, found);
     std::vector<std::string> notes = ComparisonOf(files, found);
     const std::vector<std::string> reasons = NotesOf(found);

@@ -53,6 +53,17 @@ TEST_F(CliTest, GoesOnWithAFolderWhereItStopped) {
   ExpectOneLineError(Detect(again), "--resume: the results in " + At("out"));
 }
 
+TEST_F(CliTest, LeavesNoAnswerOfARunBeforeBesideNewFiles) {
+  const std::vector<std::string> flags{"--input", Folder(), "--output", At("out")};
+  EXPECT_EQ(Detect(flags).exit_code, 0);
+  fs::remove(At("out/a_overlay.jpg"));
+  fs::create_directory(At("out/a_overlay.jpg"));
+  const Finished again = Detect(flags);
+  EXPECT_THAT(again.err, HasSubstr("cannot write " + At("out/a_overlay.jpg")));
+  EXPECT_TRUE(fs::exists(At("out/a.png")));
+  EXPECT_FALSE(fs::exists(At("out/a.json")));
+}
+
 TEST_F(CliTest, PrintsAnswersAsLinesOfJson) {
   for (const char* name : {"b", "c", "d", "e"}) WriteFrame(name);
   const Finished many = Detect({"--input", Folder(), "--json", "-", "--jobs", "4", "--no-masks"});
