@@ -148,7 +148,9 @@ class Printer {
     }
     ++num_done_;
     num_objects_ += outcome.num_objects;
-    std::cout << outcome.json_line << std::flush;
+    if (!outcome.json_line.empty() && !(std::cout << outcome.json_line << std::flush)) {
+      throw std::runtime_error("standard output cannot be written");  // the rest would be lost
+    }
     progress_.Advance(files.id + ": " + NumObjects(outcome.num_objects), outcome.notes);
   }
 

@@ -64,6 +64,14 @@ TEST_F(CliTest, LeavesNoAnswerOfARunBeforeBesideNewFiles) {
   EXPECT_FALSE(fs::exists(At("out/a.json")));
 }
 
+TEST_F(CliTest, EndsWhereNobodyCanBeGivenLinesOfJson) {
+  for (const char* name : {"b", "c"}) WriteFrame(name);
+  const Finished finished = Execute({"sh", "-c", "exec \"$@\" > /dev/full", "sh", FOVEA_CLI,
+                                     "detect", "--server", server_.address(), "--intrinsics",
+                                     "30,30,15.5,11.5", "--input", Folder(), "--json", "-"});
+  ExpectOneLineError(finished, "standard output cannot be written");
+}
+
 TEST_F(CliTest, PrintsAnswersAsLinesOfJson) {
   for (const char* name : {"b", "c", "d", "e"}) WriteFrame(name);
   const Finished many = Detect({"--input", Folder(), "--json", "-", "--jobs", "4", "--no-masks"});
