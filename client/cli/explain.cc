@@ -19,6 +19,9 @@ std::string WhyUnavailable(const client::RpcError& error, const ConnectionFlags&
   if (Has(error, "wrong version number")) {
     return flags.server + " does not speak TLS; leave --tls-ca out?";
   }
+  if (Has(error, "Failed parsing HTTP/2") || Has(error, "missing selected ALPN")) {
+    return "what answers at " + flags.server + " is no fovea-server";
+  }
   if (Has(error, "certificate verify failed")) {
     return "--tls-ca: " + flags.tls_ca + " does not certify the server at " + flags.server;
   }
@@ -46,6 +49,9 @@ std::string Explain(const client::RpcError& error, const ConnectionFlags& flags,
       return std::string(error.what()) + (flags.token_file.empty()
                                               ? "; give it with --token-file"
                                               : " (--token-file " + flags.token_file + ")");
+    case grpc::StatusCode::UNIMPLEMENTED:
+      return std::string(error.what()) + "; is a fovea-server of this version at " + flags.server +
+             "?";
     default:
       return error.what();
   }

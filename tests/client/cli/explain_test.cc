@@ -48,6 +48,14 @@ TEST(Explain, SaysWhatTheServerWants) {
               HasSubstr("--tls-key: other.key does not hold the key, in PEM, of robot.pem"));
 }
 
+TEST(Explain, NamesAServiceOfAnotherKind) {
+  EXPECT_THAT(Text(grpc::StatusCode::UNAVAILABLE, "Failed parsing HTTP/2", {}),
+              HasSubstr("what answers at 127.0.0.1:50051 is no fovea-server"));
+  EXPECT_EQ(Text(grpc::StatusCode::UNIMPLEMENTED, "Method not found!", {}),
+            "UNIMPLEMENTED: Method not found!; is a fovea-server of this version at "
+            "127.0.0.1:50051?");
+}
+
 TEST(Explain, LeavesTheRest) {
   EXPECT_EQ(Text(grpc::StatusCode::INVALID_ARGUMENT, "frame.color: is empty", {}),
             "INVALID_ARGUMENT: frame.color: is empty");
