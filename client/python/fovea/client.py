@@ -120,7 +120,9 @@ class Client:
                 if isinstance(error, Unavailable) and time.monotonic() - start > patience:
                     text = f"no server answers at {self._address}: {problem}"
                     raise Unavailable("UNAVAILABLE", text) from None
-            self._wait(server, min(0.05, max(0, deadline - time.monotonic())))
+            rest = deadline - time.monotonic()
+            # Not at the end: gRPC's thread that looks on would find the channel closed.
+            self._wait(server if rest > 0.05 else None, min(0.05, max(0, rest)))
         raise DeadlineExceeded(
             "DEADLINE_EXCEEDED", f"the server at {self._address} is not ready: {problem}"
         )
@@ -271,10 +273,8 @@ class Client:
 
     def _wait(self, server: Server | None, seconds: float) -> None:
         """Raises Cancelled when the client is closed."""
-
-        def watcher(_: grpc.ChannelConnectivity) -> None:
-            """gRPC connects again at once only while somebody looks on, else within 5 s."""
-
+        # gRPC connects again at once only while somebody looks on, else within 5 s.
+        watcher: Callable[[grpc.ChannelConnectivity], None] = lambda _: None
         if server and not self._closed.is_set():
             server.channel.subscribe(watcher)
             self._closed.wait(seconds)
