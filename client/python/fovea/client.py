@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import threading
-import time
 from collections.abc import Callable, Generator, Iterable, Iterator
 from contextlib import contextmanager
 from types import TracebackType
@@ -17,10 +16,11 @@ import numpy.typing as npt
 from fovea.channel import make_metadata
 from fovea.checks import timeout_of_call, timeout_of_client
 from fovea.detections import Detections, detections_from_proto
-from fovea.errors import Cancelled, DeadlineExceeded, FoveaError, Unavailable, error_of_call
+from fovea.errors import Cancelled, error_of_call
 from fovea.frame import CameraIntrinsics, Frame
 from fovea.frame_feed import FrameFeed
 from fovea.options import DetectOptions, RetryOptions, TlsOptions, options_to_proto
+from fovea.readiness import is_serving, wait_until_ready
 from fovea.retry import call_with_retries
 from fovea.server_info import (
     Option,
@@ -75,7 +75,6 @@ class Client:
         token: without TLS anybody on the way can read it. robot: the robot's name; empty = the
             server goes by the token, the certificate or the host.
         """
-        self._address = address
         self._timeout = timeout_of_client(timeout)
         self._retry = retry
         self._metadata = make_metadata(token, robot)
@@ -100,50 +99,12 @@ class Client:
 
     def wait_until_ready(self, timeout: float | None = None) -> None:
         """Returns once the server says that it serves; raises a FoveaError after `timeout`."""
-        self._wait_until_ready(self._timeout_of(timeout), math.inf)
-
-    def _wait_until_ready(self, timeout: float, patience: float) -> None:
-        """patience: seconds after which it is enough that no server takes the connection."""
-        start = time.monotonic()
-        deadline = start + timeout
-        problem = ""
-        while (rest := deadline - time.monotonic()) > 0:
-            server: Server | None = None
-            try:
-                for server in self._servers.all(rest):
-                    with self._errors():
-                        if server.health.is_serving(min(1, max(0, deadline - time.monotonic()))):
-                            return
-                    problem = "it does not serve"
-            except (Unavailable, Cancelled, DeadlineExceeded) as error:
-                problem = error.message
-                if isinstance(error, Unavailable) and time.monotonic() - start > patience:
-                    text = f"no server answers at {self._address}: {problem}"
-                    raise Unavailable("UNAVAILABLE", text) from None
-            rest = deadline - time.monotonic()
-            # Not at the end: gRPC's thread that looks on would find the channel closed.
-            self._wait(server if rest > 0.05 else None, min(0.05, max(0, rest)))
-        raise DeadlineExceeded(
-            "DEADLINE_EXCEEDED", f"the server at {self._address} is not ready: {problem}"
-        )
+        wait_until_ready(self._servers, self._errors, self._wait, self._timeout_of(timeout))
 
     def is_serving(self) -> bool:
         """Asks once. False where the server answers that it does not serve; raises a FoveaError
         where it does not answer."""
-        error: FoveaError | None = None
-        deadline = time.monotonic() + self._timeout
-        has_answered = False
-        for server in self._servers.all(self._timeout):
-            try:
-                with self._errors():
-                    if server.health.is_serving(deadline - time.monotonic()):
-                        return True
-                has_answered = True
-            except FoveaError as failure:
-                error = failure
-        if error and not has_answered:
-            raise error
-        return False
+        return is_serving(self._servers, self._errors, self._timeout)
 
     def check(self, timeout: float | None = None) -> ServerInfo:
         """Waits until the server serves, and sees that it has the version of this library.
@@ -153,7 +114,8 @@ class Client:
         where the server does not serve in time or does not let this client in.
         """
         patience = _NOBODY_THERE if timeout is None else math.inf
-        self._wait_until_ready(self._timeout_of(timeout), patience)
+        seconds = self._timeout_of(timeout)
+        wait_until_ready(self._servers, self._errors, self._wait, seconds, patience)
         info = self.get_server_info()
         require_same_version(info.version)
         return info

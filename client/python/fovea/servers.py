@@ -49,6 +49,7 @@ class Servers:
         metadata: list[tuple[str, str]],
     ) -> None:
         """Raises InvalidArgument for an address or a limit of answers that is none."""
+        self.address = address
         self._addresses = parse_addresses(address)
         self._of_channel = tls, whole(max_answer_mib, "max_answer_mib", _MOST_MIB), metadata
         self._lock = threading.RLock()

@@ -155,3 +155,14 @@ def test_calls_and_streams_go_on_elsewhere(scene: Scene) -> None:
         answers.close()
     one.kill()
     two.kill()
+
+
+def test_one_server_that_is_ready_is_enough() -> None:
+    with ServerProcess() as gone:
+        pass
+    with ServerProcess() as server:
+        for address in (f"{gone.address},{server.address}", f"{server.address},{gone.address}"):
+            with fovea.Client(address) as client:
+                client.wait_until_ready(PATIENCE)
+                assert client.is_serving()
+                assert client.check().version == fovea.__version__

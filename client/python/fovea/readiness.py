@@ -1,0 +1,75 @@
+"""Whether any of the servers serves, and waiting until one does."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable
+from contextlib import AbstractContextManager
+
+from fovea.errors import Cancelled, DeadlineExceeded, FoveaError, Unavailable
+from fovea.servers import Server, Servers
+
+_LONGEST_LOOK = 1.0  # seconds for one server to answer, where it is asked again
+_BETWEEN = 0.05  # seconds
+
+Errors = Callable[[], AbstractContextManager[None]]  # turns exceptions of gRPC into ours
+
+
+def is_serving(servers: Servers, errors: Errors, timeout: float) -> bool:
+    """Asks each once. Raises a FoveaError where none answers."""
+    error: FoveaError | None = None
+    deadline = time.monotonic() + timeout
+    has_answered = False
+    for server in servers.all(timeout):
+        try:
+            with errors():
+                if server.health.is_serving(deadline - time.monotonic()):
+                    return True
+            has_answered = True
+        except FoveaError as failure:
+            error = failure
+    if error and not has_answered:
+        raise error
+    return False
+
+
+def wait_until_ready(
+    servers: Servers,
+    errors: Errors,
+    wait: Callable[[Server | None, float], None],
+    timeout: float,
+    patience: float = math.inf,
+) -> None:
+    """Returns once one serves.
+
+    patience: seconds after which it is enough that none takes the connection; raises Unavailable.
+    """
+    start = time.monotonic()
+    problem = ""
+    while (rest := start + timeout - time.monotonic()) > 0:
+        known: list[Server] = []
+        is_away = True
+        try:
+            known = servers.all(rest)
+        except Unavailable as error:
+            problem = error.message
+        for server in known:
+            rest = start + timeout - time.monotonic()
+            try:
+                with errors():
+                    if server.health.is_serving(min(_LONGEST_LOOK, max(0, rest))):
+                        return
+                problem, is_away = "it does not serve", False
+            except Unavailable as error:
+                problem = error.message
+            except (Cancelled, DeadlineExceeded) as error:
+                problem, is_away = error.message, False
+        if is_away and time.monotonic() - start > patience:
+            raise Unavailable("UNAVAILABLE", f"no server answers at {servers.address}: {problem}")
+        rest = start + timeout - time.monotonic()
+        # Not at the end: gRPC's thread that looks on would find the channel closed.
+        looks_on = bool(known) and rest > _BETWEEN
+        wait(known[0] if looks_on else None, min(_BETWEEN, max(0, rest)))
+    text = f"the server at {servers.address} is not ready: {problem}"
+    raise DeadlineExceeded("DEADLINE_EXCEEDED", text)
