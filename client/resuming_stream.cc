@@ -114,7 +114,8 @@ void ResumingStream::GoOn(std::shared_ptr<Server> server) {
 
 void ResumingStream::Resume(const DetectStream& broken) {
   if (failures_++ == 0) broken_since_ = Clock::now();
-  const bool is_worth_it = IsWorthRetrying(*broken.status(), broken.context());
+  // A stream that Cancel() ended says nothing of its server.
+  const bool is_worth_it = !canceled_ && IsWorthRetrying(*broken.status(), broken.context());
   if (is_worth_it) ReportEnd(broken);
   // Also where another server is there: robots that lost the same one should not all come at once.
   const bool elsewhere = is_worth_it && !servers_->AreAllAway();

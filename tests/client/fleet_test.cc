@@ -64,6 +64,19 @@ TEST(Fleet, AClientStaysWithOneServer) {
   EXPECT_TRUE(FramesOf(*two.a) == 0 || FramesOf(*two.b) == 0);
 }
 
+TEST(Fleet, AClientStaysWithOneServerWhoseStreamsItCancels) {
+  const TwoServers two;
+  const Client client(two.address(), Persistent());
+  for (int call = 0; call < 5; ++call) {
+    const auto stream = client.OpenResumingStream(kPatience);
+    stream->Send(StreamFrame());
+    EXPECT_TRUE(stream->Receive());
+    stream->Cancel();
+    EXPECT_THROW(stream->Receive(), RpcError);
+  }
+  EXPECT_TRUE(FramesOf(*two.a) == 0 || FramesOf(*two.b) == 0);
+}
+
 TEST(Fleet, AnotherServerTakesWhatOneRefuses) {
   testing::Gate gate;
   testing::Loopback busy(std::ref(gate), OneThread());
