@@ -136,7 +136,8 @@ void AddFolderFlags(CLI::App& command, DetectFlags& flags) {
                ->check(CLI::Range(1, 64))
                ->capture_default_str());
   of_input(command.add_flag("--no-overlay", flags.no_overlay, "Write no NAME_overlay.jpg"));
-  of_input(command.add_flag("--resume", flags.resume, "Leave out frames whose NAME.json is there"));
+  of_input(command.add_flag("--resume", flags.resume,
+                            "Leave out frames whose files are there and not older"));
 }
 
 }  // namespace
