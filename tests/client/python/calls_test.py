@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import socket
 import subprocess
 import sys
-import threading
 from concurrent.futures import ThreadPoolExecutor
 from threading import Event
 from typing import Any
@@ -82,22 +80,6 @@ def test_says_that_no_server_is_there(scene: Scene) -> None:
             list(client.stream([scene.frame()]))
         with pytest.raises(fovea.DeadlineExceeded):
             client.check(timeout=0.05)
-
-
-def test_a_client_closed_after_waiting_in_vain_leaves_no_failure(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    failures: list[Any] = []
-    monkeypatch.setattr(threading, "excepthook", failures.append)
-    before = set(threading.enumerate())
-    with socket.create_server(("127.0.0.1", 0)) as silent:
-        for _ in range(20):
-            with fovea.Client(f"127.0.0.1:{silent.getsockname()[1]}", timeout=0.05) as client:
-                with pytest.raises(fovea.DeadlineExceeded):
-                    client.wait_until_ready()
-    for each in set(threading.enumerate()) - before:
-        each.join(PATIENCE)
-    assert [str(each.exc_value) for each in failures] == []
 
 
 def test_every_call_has_a_deadline(scene: Scene) -> None:
