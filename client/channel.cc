@@ -25,6 +25,8 @@ std::shared_ptr<grpc::Channel> MakeChannel(const ServerTarget& target, bool has_
   // Else gRPC puts all clients of a process on one connection, where a small call waits for the
   // large frames of the others.
   arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
+  // Else http_proxy takes frames, those for this machine too, to a proxy for web pages.
+  arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);
   // A server that is back is found soon, one that is gone without a word is noticed.
   arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, 100);
   // Also the time that one attempt has, TLS included.

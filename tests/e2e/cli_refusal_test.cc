@@ -70,6 +70,11 @@ TEST_F(CliTest, AsksForHealth) {
   EXPECT_EQ(healthy.exit_code, 0);
   EXPECT_EQ(healthy.out, server_.address() + " is serving\n");
 
+  const Finished beside_a_proxy =
+      Execute({"env", "http_proxy=http://127.0.0.1:1", "no_proxy=", FOVEA_CLI, "health", "--server",
+               server_.address()});
+  EXPECT_EQ(beside_a_proxy.exit_code, 0) << beside_a_proxy.err;
+
   const std::string text = "no server answers at " + server_.address();
   server_.process().Signal(SIGTERM);
   server_.process().Wait();

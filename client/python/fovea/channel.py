@@ -24,6 +24,8 @@ def make_channel(
         # Else all clients of a process share one connection, where a small call waits for the
         # large frames of the others.
         ("grpc.use_local_subchannel_pool", 1),
+        # Else http_proxy takes frames, those for this machine too, to a proxy for web pages.
+        ("grpc.enable_http_proxy", 0),
         # A server that is back is found soon, one that is gone without a word is noticed.
         ("grpc.initial_reconnect_backoff_ms", 100),
         # Also the time that one attempt has, TLS included.

@@ -51,6 +51,13 @@ def test_asks_for_health(server: ServerProcess) -> None:
         assert client.is_serving()
 
 
+def test_asks_no_proxy(server: ServerProcess, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("http_proxy", "http://127.0.0.1:1")
+    monkeypatch.setenv("no_proxy", "")
+    with fovea.Client(server.address) as client:
+        assert client.is_serving()
+
+
 def test_refuses_another_version(client: fovea.Client, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(fovea.server_info.require_same_version, "__defaults__", ("9.0.0",))
     with pytest.raises(fovea.VersionMismatch, match="this library is 9.0.0"):
