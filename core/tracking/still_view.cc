@@ -9,6 +9,7 @@ namespace fovea {
 namespace {
 
 constexpr int kWidth_px = 160;
+constexpr int kMinHeight_px = 3, kMaxHeight_px = 4 * kWidth_px;  // of images like ribbons
 constexpr double kMaxShift_px = 0.33 / 640 * kWidth_px;
 constexpr float kChange = 25;                          // grey levels: beyond noise and small shifts
 constexpr double kMaxChanged = 0.1;                    // of the pixels: a hand or a passer-by
@@ -56,8 +57,8 @@ Equations Compare(const SmallView& a, const SmallView& b) {
 }  // namespace
 
 SmallView SmallViewOf(const RgbdFrame& frame, const cv::Mat& labels) {
-  const cv::Size size(kWidth_px,
-                      std::max(3, cvRound(double(kWidth_px) * labels.rows / labels.cols)));
+  const int height = cvRound(double(kWidth_px) * labels.rows / labels.cols);
+  const cv::Size size(kWidth_px, std::clamp(height, kMinHeight_px, kMaxHeight_px));
   SmallView view;
   cv::Mat small, movable;
   cv::resize(frame.color_rgb, small, size, 0, 0, cv::INTER_AREA);

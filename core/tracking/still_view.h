@@ -9,7 +9,7 @@ namespace fovea {
 
 // A frame, small: what is seen of the scene and where it may move.
 struct SmallView {
-  cv::Mat gray;     // CV_32FC1, 160 wide, smoothed
+  cv::Mat gray;     // CV_32FC1, 160 wide and 3 to 640 high, smoothed
   cv::Mat movable;  // CV_8UC1, 255 on objects and near them
 };
 

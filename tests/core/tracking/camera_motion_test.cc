@@ -34,6 +34,15 @@ TEST(IsSameView, KnowsNoiseAndExposureFromMotion) {
   EXPECT_FALSE(IsSameView(nothing, nothing)) << "that cannot be told without contrast";
 }
 
+// 160 pixels wide at the image's own proportions it would have millions of rows.
+TEST(SmallView, IsSmallHoweverNarrowTheImage) {
+  RgbdFrame ribbon;
+  ribbon.color_rgb = cv::Mat(2000, 1, CV_8UC3, cv::Scalar::all(90));
+  const SmallView view = SmallViewOf(ribbon, cv::Mat::zeros(2000, 1, CV_16UC1));
+  EXPECT_LE(view.gray.rows, 640);
+  EXPECT_EQ(view.movable.size(), view.gray.size());
+}
+
 TEST(CameraPath, TakesTheMotionFromPoses) {
   CameraPath path;
   EXPECT_EQ(AddAt(path, 0, 1, PoseAt(5)).motion.source, kFirstFrame);
