@@ -14,6 +14,9 @@ double Seconds(const CaptureTime& from, const CaptureTime& to) {
   return static_cast<double>(to.seconds - from.seconds) + 1e-9 * (to.nanos - from.nanos);
 }
 
+// Sums of tenths are not exact.
+bool IsKept(const Track& track) { return track.seconds_hidden() < Tracker::kKeptHidden_s + 1e-6; }
+
 }  // namespace
 
 void Tracker::Add(const RgbdFrame& frame, const FrameContext& context, Detections& detections) {
@@ -21,9 +24,7 @@ void Tracker::Add(const RgbdFrame& frame, const FrameContext& context, Detection
   const double seconds = SecondsUntil(context.captured_at);
   const Eigen::Isometry3f this_from_last = place.motion.last_from_this.inverse().cast<float>();
   for (Track& track : tracks_) track.Advance(this_from_last, seconds);
-  std::erase_if(tracks_, [](const Track& track) {
-    return !track.was_seen() && track.seconds_hidden() > kKeptHidden_s;
-  });
+  std::erase_if(tracks_, [](const Track& track) { return !track.was_seen() && !IsKept(track); });
   Match(SightingsOf(detections, frame.intrinsics, kMaxTracks), place, frame, context, detections);
   Forget();
   detections.tracking = {epoch_, place.motion, Hidden(frame)};
@@ -58,8 +59,7 @@ void Tracker::Match(const std::vector<Sighting>& sightings, const CameraPath::Pl
 void Tracker::Forget() {
   constexpr std::uint32_t kConfirmed = 2;
   std::erase_if(tracks_, [](const Track& track) {
-    const bool is_kept =
-        track.times_seen() >= kConfirmed && track.seconds_hidden() <= kKeptHidden_s;
+    const bool is_kept = track.times_seen() >= kConfirmed && IsKept(track);
     return !track.was_seen() && !is_kept;
   });
   if (tracks_.size() <= kMaxTracks) return;

@@ -125,13 +125,12 @@ TEST(Tracker, BearsHostileTimes) {
     context.captured_at = time;
     EXPECT_THAT(Ids(View(0, ++seed).Add({0, 0, 0.8F}).TrackBy(tracker, context)), ElementsAre(1));
   }
-  // As the time stands still, frames count: a little less than two seconds of them.
+  // As the time stands still, frames count: two seconds of them.
   FrameContext context;
   context.captured_at = CaptureTime{kYear1, 0};
-  for (int i = 0; i < 19; ++i) {
+  for (int i = 0; i < 20; ++i) {
     EXPECT_THAT(HiddenIds(View(0, ++seed).TrackBy(tracker, context)), ElementsAre(1)) << i;
   }
-  View(0, ++seed).TrackBy(tracker, context);
   EXPECT_THAT(HiddenIds(View(0, ++seed).TrackBy(tracker, context)), ElementsAre());
 }
 
