@@ -84,22 +84,25 @@ FOVEA_INLINE void TakeMinima(const RunMinima& runs, const DiskRow& disk_row, int
 }  // namespace
 
 cv::Mat ErodeByDisk(const cv::Mat& map, int radius_px) {
-  const std::vector<DiskRow> disk = DiskRows(radius_px);
+  std::vector<DiskRow> disk = DiskRows(radius_px);
+  // Rows of the disk that lie outside of the image wherever its centre is, as of a ribbon's.
+  if (disk.size() > static_cast<std::size_t>(map.rows)) disk.resize(map.rows);
+  const int margin = static_cast<int>(disk.size()) - 1;
   RunMinima runs(map.cols, radius_px, 2 * radius_px + 1);
   // With a margin for what lies outside of the image.
-  cv::Mat eroded(map.rows + 2 * radius_px, map.cols, CV_32F, cv::Scalar::all(kOutside));
+  cv::Mat eroded(map.rows + 2 * margin, map.cols, CV_32F, cv::Scalar::all(kOutside));
   RunInWidestRegisters([&] {
     for (int y = 0; y < map.rows; ++y) {
       InterruptionPoint();
       runs.Set(map.ptr<float>(y));
-      const int center = y + radius_px;
+      const int center = y + margin;
       for (const DiskRow& row : disk) {
         TakeMinima(runs, row, map.cols, eroded.ptr<float>(center - row.rise),
                    eroded.ptr<float>(center + row.rise));
       }
     }
   });
-  return eroded.rowRange(radius_px, radius_px + map.rows);
+  return eroded.rowRange(margin, margin + map.rows);
 }
 
 }  // namespace fovea

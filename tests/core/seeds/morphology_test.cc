@@ -115,6 +115,18 @@ TEST(ErodeByDisk, IsTheMinimumOverTheDisk) {
   }
 }
 
+// The radius grows with the width: what lies above and below a ribbon would take gigabytes.
+TEST(ErodeByDisk, TakesNoMoreThanARibbonNeeds) {
+  std::mt19937 random(4);
+  const cv::Mat ribbon = RandomMap({90, 2}, 50, random);
+  const cv::Mat eroded = ErodeByDisk(ribbon, 40);
+  ExpectEqual(eroded, BruteForceErosion(ribbon, 40));
+  cv::Size whole;
+  cv::Point at;
+  eroded.locateROI(whole, at);
+  EXPECT_LE(whole.height, 3 * ribbon.rows);
+}
+
 TEST(ErodeByDisk, CopiesAtRadiusZero) {
   std::mt19937 random(4);
   const cv::Mat map = RandomMap({12, 9}, 1000, random);
