@@ -130,10 +130,11 @@ void StreamCall::OnNoMore() {
 }
 
 void StreamCall::OnRead() {
-  environment_.metrics.OnReceived(caller_.robot());
-  environment_.metrics.OnReceivedBytes(bytes_.Length());
   caller_.OnMessage(bytes_.Length());
   const std::lock_guard lock(mutex_);
+  if (finished_) return;
+  environment_.metrics.OnReceived(caller_.robot());
+  environment_.metrics.OnReceivedBytes(bytes_.Length());
   if (num_received_ == 0 && environment_.picks != nullptr && AcceptsPicks(bytes_)) {
     listening_ = environment_.picks->Listen(caller_.robot());
   }
@@ -288,6 +289,8 @@ void StreamCall::Compute() {
 
 void StreamCall::Finish(const grpc::Status& status) {
   finished_ = true;
+  // Of a frame that waits, this is all that the caller hears.
+  if (newest_) environment_.metrics.OnAnswered(caller_.robot(), status, {}, {});
   listening_.reset();
   age_.Cancel();
   stream_.Finish(status, Then([self = shared_from_this()](bool) {}));

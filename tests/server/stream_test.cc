@@ -223,6 +223,21 @@ TEST(DetectStream, ASlowReaderHoldsUpNobody) {
   AwaitMetric(*loopback.server.metrics(), "fovea_streams", 0);
 }
 
+TEST(DetectStream, CountsTheFrameThatWaitsWhenItEnds) {
+  Gate gate;
+  Loopback loopback(std::ref(gate));
+  const server::Metrics& metrics = *loopback.server.metrics();
+  const auto stream = loopback.client.OpenStream(kPatience);
+  ASSERT_TRUE(stream->Send(FrameNamed("0")));
+  gate.WaitUntilBegun();
+  ASSERT_TRUE(stream->Send(FrameNamed("1")));
+  AwaitMetric(metrics, "fovea_frames_received_total", 2);
+  stream->Cancel();
+  gate.Let();
+  AwaitMetric(metrics, "fovea_streams", 0);
+  EXPECT_EQ(MetricValue(metrics, "fovea_frames_answered_total"), 2);
+}
+
 TEST(DetectStream, IsForgottenWhenTheCallerVanishes) {
   Loopback loopback(FindOne);
   for (int i = 0; i < 50; ++i) {
