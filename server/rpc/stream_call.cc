@@ -268,7 +268,7 @@ void StreamCall::Compute() {
   grpc::Status status = Parse(&received.bytes, &request);
   received.bytes.Clear();
   response_.set_frame_id(request.frame().id());
-  if (request.has_options()) {
+  if (status.ok() && request.has_options()) {
     options_ = request.options().SerializeAsString();
   } else {
     if (options) options_ = std::move(*options);

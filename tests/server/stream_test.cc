@@ -167,6 +167,16 @@ TEST(DetectStream, OutlivesMessagesThatAreNone) {
   }
 }
 
+TEST(DetectStream, KeepsNoOptionsOfMessagesThatAreNone) {
+  Loopback loopback(FindOne);
+  RawStream stream(loopback.server.Address());
+  v1::DetectStreamRequest request;
+  request.mutable_options()->set_return_masks(true);
+  EXPECT_TRUE(stream.Exchange(request.SerializeAsString() + "\xFF\xFF\xFF").has_error());
+  const v1::DetectStreamResponse next = stream.Exchange(FrameNamed("1").SerializeAsString());
+  EXPECT_FALSE(next.detections().objects(0).has_mask());
+}
+
 TEST(DetectStream, KeepsNoOptionsThatAreTooLarge) {
   Loopback loopback(FindOne);
   RawStream stream(loopback.server.Address());
