@@ -214,8 +214,9 @@ Detections FrameAnswerer::Compute(const FrameRequest& request, const Asker& aske
   }
   times->insert(times->end(), detections.stage_times.begin(), detections.stage_times.end());
   times->push_back({kProcessorWait, Milliseconds(end.limit.WaitedForProcessor())});
+  std::optional<InterruptionScope> whole;
   if (request.tracker != nullptr) {
-    const InterruptionScope whole({});  // no half of a frame for the next ones' tracks
+    whole.emplace(nullptr);  // what the next ones' tracks hold was answered
     request.tracker->Add(*request.frame, request.options->tracking(), frame, detections, times);
   }
   EnterStage("lens");

@@ -134,6 +134,30 @@ TEST(Tracking, TellsOfWhatIsHidden) {
   EXPECT_EQ(again.objects(0).times_seen(), 3U);
 }
 
+// The limit passes just before the tracks; answers are put back into a lens after them.
+TEST(Tracking, CountsAnswersAlone) {
+  int frames = 0;
+  server::ServerOptions options = LoopbackOptions();
+  options.max_compute_ms = 20;
+  const Loopback loopback(
+      [&frames](const RgbdFrame& frame, const DetectorOptions& detector_options, Trace* trace,
+                const std::function<bool()>& should_stop) {
+        while (frames == 0 && !should_stop()) {
+        }
+        ++frames;
+        return FindOne(frame, detector_options, trace, should_stop);
+      },
+      options);
+  v1::DetectStreamRequest request = TrackedFrame();
+  v1::LensDistortion& lens = *request.mutable_frame()->mutable_intrinsics()->mutable_distortion();
+  lens.set_model(v1::DISTORTION_MODEL_BROWN_CONRADY);
+  for (const double coefficient : {-0.01, 0.0, 0.0, 0.0}) lens.add_coefficients(coefficient);
+  const auto stream = loopback.client.OpenStream(kPatience);
+  ASSERT_TRUE(stream->Send(request));
+  const std::uint32_t answers = stream->Receive()->has_detections() ? 1 : 0;
+  EXPECT_EQ(Exchange(*stream, request).objects(0).times_seen(), answers + 1);
+}
+
 TEST(Tracking, NeedsAStream) {
   const Loopback loopback(FindOne);
   v1::DetectRequest request = TestRequest();
