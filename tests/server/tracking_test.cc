@@ -22,7 +22,7 @@ v1::DetectStreamRequest TrackedFrame(std::uint32_t reset = 0) {
   return request;
 }
 
-v1::Detections Exchange(client::DetectStream& stream, const v1::DetectStreamRequest& request) {
+v1::Detections AnswerOver(client::DetectStream& stream, const v1::DetectStreamRequest& request) {
   EXPECT_TRUE(stream.Send(request));
   const auto response = stream.Receive();
   EXPECT_TRUE(response && response->has_detections());
@@ -36,7 +36,7 @@ TEST(Tracking, AnObjectKeepsItsIdInAStream) {
   request.mutable_frame()->mutable_captured_at()->set_seconds(1000);
   request.mutable_frame()->mutable_captured_at()->set_nanos(123456789);
   request.mutable_frame()->mutable_camera_pose()->mutable_orientation()->set_w(1);
-  const v1::Detections first = Exchange(*stream, request);
+  const v1::Detections first = AnswerOver(*stream, request);
   ASSERT_EQ(first.objects_size(), 1);
   EXPECT_EQ(first.objects(0).track_id(), 1U);
   EXPECT_EQ(first.objects(0).times_seen(), 1U);
@@ -47,7 +47,7 @@ TEST(Tracking, AnObjectKeepsItsIdInAStream) {
   request.clear_options();  // the last ones hold
   request.mutable_frame()->mutable_captured_at()->set_seconds(1001);
   request.mutable_frame()->mutable_camera_pose()->mutable_position()->set_x(0.01);
-  const v1::Detections next = Exchange(*stream, request);
+  const v1::Detections next = AnswerOver(*stream, request);
   const v1::Object& object = next.objects(0);
   EXPECT_EQ(object.track_id(), 1U);
   EXPECT_EQ(object.times_seen(), 2U);
@@ -68,7 +68,7 @@ TEST(Tracking, IsOffUnlessAskedFor) {
   v1::DetectStreamRequest request = TrackedFrame();
   request.clear_options();
   for (int i = 0; i < 2; ++i) {
-    const v1::Detections plain = Exchange(*stream, request);
+    const v1::Detections plain = AnswerOver(*stream, request);
     EXPECT_EQ(plain.track_epoch(), 0U);
     EXPECT_EQ(plain.objects(0).track_id(), 0U);
     EXPECT_FALSE(plain.objects(0).has_steadied_box());
@@ -79,19 +79,19 @@ TEST(Tracking, IsOffUnlessAskedFor) {
 TEST(Tracking, AnotherNumberStartsAnew) {
   const Loopback loopback(FindOne);
   const auto stream = loopback.client.OpenStream(kPatience);
-  const v1::Detections before = Exchange(*stream, TrackedFrame(0));
-  Exchange(*stream, TrackedFrame(0));
-  const v1::Detections after = Exchange(*stream, TrackedFrame(1));
+  const v1::Detections before = AnswerOver(*stream, TrackedFrame(0));
+  AnswerOver(*stream, TrackedFrame(0));
+  const v1::Detections after = AnswerOver(*stream, TrackedFrame(1));
   EXPECT_NE(after.track_epoch(), before.track_epoch());
   EXPECT_EQ(after.objects(0).times_seen(), 1U);
-  const v1::Detections later = Exchange(*stream, TrackedFrame(1));
+  const v1::Detections later = AnswerOver(*stream, TrackedFrame(1));
   EXPECT_EQ(later.track_epoch(), after.track_epoch());
   EXPECT_EQ(later.objects(0).times_seen(), 2U);
 
   v1::DetectStreamRequest off = TrackedFrame(1);
   off.mutable_options()->clear_tracking();
-  Exchange(*stream, off);
-  EXPECT_NE(Exchange(*stream, TrackedFrame(1)).track_epoch(), later.track_epoch());
+  AnswerOver(*stream, off);
+  EXPECT_NE(AnswerOver(*stream, TrackedFrame(1)).track_epoch(), later.track_epoch());
 }
 
 TEST(Tracking, RobotsHaveTheirOwnTracks) {
@@ -99,9 +99,9 @@ TEST(Tracking, RobotsHaveTheirOwnTracks) {
   const auto one = loopback.client.OpenStream(kPatience);
   const auto other = loopback.client.OpenStream(kPatience);
   for (std::uint32_t seen = 1; seen <= 3; ++seen) {
-    const v1::Detections a = Exchange(*one, TrackedFrame());
+    const v1::Detections a = AnswerOver(*one, TrackedFrame());
     EXPECT_EQ(a.objects(0).times_seen(), seen);
-    const v1::Detections b = Exchange(*other, TrackedFrame());
+    const v1::Detections b = AnswerOver(*other, TrackedFrame());
     EXPECT_EQ(b.objects(0).times_seen(), seen);
     EXPECT_NE(a.track_epoch(), b.track_epoch());
   }
@@ -119,16 +119,16 @@ TEST(Tracking, TellsOfWhatIsHidden) {
     return detections;
   });
   const auto stream = loopback.client.OpenStream(kPatience);
-  Exchange(*stream, TrackedFrame());
-  EXPECT_EQ(Exchange(*stream, TrackedFrame()).hidden_tracks_size(), 0);
-  const v1::Detections hidden = Exchange(*stream, TrackedFrame());
+  AnswerOver(*stream, TrackedFrame());
+  EXPECT_EQ(AnswerOver(*stream, TrackedFrame()).hidden_tracks_size(), 0);
+  const v1::Detections hidden = AnswerOver(*stream, TrackedFrame());
   ASSERT_EQ(hidden.hidden_tracks_size(), 1);
   EXPECT_EQ(hidden.hidden_tracks(0).track_id(), 1U);
   EXPECT_EQ(hidden.hidden_tracks(0).times_seen(), 2U);
   EXPECT_FALSE(hidden.hidden_tracks(0).has_last_seen()) << "the frames have no times";
   EXPECT_NE(hidden.hidden_tracks(0).reason(), v1::HIDDEN_REASON_UNSPECIFIED);
   EXPECT_NEAR(hidden.hidden_tracks(0).last_box().size().x(), 0.3, 1e-6);
-  const v1::Detections again = Exchange(*stream, TrackedFrame());
+  const v1::Detections again = AnswerOver(*stream, TrackedFrame());
   EXPECT_EQ(again.hidden_tracks_size(), 0);
   EXPECT_EQ(again.objects(0).track_id(), 1U);
   EXPECT_EQ(again.objects(0).times_seen(), 3U);
@@ -155,7 +155,7 @@ TEST(Tracking, CountsAnswersAlone) {
   const auto stream = loopback.client.OpenStream(kPatience);
   ASSERT_TRUE(stream->Send(request));
   const std::uint32_t answers = stream->Receive()->has_detections() ? 1 : 0;
-  EXPECT_EQ(Exchange(*stream, request).objects(0).times_seen(), answers + 1);
+  EXPECT_EQ(AnswerOver(*stream, request).objects(0).times_seen(), answers + 1);
 }
 
 TEST(Tracking, NeedsAStream) {
