@@ -165,6 +165,7 @@ Server::Server(const ServerOptions& options, DetectFunction detect)
       gate_keeper_(options_.tokens, credentials_.authority()),
       stream_places_(StreamLimitsOf(options_)),
       unsent_answers_(static_cast<std::size_t>(options_.max_unsent_mib) << 20),
+      frame_room_(static_cast<std::size_t>(options_.max_receiving_mib) << 20),
       connections_(ConnectionLimitsOf(options_)),
       service_(InfoOf(options_, limits_),
                OptionList({options_.client_options, options_.fixed_options}), *metrics_,
@@ -253,7 +254,7 @@ void Server::Serve() {
   environment_ = std::make_unique<CallEnvironment>(
       CallEnvironment{service_, loop_->queue(), scheduler_, answerer_, live_calls_, *metrics_,
                       gate_keeper_, stream_places_, connections_, pick_board_.get(),
-                      std::chrono::seconds(options_.max_transfer_s), unsent_answers_,
+                      std::chrono::seconds(options_.max_transfer_s), unsent_answers_, frame_room_,
                       std::chrono::seconds(options_.max_connection_age_s)});
   DetectCall::Accept(*environment_);
   StreamCall::Accept(*environment_);

@@ -103,6 +103,7 @@ class Server {
   GateKeeper gate_keeper_;
   StreamPlaces stream_places_;
   UnsentAnswers unsent_answers_;
+  FrameRoom frame_room_;
   LiveCalls live_calls_;
   ConnectionTable connections_;
   DetectionService service_;

@@ -9,6 +9,7 @@
 #include "server/connections/connection_table.h"
 #include "server/frame_answerer.h"
 #include "server/observing/pick_board.h"
+#include "server/rpc/frame_room.h"
 #include "server/rpc/live_calls.h"
 #include "server/rpc/unsent_answers.h"
 #include "server/scheduling/scheduler.h"
@@ -64,6 +65,7 @@ struct CallEnvironment {
   PickBoard* picks;  // null where nobody picks
   std::chrono::seconds max_transfer;
   UnsentAnswers& unsent;
+  FrameRoom& frame_room;
   // After which a stream is ended; zero = never.
   std::chrono::seconds max_stream_age;
 };

@@ -23,6 +23,12 @@ grpc::ByteBuffer BytesOf(const Message& message) {
   return bytes;
 }
 
+grpc::Status StatusOfNoRoom() {
+  return ResourceExhausted(
+      "more frames wait in streams than there is room for (--max-receiving-mib)",
+      std::chrono::seconds(1));
+}
+
 void SetError(const grpc::Status& status, v1::DetectStreamResponse* response) {
   response->mutable_error()->set_code(status.error_code());
   response->mutable_error()->set_message(status.error_message());
@@ -139,16 +145,27 @@ void StreamCall::OnRead() {
     listening_ = environment_.picks->Listen(caller_.robot());
   }
   if (newest_) {
-    if (auto options = OptionBytesOf(newest_->bytes)) newer_options_ = std::move(options);
+    LetGo();
+    newest_.reset();
     ++num_dropped_;
     environment_.metrics.OnDropped();
   }
-  newest_ = {.bytes = {}, .sequence = num_received_++, .at = std::chrono::steady_clock::now()};
+  newest_ = {.bytes = {},
+             .room = environment_.frame_room.Take(bytes_.Length()),
+             .sequence = num_received_++,
+             .at = std::chrono::steady_clock::now()};
   newest_->bytes.Swap(&bytes_);
   bytes_.Clear();
+  if (!newest_->room) LetGo();
   CheckAccess();
   Proceed();
   if (!finished_) Read();
+}
+
+// Its options hold all the same.
+void StreamCall::LetGo() {
+  if (auto options = OptionBytesOf(newest_->bytes)) newer_options_ = std::move(options);
+  newest_->bytes.Clear();
 }
 
 void StreamCall::OnGone() {
@@ -265,8 +282,9 @@ void StreamCall::Compute() {
   }
   response_.set_sequence(received.sequence);
   v1::DetectStreamRequest request;
-  grpc::Status status = Parse(&received.bytes, &request);
+  grpc::Status status = received.room ? Parse(&received.bytes, &request) : StatusOfNoRoom();
   received.bytes.Clear();
+  received.room.reset();
   response_.set_frame_id(request.frame().id());
   if (status.ok() && request.has_options()) {
     options_ = request.options().SerializeAsString();

@@ -13,6 +13,7 @@
 
 #include "server/rpc/caller.h"
 #include "server/rpc/detection_service.h"
+#include "server/rpc/frame_room.h"
 #include "server/rpc/transfer_limit.h"
 #include "server/stream_tracker.h"
 
@@ -32,6 +33,7 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   // A message as it came: it is parsed when its turn has come, and not at all where it is dropped.
   struct Received {
     grpc::ByteBuffer bytes;
+    FrameRoom::Place room;  // null: there was none for the bytes
     std::uint64_t sequence = 0;
     std::chrono::steady_clock::time_point at;
   };
@@ -43,6 +45,7 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   void Read();
   void OnRead();
   void OnNoMore();
+  void LetGo();  // of the newest frame's bytes; mutex_ is held
   void OnGone();
   void OnWritten(bool ok);
   void End();          // by the server

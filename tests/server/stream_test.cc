@@ -21,6 +21,7 @@
 namespace fovea::testing {
 namespace {
 
+using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 v1::DetectStreamRequest FrameNamed(const std::string& id) {
@@ -151,6 +152,36 @@ TEST(DetectStream, OptionsOfADroppedFrameHold) {
   gate.Let(2);
   EXPECT_FALSE(stream->Receive()->detections().objects(0).has_mask());
   EXPECT_TRUE(stream->Receive()->detections().objects(0).has_mask());
+}
+
+TEST(DetectStream, SaysWhereThereIsNoRoomForAFrame) {
+  Gate gate;
+  server::ServerOptions options = LoopbackOptions();
+  options.compute_threads = 1;
+  options.max_receiving_mib = 64;
+  Loopback loopback(std::ref(gate), options);
+  const server::Metrics& metrics = *loopback.server.metrics();
+  const auto greedy = loopback.client.OpenStream(kPatience);
+  ASSERT_TRUE(greedy->Send(FrameNamed("0")));
+  gate.WaitUntilBegun();
+  v1::DetectStreamRequest large = FrameNamed("1");
+  large.mutable_frame()->mutable_color()->set_data(std::string(22 << 20, 'x'));
+  ASSERT_TRUE(greedy->Send(large));
+  AwaitMetric(metrics, "fovea_frames_received_total", 2);
+
+  const auto other = loopback.client.OpenStream(kPatience);
+  v1::DetectStreamRequest refused = FrameNamed("2");
+  refused.mutable_options()->set_return_masks(true);
+  refused.mutable_frame()->mutable_color()->set_data(std::string(11 << 20, 'x'));
+  ASSERT_TRUE(other->Send(refused));
+  AwaitMetric(metrics, "fovea_frames_received_total", 3);
+  gate.Let(2);
+  const v1::DetectStreamResponse answer = *other->Receive();
+  EXPECT_EQ(answer.error().code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_THAT(answer.error().message(), HasSubstr("--max-receiving-mib"));
+  EXPECT_EQ(answer.error().retry_after().seconds(), 1);
+  ASSERT_TRUE(other->Send(FrameNamed("3")));
+  EXPECT_TRUE(other->Receive()->detections().objects(0).has_mask()) << "its options hold";
 }
 
 // Garbage where a message should be, between good frames.
