@@ -47,7 +47,7 @@ run() {
   one=(--color "$frames/stacked_color.jpg" --depth "$frames/stacked_depth.png")
   ask "$1" "${one[@]}" --gripper jaw=0.14,0.05 --gripper suction=0.03 --place 0.1,0.1,0.1 \
     --show seeds,saliency,rejected,grasps --overlay "$2/all.jpg" --explain "$2/steps" --json "$2/all.json" >/dev/null
-  ask "$1" "${one[@]}" --profile paper --json "$2/paper.json" >/dev/null
+  ask "$1" "${one[@]}" --profile paper --set color_saliency.downscale=2 --json "$2/paper.json" >/dev/null
   ask "$1" --color "$frames/floor_color.jpg" --depth "$out/cut_depth.png" 2>"$2/cut_depth.txt" && exit 1
   ask "$1" --color "$out/cut_color.jpg" --depth "$frames/floor_depth.png" 2>"$2/cut_color.txt" && exit 1
   "$1/client/cli/fovea" options --server "$address" >"$2/options.txt"
