@@ -176,7 +176,8 @@ int DetectMany(const DetectFlags& flags, const client::Client& client) {
       IsBag(flags.input) || batch.sent_before || (flags.color_topic + flags.depth_topic).empty(),
       "--color-topic and --depth-topic are for bags (FILE.mcap), not for folders");
   if (IsBag(flags.input)) {
-    bag = OpenBag(flags.input, {flags.color_topic, flags.depth_topic});
+    bag = OpenBag(flags.input,
+                  {flags.color_topic, flags.depth_topic, flags.depth_unit_m.value_or(kMillimetre)});
     std::cerr << "note: colour of " << bag->color_topic << ", depth of " << bag->depth_topic
               << '\n';
     batch.list = bag->list;

@@ -69,23 +69,24 @@ std::vector<std::string> TopicsOf(const Index& index) {
 
 bool IsBag(const std::string& path) { return LowerEnding(path) == ".mcap"; }
 
-Bag ReadBag(std::string_view bytes, const std::string& name, const BagTopics& topics,
+Bag ReadBag(std::string_view bytes, const std::string& name, const BagFlags& flags,
             const std::shared_ptr<const void>& owner) {
   Index index;
   const bool whole =
       ForEachMessage(bytes, [&](const McapMessage& message) { Note(message, name, &index); });
   const std::vector<std::string> all = TopicsOf(index);
   Bag bag;
-  bag.color_topic = ColorTopic(all, topics.color);
-  bag.depth_topic = DepthTopic(all, topics.depth);
+  bag.color_topic = ColorTopic(all, flags.color_topic);
+  bag.depth_topic = DepthTopic(all, flags.depth_topic);
   bag.list = PairByTime(index.images[bag.color_topic], index.images[bag.depth_topic]);
   if (!whole) bag.list.notes.push_back(name + " ends within a record; what is before is read");
   for (FrameFiles& frame : bag.list.frames) {
     frame.read_color = [bytes, owner, at = index.places.at(frame.color_path)] {
       return ColorFile(DataAt(bytes, at.first), at.second);
     };
-    frame.read_depth = [bytes, owner, at = index.places.at(frame.depth_path)] {
-      return DepthFile(DataAt(bytes, at.first), at.second);
+    frame.read_depth = [bytes, owner, at = index.places.at(frame.depth_path),
+                        unit_m = flags.depth_unit_m] {
+      return DepthFile(DataAt(bytes, at.first), at.second, unit_m);
     };
   }
   std::vector<std::string> infos;
@@ -105,7 +106,7 @@ std::optional<Calibration> ColorCameraOf(const Bag& bag) {
   }
 }
 
-Bag OpenBag(const std::string& path, const BagTopics& topics) {
+Bag OpenBag(const std::string& path, const BagFlags& flags) {
   namespace ipc = boost::interprocess;
   try {
     if (!std::filesystem::is_regular_file(path))
@@ -115,7 +116,7 @@ Bag OpenBag(const std::string& path, const BagTopics& topics) {
     const auto region = std::make_shared<ipc::mapped_region>(file, ipc::read_only);
     const std::string_view bytes(static_cast<const char*>(region->get_address()),
                                  region->get_size());
-    return ReadBag(bytes, path, topics, region);
+    return ReadBag(bytes, path, flags, region);
   } catch (const std::exception& error) {
     throw std::runtime_error(path + ": " + error.what());
   }

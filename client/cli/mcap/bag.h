@@ -14,9 +14,10 @@ namespace fovea::cli {
 // "x.mcap".
 bool IsBag(const std::string& path);
 
-// Topics of a bag; empty = the only one that can be meant.
-struct BagTopics {
-  std::string color, depth;
+// Topics of a bag, where empty is the only one that can be meant; metres per unit of its depth.
+struct BagFlags {
+  std::string color_topic = {}, depth_topic = {};
+  double depth_unit_m = 0.001;
 };
 
 struct Bag {
@@ -30,11 +31,11 @@ struct Bag {
 // infrared ones, colour. Images are paired by the times of their headers, else of the recorder.
 // Throws std::runtime_error that names the file, and the topics where it is not clear which are
 // meant.
-Bag OpenBag(const std::string& path, const BagTopics& topics);
+Bag OpenBag(const std::string& path, const BagFlags& flags);
 
 // The same of bytes, which live as long as `owner`. `name` is for people. Throws
 // std::invalid_argument.
-Bag ReadBag(std::string_view bytes, const std::string& name, const BagTopics& topics,
+Bag ReadBag(std::string_view bytes, const std::string& name, const BagFlags& flags,
             const std::shared_ptr<const void>& owner);
 
 // What the bag says of the colour camera: of rectified images where the topic's name says that they

@@ -110,11 +110,11 @@ cv::Mat Converted(const cv::Mat& pixels, int code) {
   return converted;
 }
 
-cv::Mat MillimetersOf(const cv::Mat& meters) {
+cv::Mat UnitsOf(const cv::Mat& meters, double unit_m) {
   cv::Mat units(meters.size(), CV_16UC1);
   for (int y = 0; y < meters.rows; ++y) {
     for (int x = 0; x < meters.cols; ++x) {
-      const double unit = std::round(1000.0 * meters.at<float>(y, x));
+      const double unit = std::round(meters.at<float>(y, x) / unit_m);
       const bool fits = unit > 0 && unit <= std::numeric_limits<std::uint16_t>::max();
       units.at<std::uint16_t>(y, x) = fits ? static_cast<std::uint16_t>(unit) : 0;
     }
@@ -152,7 +152,7 @@ std::string ColorFile(std::string_view message, bool compressed) {
   throw NoUse("colour", encoding);
 }
 
-std::string DepthFile(std::string_view message, bool compressed) {
+std::string DepthFile(std::string_view message, bool compressed, double unit_m) {
   if (compressed) {
     constexpr std::size_t kParameters = 12;  // before the file in compressedDepth
     auto [format, file] = ReadCompressed(message);
@@ -165,7 +165,7 @@ std::string DepthFile(std::string_view message, bool compressed) {
   const Raw raw = ReadImage(message);
   if (raw.big_endian) throw std::invalid_argument("depth is big-endian");
   if (raw.encoding == "16UC1" || raw.encoding == "mono16") return PngOf(PixelsOf(raw, CV_16UC1));
-  if (raw.encoding == "32FC1") return PngOf(MillimetersOf(PixelsOf(raw, CV_32FC1)));
+  if (raw.encoding == "32FC1") return PngOf(UnitsOf(PixelsOf(raw, CV_32FC1), unit_m));
   throw NoUse("depth", raw.encoding);
 }
 

@@ -15,9 +15,9 @@ std::int64_t StampOf(std::string_view message);
 // As the bytes of image files: PNG, or JPEG where the message holds such a file. `compressed`: it
 // is a CompressedImage. Colour: rgb8, bgr8, 8UC3, rgba8, bgra8, mono8 and 8UC1.
 std::string ColorFile(std::string_view message, bool compressed);
-// 16-bit PNG, millimetres, 0 = none: 16UC1, mono16, and 32FC1 (metres), which is rounded;
-// compressed PNG and compressedDepth of 16UC1.
-std::string DepthFile(std::string_view message, bool compressed);
+// 16-bit PNG in units of `unit_m` metres, 0 = none: 16UC1 and mono16 as they are, 32FC1 (metres)
+// rounded; compressed PNG and compressedDepth of 16UC1.
+std::string DepthFile(std::string_view message, bool compressed, double unit_m);
 
 // Of the images as the camera takes them (K and D), or of `rectified` ones (P, without distortion).
 Calibration CameraInfo(std::string_view message, bool rectified);

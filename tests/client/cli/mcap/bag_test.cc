@@ -35,13 +35,13 @@ std::string Meters(float first, float second) {
   return bytes;
 }
 
-Bag Read(const std::string& bytes, const BagTopics& topics = {}) {
-  return ReadBag(bytes, "b.mcap", topics, nullptr);
+Bag Read(const std::string& bytes, const BagFlags& flags = {}) {
+  return ReadBag(bytes, "b.mcap", flags, nullptr);
 }
 
-std::string WhyNot(const std::string& bytes, const BagTopics& topics = {}) {
+std::string WhyNot(const std::string& bytes, const BagFlags& flags = {}) {
   try {
-    for (const FrameFiles& frame : Read(bytes, topics).list.frames) {
+    for (const FrameFiles& frame : Read(bytes, flags).list.frames) {
       frame.read_color();
       frame.read_depth();
     }
@@ -151,6 +151,14 @@ TEST(Bag, ReadsOtherEncodings) {
   const Bag files = Read(packed);
   EXPECT_EQ(files.list.frames.at(0).read_color(), frame.read_color());
   EXPECT_EQ(files.list.frames.at(0).read_depth(), frame.read_depth());
+}
+
+TEST(Bag, DepthInMetersBecomesTheUnitsThatAreSent) {
+  const std::string bag = BagOf("Image", ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb), "Image",
+                                ImageMessage(kFirst_ns, "32FC1", 2, 1, 8, Meters(1.25F, 7)));
+  const Bag tenths = Read(bag, {.depth_unit_m = 0.0001});
+  EXPECT_EQ(Depth(tenths.list.frames.at(0)).at<std::uint16_t>(0, 0), 12500);
+  EXPECT_EQ(Depth(tenths.list.frames.at(0)).at<std::uint16_t>(0, 1), 0) << "too far for 16 bits";
 }
 
 TEST(Bag, OfARecorderThatWasKilledIsReadUntilThere) {
