@@ -28,6 +28,7 @@ struct Index {
   std::map<std::string, std::vector<TimedImage>, std::less<>> images;  // by topic
   std::map<std::string, std::string, std::less<>> infos;               // the first message each
   std::map<std::string, std::pair<McapPlace, bool>> places;  // by TimedImage.path; compressed
+  std::map<std::string, std::string, std::less<>> faults;    // by topic, of the first broken image
 };
 
 std::int64_t TimeOf(const McapMessage& message) {
@@ -52,11 +53,23 @@ void Note(const McapMessage& message, const std::string& name, Index* index) {
     index->infos.try_emplace(topic, message.data);
     return;
   }
-  const std::int64_t time = TimeOf(message);
   std::vector<TimedImage>& images = index->images[topic];
-  const std::string path = fmt::format("{}: image {} of {}", name, images.size() + 1, topic);
-  index->places[path] = {message.place, compressed};
-  images.push_back({time, Seconds(time), path});
+  const std::string image = fmt::format("image {} of {}", images.size() + 1, topic);
+  try {
+    const std::int64_t time = TimeOf(message);
+    const std::string path = name + ": " + image;
+    index->places[path] = {message.place, compressed};
+    images.push_back({time, Seconds(time), path});
+  } catch (const std::invalid_argument& error) {
+    index->faults.try_emplace(topic, image + ": " + error.what());
+  }
+}
+
+// Throws where one of its images is broken; those of other topics do not matter.
+std::vector<TimedImage> ImagesOf(const std::string& topic, const Index& index) {
+  const auto fault = index.faults.find(topic);
+  if (fault != index.faults.end()) throw std::invalid_argument(fault->second);
+  return index.images.at(topic);
 }
 
 std::vector<std::string> TopicsOf(const Index& index) {
@@ -78,7 +91,7 @@ Bag ReadBag(std::string_view bytes, const std::string& name, const BagFlags& fla
   Bag bag;
   bag.color_topic = ColorTopic(all, flags.color_topic);
   bag.depth_topic = DepthTopic(all, flags.depth_topic);
-  bag.list = PairByTime(index.images[bag.color_topic], index.images[bag.depth_topic]);
+  bag.list = PairByTime(ImagesOf(bag.color_topic, index), ImagesOf(bag.depth_topic, index));
   if (!whole) bag.list.notes.push_back(name + " ends within a record; what is before is read");
   for (FrameFiles& frame : bag.list.frames) {
     frame.read_color = [bytes, owner, at = index.places.at(frame.color_path)] {

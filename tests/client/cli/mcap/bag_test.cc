@@ -190,10 +190,22 @@ TEST(Bag, SaysWhatIsWrong) {
               HasSubstr("fewer bytes"));
   EXPECT_THAT(why_not_color(ImageMessage(kFirst_ns, "rgb8", 4'000'000'000, 1, 6, kRgb)),
               HasSubstr("not from 1 to 32768"));
+  EXPECT_THAT(why_not_color(color.substr(0, 20)), HasSubstr("image 1 of /rgb: it ends too early"));
   EXPECT_THAT(why_not_color(color.substr(0, 30)), HasSubstr("ends too early"));
   EXPECT_THAT(why_not_color("\1\1\1\1" + color.substr(4)), HasSubstr("not in little-endian CDR"));
   EXPECT_THAT(why_not_color(ImageMessage(-kFirst_ns, "rgb8", 2, 1, 6, kRgb)),
               HasSubstr("time is none"));
+}
+
+TEST(Bag, BrokenImagesOfOtherTopicsDoNotMatter) {
+  BagWriter writer;
+  writer.Add("/infra1/image", "Image", "cut");
+  writer.Add("/rgb", "Image", ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb));
+  writer.Add("/depth", "Image", ImageMessage(kFirst_ns, "16UC1", 2, 1, 4, kUnits));
+  const std::string bag = writer.Finish();
+  EXPECT_EQ(WhyNot(bag), "");
+  EXPECT_EQ(WhyNot(bag, {.color_topic = "/infra1/image"}),
+            "image 1 of /infra1/image: a message is not in little-endian CDR");
 }
 
 // A chunk that says that it is larger than it is, or than is allowed.
