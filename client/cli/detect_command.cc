@@ -181,6 +181,8 @@ int DetectMany(const DetectFlags& flags, const client::Client& client) {
     std::cerr << "note: colour of " << bag->color_topic << ", depth of " << bag->depth_topic
               << '\n';
     batch.list = bag->list;
+    const std::string note = NoteOfUnregistered(*bag);
+    if (flags.depth_intrinsics.empty() && !note.empty()) batch.list->notes.push_back(note);
     if (bag->list.frames.empty()) throw std::runtime_error(flags.input + ": it has no frames");
   }
   const bool all_done =

@@ -37,9 +37,9 @@ class Cdr {
     return *this;
   }
   Cdr& Word(std::string_view word) { return Data(std::string(word) + '\0'); }
-  Cdr& Header(std::int64_t stamp_ns) {
+  Cdr& Header(std::int64_t stamp_ns, std::string_view frame = "camera") {
     Number(static_cast<std::int32_t>(stamp_ns / kSecond_ns));
-    return Number(static_cast<std::uint32_t>(stamp_ns % kSecond_ns)).Word("camera");
+    return Number(static_cast<std::uint32_t>(stamp_ns % kSecond_ns)).Word(frame);
   }
   std::string Finish() const { return std::string("\0\1\0\0", 4) + body_; }
 
@@ -63,9 +63,10 @@ std::string Packed(const std::string& records, std::string_view compression) {
 }  // namespace
 
 std::string ImageMessage(std::int64_t stamp_ns, std::string_view encoding, std::uint32_t width,
-                         std::uint32_t height, std::uint32_t step, std::string_view data) {
+                         std::uint32_t height, std::uint32_t step, std::string_view data,
+                         std::string_view frame) {
   Cdr cdr;
-  cdr.Header(stamp_ns).Number(height).Number(width).Word(encoding);
+  cdr.Header(stamp_ns, frame).Number(height).Number(width).Word(encoding);
   return cdr.Number(std::uint8_t{0}).Number(step).Data(data).Finish();
 }
 

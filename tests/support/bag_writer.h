@@ -7,9 +7,10 @@
 
 namespace fovea::testing {
 
-// A message of sensor_msgs in CDR; `stamp_ns` in its header.
+// A message of sensor_msgs in CDR; `stamp_ns` and `frame` in its header.
 std::string ImageMessage(std::int64_t stamp_ns, std::string_view encoding, std::uint32_t width,
-                         std::uint32_t height, std::uint32_t step, std::string_view data);
+                         std::uint32_t height, std::uint32_t step, std::string_view data,
+                         std::string_view frame = "camera");
 std::string CompressedMessage(std::int64_t stamp_ns, std::string_view format,
                               std::string_view data);
 // fx = fy = `focal_px`, plumb_bob with k1 = `k1`.

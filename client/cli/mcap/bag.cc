@@ -27,14 +27,14 @@ constexpr std::string_view kInfo = "sensor_msgs/msg/CameraInfo";
 struct Index {
   std::map<std::string, std::vector<TimedImage>, std::less<>> images;  // by topic
   std::map<std::string, std::string, std::less<>> infos;               // the first message each
+  std::map<std::string, std::string, std::less<>> frames;              // of the first image each
   std::map<std::string, std::pair<McapPlace, bool>> places;  // by TimedImage.path; compressed
   std::map<std::string, std::string, std::less<>> faults;    // by topic, of the first broken image
 };
 
-std::int64_t TimeOf(const McapMessage& message) {
+std::int64_t TimeOf(const Header& header, const McapMessage& message) {
   constexpr std::int64_t kLatest = 4'000'000'000'000'000'000;  // the year 2096
-  const std::int64_t stamp = StampOf(message.data);
-  const std::int64_t time = stamp != 0 ? stamp : message.log_time_ns;
+  const std::int64_t time = header.stamp_ns != 0 ? header.stamp_ns : message.log_time_ns;
   if (time < 0 || time > kLatest) throw std::invalid_argument("an image's time is none");
   return time;
 }
@@ -56,7 +56,9 @@ void Note(const McapMessage& message, const std::string& name, Index* index) {
   std::vector<TimedImage>& images = index->images[topic];
   const std::string image = fmt::format("image {} of {}", images.size() + 1, topic);
   try {
-    const std::int64_t time = TimeOf(message);
+    const Header header = HeaderOf(message.data);
+    const std::int64_t time = TimeOf(header, message);
+    index->frames.try_emplace(topic, header.frame);
     const std::string path = name + ": " + image;
     index->places[path] = {message.place, compressed};
     images.push_back({time, Seconds(time), path});
@@ -92,6 +94,8 @@ Bag ReadBag(std::string_view bytes, const std::string& name, const BagFlags& fla
   bag.color_topic = ColorTopic(all, flags.color_topic);
   bag.depth_topic = DepthTopic(all, flags.depth_topic);
   bag.list = PairByTime(ImagesOf(bag.color_topic, index), ImagesOf(bag.depth_topic, index));
+  bag.color_frame = index.frames[bag.color_topic];
+  bag.depth_frame = index.frames[bag.depth_topic];
   if (!whole) bag.list.notes.push_back(name + " ends within a record; what is before is read");
   for (FrameFiles& frame : bag.list.frames) {
     frame.read_color = [bytes, owner, at = index.places.at(frame.color_path)] {
@@ -107,6 +111,15 @@ Bag ReadBag(std::string_view bytes, const std::string& name, const BagFlags& fla
   bag.info_topic = InfoTopic(infos, bag.color_topic);
   if (!bag.info_topic.empty()) bag.camera_info = index.infos[bag.info_topic];
   return bag;
+}
+
+std::string NoteOfUnregistered(const Bag& bag) {
+  if (bag.color_frame.empty() || bag.depth_frame.empty()) return {};
+  if (bag.color_frame == bag.depth_frame) return {};
+  return fmt::format(
+      "depth is of the frame {}, colour of {}: unless it is registered to colour all the same, "
+      "masks and positions are wrong without --depth-intrinsics and --color-from-depth",
+      bag.depth_frame, bag.color_frame);
 }
 
 std::optional<Calibration> ColorCameraOf(const Bag& bag) {

@@ -23,7 +23,8 @@ struct BagFlags {
 struct Bag {
   FrameList list;  // frames read themselves from the bag, whenever they are asked to
   std::string color_topic, depth_topic, info_topic;
-  std::string camera_info;  // the first message of info_topic; empty = there is none
+  std::string color_frame, depth_frame;  // the coordinate frames that their first images are of
+  std::string camera_info;               // the first message of info_topic; empty = there is none
 };
 
 // Reads the bag once to see what it has. Of topics with images, those with "depth" in their names
@@ -37,6 +38,9 @@ Bag OpenBag(const std::string& path, const BagFlags& flags);
 // std::invalid_argument.
 Bag ReadBag(std::string_view bytes, const std::string& name, const BagFlags& flags,
             const std::shared_ptr<const void>& owner);
+
+// For people, where both headers name a frame and not the same one; else empty.
+std::string NoteOfUnregistered(const Bag& bag);
 
 // What the bag says of the colour camera: of rectified images where the topic's name says that they
 // are. Nothing where it has no camera_info beside the colour topic; throws std::invalid_argument

@@ -48,12 +48,11 @@ class CdrReader {
   ByteReader reader_;
 };
 
-std::int64_t ReadHeader(CdrReader& reader) {
+Header ReadHeader(CdrReader& reader) {
   constexpr std::int64_t kNsPerSecond = 1'000'000'000;
   const std::int64_t seconds = reader.Number<std::int32_t>();
   const std::int64_t nanoseconds = reader.Number<std::uint32_t>();
-  reader.Bytes();  // frame_id
-  return seconds * kNsPerSecond + nanoseconds;
+  return {seconds * kNsPerSecond + nanoseconds, std::string(reader.Text())};
 }
 
 std::invalid_argument NoUse(const char* what, std::string_view encoding) {
@@ -131,7 +130,7 @@ std::pair<std::string_view, std::string_view> ReadCompressed(std::string_view me
 
 }  // namespace
 
-std::int64_t StampOf(std::string_view message) {
+Header HeaderOf(std::string_view message) {
   CdrReader reader(message);
   return ReadHeader(reader);
 }

@@ -9,8 +9,12 @@
 
 namespace fovea::cli {
 
-// The time of the header that images and camera_info begin with; 0 where none was set.
-std::int64_t StampOf(std::string_view message);
+// What images and camera_info begin with.
+struct Header {
+  std::int64_t stamp_ns = 0;  // 0 where none was set
+  std::string frame;          // the coordinate frame that it is of
+};
+Header HeaderOf(std::string_view message);
 
 // As the bytes of image files: PNG, or JPEG where the message holds such a file. `compressed`: it
 // is a CompressedImage. Colour: rgb8, bgr8, 8UC3, rgba8, bgra8, mono8 and 8UC1.

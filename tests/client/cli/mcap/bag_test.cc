@@ -90,6 +90,20 @@ TEST(Bag, HasFramesOfWhatWasTakenTogether) {
   }
 }
 
+// As drivers send it that do not register depth.
+TEST(Bag, DepthOfAnotherFrameIsNoted) {
+  const auto note_of = [](const char* depth_frame) {
+    BagWriter writer;
+    writer.Add(kColor, "Image", ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb, "color_optical"));
+    writer.Add(kDepth, "Image", ImageMessage(kFirst_ns, "16UC1", 2, 1, 4, kUnits, depth_frame));
+    return NoteOfUnregistered(Read(writer.Finish()));
+  };
+  EXPECT_THAT(note_of("depth_optical"),
+              HasSubstr("depth is of the frame depth_optical, colour of color_optical"));
+  EXPECT_EQ(note_of("color_optical"), "");
+  EXPECT_EQ(note_of(""), "") << "of none that is known";
+}
+
 Bag WithInfo(const std::string& color_topic, const std::string& info_topic,
              const std::string& info) {
   BagWriter writer;
