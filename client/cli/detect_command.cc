@@ -183,7 +183,6 @@ int DetectMany(const DetectFlags& flags, const client::Client& client) {
     batch.list = bag->list;
     const std::string note = NoteOfUnregistered(*bag);
     if (flags.depth_intrinsics.empty() && !note.empty()) batch.list->notes.push_back(note);
-    if (bag->list.frames.empty()) throw std::runtime_error(flags.input + ": it has no frames");
   }
   const bool all_done =
       DetectFolder(client, batch, SettingsOf(flags, bag), TimeoutOf(flags),

@@ -90,6 +90,10 @@ Bag ReadBag(std::string_view bytes, const std::string& name, const BagFlags& fla
   const bool whole =
       ForEachMessage(bytes, [&](const McapMessage& message) { Note(message, name, &index); });
   const std::vector<std::string> all = TopicsOf(index);
+  if (all.empty()) {
+    throw std::invalid_argument(std::string("it has no images of ROS 2") +
+                                (whole ? "" : "; it ends within a record"));
+  }
   Bag bag;
   bag.color_topic = ColorTopic(all, flags.color_topic);
   bag.depth_topic = DepthTopic(all, flags.depth_topic);
@@ -97,6 +101,10 @@ Bag ReadBag(std::string_view bytes, const std::string& name, const BagFlags& fla
   bag.color_frame = index.frames[bag.color_topic];
   bag.depth_frame = index.frames[bag.depth_topic];
   if (!whole) bag.list.notes.push_back(name + " ends within a record; what is before is read");
+  if (bag.list.frames.empty()) {
+    throw std::invalid_argument(
+        fmt::format("it has no frames; {}", fmt::join(bag.list.notes, "; ")));
+  }
   for (FrameFiles& frame : bag.list.frames) {
     frame.read_color = [bytes, owner, at = index.places.at(frame.color_path)] {
       return ColorFile(DataAt(bytes, at.first), at.second);

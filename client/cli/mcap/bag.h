@@ -30,8 +30,8 @@ struct Bag {
 // Reads the bag once to see what it has. Of topics with images, those with "depth" in their names
 // are depth (where there are several, those with "aligned" or "registered"), the others, but for
 // infrared ones, colour. Images are paired by the times of their headers, else of the recorder.
-// Throws std::runtime_error that names the file, and the topics where it is not clear which are
-// meant.
+// Throws std::runtime_error that names the file, why it has no frames, and the topics where it is
+// not clear which are meant.
 Bag OpenBag(const std::string& path, const BagFlags& flags);
 
 // The same of bytes, which live as long as `owner`. `name` is for people. Throws

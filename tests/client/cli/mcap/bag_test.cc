@@ -188,6 +188,19 @@ TEST(Bag, OfARecorderThatWasKilledIsReadUntilThere) {
   EXPECT_THAT(bag.list.notes, ElementsAre(HasSubstr("b.mcap ends within a record")));
 }
 
+TEST(Bag, SaysWhyThereIsNoFrame) {
+  BagWriter writer;
+  writer.Add("/rgb", "Image", ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb));
+  writer.EndChunk("zstd");
+  const std::string alone = writer.Finish();
+  EXPECT_EQ(WhyNot(alone.substr(0, 100)), "it has no images of ROS 2; it ends within a record");
+  EXPECT_EQ(WhyNot(BagOf("String", "a", "String", "b")), "it has no images of ROS 2");
+  const std::string late = ImageMessage(kFirst_ns + 50 * kMillisecond_ns, "16UC1", 2, 1, 4, kUnits);
+  EXPECT_EQ(WhyNot(BagOf("Image", ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb), "Image", late)),
+            "it has no frames; 1 colour images without depth within 20 ms; 1 depth images without "
+            "colour within 20 ms");
+}
+
 TEST(Bag, SaysWhatIsWrong) {
   const std::string color = ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb);
   const std::string depth = ImageMessage(kFirst_ns, "16UC1", 2, 1, 4, kUnits);
