@@ -113,7 +113,8 @@ std::vector<TimedImage> ListTimed(const fs::path& folder) {
   return images;
 }
 
-// Images of one name are one frame; where there are none, times tell.
+// Images of one name are one frame; where times tell of more frames, they do: some of two cameras'
+// may be equal by chance.
 FrameList ListFolders(const fs::path& color, const fs::path& depth) {
   std::map<std::string, std::string> depth_paths;
   for (const fs::path& path : FilesIn(depth)) {
@@ -130,8 +131,9 @@ FrameList ListFolders(const fs::path& color, const fs::path& depth) {
     }
     list.frames.push_back({path.stem().string(), path.string(), partner->second, {}});
   }
-  if (list.frames.empty()) return PairByTime(ListTimed(color), ListTimed(depth));
-  if (num_alone > 0) {
+  if (num_alone > 0 || list.frames.empty()) {
+    FrameList timed = PairByTime(ListTimed(color), ListTimed(depth));
+    if (timed.frames.size() > list.frames.size() || list.frames.empty()) return timed;
     list.notes.push_back(std::to_string(num_alone) + " images in " + color.string() +
                          " have none of the same name in " + depth.string());
   }

@@ -21,8 +21,9 @@ struct FrameList {
 // - NAME_color.(png|jpg|jpeg) with NAME_depth.png, and fovea_capture.json where fovea-capture made
 //   them,
 // - TUM RGB-D: rgb.txt and depth.txt with lines "time path", units of 1/5000 m,
-// - folders rgb or color, and depth, with images of one name, or named by times in seconds
-//   ("12.345678.png") or as whole numbers of milli-, micro- or nanoseconds.
+// - folders rgb or color, and depth, with images of one name, or, where that gives more frames,
+//   named by times in seconds ("12.345678.png") or as whole numbers of milli-, micro- or
+//   nanoseconds.
 // Images with times are paired with the nearest one at most 20 ms away. A depth path is there
 // whether the file is or not. Throws std::runtime_error where it is none of these.
 FrameList ListFrames(const std::string& folder);

@@ -152,6 +152,19 @@ TEST_F(FrameListTest, PairsFoldersByNameElseByTime) {
   EXPECT_EQ(by_time.frames[0].depth_path, folder_.At("t/depth/1700000000010000000.png"));
 }
 
+// Two cameras with clocks in milliseconds now and then take an image in the same one.
+TEST_F(FrameListTest, EqualTimesAreNoNames) {
+  for (const char* name : {"rgb/1700000000100", "rgb/1700000000133", "rgb/1700000000166",
+                           "depth/1700000000100", "depth/1700000000134", "depth/1700000000165"}) {
+    Write(std::string(name) + ".png");
+  }
+  const FrameList list = ListFrames(Input());
+  ASSERT_EQ(list.frames.size(), 3U);
+  EXPECT_EQ(list.frames[1].depth_path, folder_.At("depth/1700000000134.png"));
+  EXPECT_EQ(list.frames[2].captured_at->nanos(), 166'000'000);
+  EXPECT_THAT(list.notes, IsEmpty());
+}
+
 TEST_F(FrameListTest, SaysWhatItLookedFor) {
   Write("c_depth.png");
   try {
