@@ -104,6 +104,10 @@ Calibration ParseRos(const std::string& text) {
 
 Calibration ParseLine(const std::string& text) {
   const std::string line = text.substr(0, text.find_last_not_of(" \t\r\n") + 1);
+  constexpr std::size_t kLongest = 200;
+  if (line.size() > kLongest || line.find_first_of("\r\n") != std::string::npos) {
+    throw std::runtime_error("its numbers are more than one line FX,FY,CX,CY");
+  }
   const auto k = ParseNumbers(line, 4, "its text", "FX,FY,CX,CY");
   return CalibrationOf(client::MakeIntrinsics(k[0], k[1], k[2], k[3]), {});
 }

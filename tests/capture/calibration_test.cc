@@ -134,6 +134,7 @@ TEST_F(CalibrationTest, ReadsNumbersAlone) {
   EXPECT_EQ(c.fy, 526);
   EXPECT_EQ(c.width, 0) << "not said";
   ExpectRefused("525,526\n", "is not FX,FY,CX,CY");
+  ExpectRefused("525 0 319.5\n0 525 239.5\n0 0 1\n", "are more than one line FX,FY,CX,CY");
 }
 
 TEST_F(CalibrationTest, ReadsWhatItWrites) {
