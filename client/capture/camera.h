@@ -33,6 +33,10 @@ class Camera {
   // unplugged or fell silent, CameraError where it never delivered.
   virtual std::optional<Picture> Next(std::chrono::milliseconds patience) = 0;
 
+  // Lets go of images that wait to be taken: what was seen while nobody looked. Recordings have
+  // none. Throws CameraLost.
+  virtual void SkipWaiting() {}
+
   // Of a recording: all its frames were delivered.
   virtual bool AtEnd() const = 0;
 

@@ -31,13 +31,21 @@ std::optional<Picture> CameraSource::Next() {
     if (picture) picture->number = ++num_pictures_;
     return picture;
   } catch (const CameraLost& lost) {
-    notes_ << lost.what() << "; waiting for it to come back" << std::endl;
-    Close();
+    Lose(lost.what());
     return std::nullopt;
   }
 }
 
-void CameraSource::Close() {
+void CameraSource::SkipWaiting() {
+  try {
+    if (camera_) camera_->SkipWaiting();
+  } catch (const CameraLost& lost) {
+    Lose(lost.what());
+  }
+}
+
+void CameraSource::Lose(const std::string& reason) {
+  notes_ << reason << "; waiting for it to come back" << std::endl;
   earlier_losses_ = Losses();
   camera_.reset();
   away_since_ = std::chrono::steady_clock::now();

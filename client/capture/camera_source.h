@@ -4,6 +4,7 @@
 #include <iosfwd>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "client/capture/camera.h"
 
@@ -20,6 +21,9 @@ class CameraSource {
   // Waits a moment at most. Throws CameraError where the camera does not come back.
   std::optional<Picture> Next();
 
+  // What was seen until now and not taken is no next picture.
+  void SkipWaiting();
+
   bool AtEnd() const { return camera_ && camera_->AtEnd(); }
   const Camera& CurrentCamera() const { return *camera_; }  // as it was when opened
   std::uint64_t NumPictures() const { return num_pictures_; }
@@ -27,7 +31,7 @@ class CameraSource {
   CameraLosses Losses() const;
 
  private:
-  void Close();
+  void Lose(const std::string& reason);
   void TryToReopen();
 
   CameraOptions options_;

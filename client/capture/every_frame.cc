@@ -60,6 +60,7 @@ void RunEveryFrame(const SessionOptions& options, const Session& session) {
     const v1::DetectStreamResponse response = Answer(options, session, request);
     session.tally.Answered(session.tally.Snapshot().sent - 1);
     session.results.Take({*picture, response, 0}, session.tally);
+    session.source.SkipWaiting();
   }
 }
 

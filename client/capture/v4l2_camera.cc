@@ -62,6 +62,11 @@ std::optional<Picture> V4l2Camera::Next(std::chrono::milliseconds patience) {
   return std::nullopt;
 }
 
+void V4l2Camera::SkipWaiting() {
+  depth_.Skip();
+  color_.Skip();
+}
+
 std::optional<Picture> V4l2Camera::Read(V4l2Node& node, bool is_depth) {
   const auto image = node.Take();
   if (!image) return std::nullopt;

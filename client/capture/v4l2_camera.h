@@ -19,6 +19,7 @@ class V4l2Camera : public Camera {
   explicit V4l2Camera(const CameraOptions& options);
 
   std::optional<Picture> Next(std::chrono::milliseconds patience) override;
+  void SkipWaiting() override;
   bool AtEnd() const override { return false; }
   std::string Name() const override { return options_.device; }
   const std::string& Uri() const override { return options_.device; }

@@ -199,4 +199,9 @@ std::optional<V4l2Node::Image> V4l2Node::Take() {
   return image;
 }
 
+void V4l2Node::Skip() {
+  for (std::size_t i = 0; i < buffers_.size() && Take(); ++i) {
+  }
+}
+
 }  // namespace fovea::capture

@@ -32,6 +32,8 @@ class V4l2Node {
 
   // Without waiting: none where no image is there. Throws CameraLost where the camera is gone.
   std::optional<Image> Take();
+  // What the kernel's buffers hold is not taken; it keeps the oldest images and drops newer ones.
+  void Skip();
 
  private:
   struct Buffer {
