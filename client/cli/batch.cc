@@ -109,10 +109,17 @@ void WriteFiles(Outputs outputs, const FrameFiles& files, const FrameSettings& s
   fs::rename(outputs.json, json);
 }
 
+// What comes with a folder may be pipes, which would be waited for, and devices without an end.
+void RequireFiles(const FrameFiles& files) {
+  for (const std::string& path : {files.color_path, files.depth_path}) {
+    if (!fs::exists(path)) throw std::runtime_error("no " + path);
+    if (!fs::is_regular_file(path)) throw std::runtime_error(path + " is no regular file");
+  }
+}
+
 Outcome DetectFrame(const Run& run, const FrameFiles& files) {
   try {
-    if (!files.read_depth && !files.sent_before && !fs::exists(files.depth_path))
-      throw std::runtime_error("no " + files.depth_path);
+    if (!files.read_depth && !files.sent_before) RequireFiles(files);
     const Outputs outputs = OutputsOf(files.id, run.batch);
     const v1::DetectRequest request = MakeRequest(files, run.settings);
     const v1::DetectResponse response = Ask(run, request);

@@ -1,7 +1,5 @@
 #include "client/cli/bundled_frames.h"
 
-#include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -12,8 +10,6 @@
 
 namespace fovea::cli {
 namespace {
-
-constexpr std::uintmax_t kMaxFile = std::uintmax_t{1} << 30;
 
 FrameFiles FilesOf(const std::string& path, const std::shared_ptr<const bundle::Bundle>& bundle,
                    const std::string& name) {
@@ -32,10 +28,6 @@ FrameFiles FilesOf(const std::string& path, const std::shared_ptr<const bundle::
 bool IsBundle(const std::string& path) { return LowerEnding(path) == ".zip"; }
 
 FrameList ListBundle(const std::string& path) {
-  std::error_code error;
-  if (std::filesystem::file_size(path, error) > kMaxFile && !error) {
-    throw std::runtime_error(path + " has more than 1 GiB");
-  }
   const std::string bytes = ReadFile(path);
   FrameList list;
   try {

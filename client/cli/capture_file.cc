@@ -43,7 +43,7 @@ std::optional<CaptureFile> ReadCaptureFile(const std::string& folder) {
   CaptureFile file;
   file.path = (std::filesystem::path(folder) / kCaptureFileName).string();
   std::error_code error;
-  if (!std::filesystem::exists(file.path, error)) return std::nullopt;
+  if (!std::filesystem::is_regular_file(file.path, error)) return std::nullopt;
   const std::string text = ReadFile(file.path);
   try {
     const v1::Frame frame = ParseCaptureFile(text);

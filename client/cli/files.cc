@@ -1,10 +1,10 @@
 #include "client/cli/files.h"
 
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 
@@ -14,6 +14,12 @@ namespace {
 [[noreturn]] void FailOn(const std::string& what, const std::string& path) {
   const std::string reason = errno != 0 ? std::string(": ") + std::strerror(errno) : "";
   throw std::runtime_error(what + " " + path + reason);
+}
+
+// No server takes a larger message.
+void RequireSize(const std::string& path, std::uintmax_t size) {
+  constexpr std::uintmax_t kMost = std::uintmax_t{1} << 30;
+  if (size > kMost) throw std::runtime_error(path + " has more than 1 GiB");
 }
 
 constexpr int kJpegQuality = 92;
@@ -34,10 +40,16 @@ std::string ReadFile(const std::string& path) {
   if (std::filesystem::is_directory(path)) {
     throw std::runtime_error("cannot read " + path + ": it is a folder");
   }
+  RequireSize(path, std::filesystem::is_regular_file(path) ? std::filesystem::file_size(path) : 0);
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) FailOn("cannot read", path);
-  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  std::string bytes, part(std::size_t{1} << 20, '\0');
+  while (file) {
+    file.read(part.data(), static_cast<std::streamsize>(part.size()));
+    bytes.append(part.data(), static_cast<std::size_t>(file.gcount()));
+    RequireSize(path, bytes.size());  // pipes and devices do not say theirs
+  }
   if (file.bad()) FailOn("cannot read", path);
   if (bytes.empty()) throw std::runtime_error(path + " is empty");
   return bytes;

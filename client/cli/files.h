@@ -7,6 +7,7 @@ namespace fovea::cli {
 
 // All throw std::runtime_error that names the file.
 
+// Of up to 1 GiB.
 std::string ReadFile(const std::string& path);
 void WriteFile(const std::string& path, const std::string& bytes);
 

@@ -173,7 +173,8 @@ FrameList ListFrames(const std::string& folder) {
     return list;
   }
   std::error_code error;
-  if (fs::exists(input / "rgb.txt", error) && fs::exists(input / "depth.txt", error)) {
+  if (fs::is_regular_file(input / "rgb.txt", error) &&
+      fs::is_regular_file(input / "depth.txt", error)) {
     list = ListTum(input);
   } else {
     for (const char* color : {"rgb", "color"}) {

@@ -1,5 +1,6 @@
 // Folders of frames, and bags.
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <fstream>
@@ -33,6 +34,23 @@ TEST_F(CliTest, RunsOverAFolderAndGoesOnAfterAFrameThatFailed) {
     EXPECT_TRUE(fs::exists(fs::path(At("out")) / file)) << file;
   }
   EXPECT_FALSE(fs::exists(fs::path(At("out")) / "b.png"));
+}
+
+TEST_F(CliTest, ReadsNoPipesAndDevicesOfFolders) {
+  fs::remove(At("a_color.png"));
+  ASSERT_EQ(mkfifo(At("a_color.png").c_str(), S_IRUSR | S_IWUSR), 0);
+  fs::create_symlink("/dev/zero", At("b_color.png"));
+  fs::copy(At("a_depth.png"), At("b_depth.png"));
+  const Finished finished = Detect({"--input", Folder(), "--output", At("out")});
+  EXPECT_THAT(finished.err, HasSubstr("fovea: a: " + At("a_color.png") + " is no regular file"));
+  EXPECT_THAT(finished.err, HasSubstr("fovea: b: " + At("b_color.png") + " is no regular file"));
+}
+
+// Which a few bytes of an archive can become.
+TEST_F(CliTest, ReadsNoFilesThatAreTooLarge) {
+  fs::resize_file(At("a_depth.png"), std::uintmax_t{1} << 34);
+  const Finished finished = Detect({"--input", Folder(), "--output", At("out")});
+  EXPECT_THAT(finished.err, HasSubstr("fovea: a: " + At("a_depth.png") + " has more than 1 GiB"));
 }
 
 TEST_F(CliTest, GoesOnWithAFolderWhereItStopped) {
