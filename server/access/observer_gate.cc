@@ -17,6 +17,10 @@ void ObserverGate::Reload() {
   table_ = std::move(table);
 }
 
+void ObserverGate::RequireUsable() const {
+  if (is_open()) ObserverTable::FromFile(file_);
+}
+
 ObserverEntry ObserverGate::Admit(const grpc::ServerContextBase& context) const {
   std::shared_ptr<const ObserverTable> table;
   {

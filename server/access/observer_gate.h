@@ -21,6 +21,8 @@ class ObserverGate {
   // Takes over what the file holds now; throws like ObserverTable::FromFile, and changes nothing
   // then. A file without a line is fine: nobody may watch any more.
   void Reload();
+  // What Reload() would throw.
+  void RequireUsable() const;
 
   // Who calls, by token. Throws Unauthenticated.
   ObserverEntry Admit(const grpc::ServerContextBase& context) const;

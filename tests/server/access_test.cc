@@ -217,6 +217,16 @@ TEST_F(Tokens, AreTakenOverWhenReloaded) {
   EXPECT_EQ(CodeOf(kitchen), grpc::StatusCode::UNAUTHENTICATED);
 }
 
+TEST_F(Tokens, StayWhereTheFileOfObserversHasAMistake) {
+  options_.observers = folder_.Write("observers", "");
+  Loopback loopback(FindOne, options_);
+  const Client kitchen(loopback.server.Address(), With("let-me-in"));
+  folder_.Write("tokens", LineOf("hall", "other"));
+  folder_.Write("observers", "ann");
+  EXPECT_THROW(loopback.server.ReloadAccess(), std::invalid_argument);
+  EXPECT_EQ(CodeOf(kitchen), grpc::StatusCode::OK);
+}
+
 TEST_F(Tokens, FileMistakesAreNamed) {
   const std::string good = HashOf("let-me-in");
   const std::vector<std::pair<std::string, std::string>> cases{
