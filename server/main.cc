@@ -2,6 +2,8 @@
 #include <signal.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cstdlib>
 #include <exception>
@@ -38,13 +40,26 @@ sigset_t BlockSignals() {
   return signals;
 }
 
+// A second signal to stop ends the hold. A late one to read files again, or that the process goes
+// on after it was stopped (EINTR), does not.
+void Hold(std::chrono::seconds time, sigset_t signals) {
+  using std::chrono::nanoseconds;
+  sigdelset(&signals, SIGHUP);
+  const auto end = std::chrono::steady_clock::now() + time;
+  timespec left{};
+  do {
+    const nanoseconds rest = std::max(end - std::chrono::steady_clock::now(), nanoseconds(0));
+    left = {.tv_sec = rest / std::chrono::seconds(1),
+            .tv_nsec = (rest % std::chrono::seconds(1)).count()};
+  } while (sigtimedwait(&signals, nullptr, &left) < 0 && errno == EINTR);
+}
+
 void StopGently(fovea::server::Server& server, const fovea::server::ServerOptions& options,
                 const sigset_t& signals) {
   spdlog::info("stopping: serving on for {} s as NOT_SERVING, then calls have {} s to finish",
                options.hold_s, options.drain_timeout_s);
   server.StopAdvertising();
-  const timespec hold{.tv_sec = options.hold_s, .tv_nsec = 0};
-  sigtimedwait(&signals, nullptr, &hold);  // a second signal ends the hold
+  Hold(std::chrono::seconds(options.hold_s), signals);
   server.Drain();
 }
 

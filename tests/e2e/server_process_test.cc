@@ -203,38 +203,6 @@ TEST(ServerProcess, IsNotHealthyForTheImageWhereNobodyCanBeAsked) {
   EXPECT_EQ(silent.out, "metrics-listen is empty: nobody to ask\n");
 }
 
-// The hold is long: only a second signal ends it before the test's patience does.
-TEST(ServerProcess, HoldsBeforeItStops) {
-  ServerProcess server({"--hold-s", "3600"});
-  const client::Client client(server.address(), {.timeout = kPatience});
-  client.WaitUntilReady(kPatience);
-  server.process().Signal(SIGTERM);
-  // Not by asking alone: so many calls at once, by who has sent no frame, are a flood.
-  server.process().AwaitError("stopping: serving on for 3600 s");
-  while (client.IsServing()) std::this_thread::yield();
-  server.process().Signal(SIGTERM);
-  EXPECT_EQ(server.process().Wait().exit_code, 0);
-}
-
-TEST(ServerProcess, ReadsItsLogLevelAgain) {
-  const std::string path = ::testing::TempDir() + "fovea_level_" + std::to_string(getpid());
-  const auto write = [&](const char* text) { std::ofstream(path) << text; };
-  write("log-level = \"warn\"\n");
-  ServerProcess server({"--config", path, "--metrics-listen", "127.0.0.1:0"});
-  EXPECT_THAT(server.process().ReadLine(), StartsWith("metrics at http://127.0.0.1:"));
-  write("log-level = \"nonsense\"\n");
-  server.process().Signal(SIGHUP);
-  server.process().AwaitError("the configuration stays as it was: --log-level: \"nonsense\"");
-  write("log-level = \"info\"\n");
-  server.process().Signal(SIGHUP);
-  server.process().AwaitError("log level is info");
-  server.process().Signal(SIGTERM);
-  const Finished finished = server.process().Wait();
-  EXPECT_EQ(finished.exit_code, 0);
-  EXPECT_THAT(finished.err, HasSubstr("info stopping"));
-  std::filesystem::remove(path);
-}
-
 TEST(ServerProcess, IsReplacedInMidStreamAfterKill) {
   client::ClientOptions options{.timeout = kPatience};
   options.retry.max_attempts = 1000;
