@@ -103,9 +103,9 @@ class HttpServer::Impl {
       : host_(HostOf(listen)), handler_(std::move(handler)) {
     try {
       Listen(listen);
-    } catch (const boost::system::system_error&) {
-      throw std::runtime_error(std::string(flag) + ": cannot listen on " + listen +
-                               ": the port is in use or the address is not one of this machine");
+    } catch (const boost::system::system_error& error) {
+      throw std::runtime_error(std::string(flag) + ": cannot listen on " + listen + ": " +
+                               error.code().message());
     }
     Accept();
     thread_ = std::jthread([this] { Run(); });

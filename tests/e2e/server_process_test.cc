@@ -59,7 +59,16 @@ TEST(ServerProcess, SaysThatThePortOfTheMetricsIsTaken) {
   EXPECT_NE(second.exit_code, 0);
   EXPECT_EQ(second.out, "");
   EXPECT_EQ(second.err, "fovea-server: --metrics-listen: cannot listen on " + server.address() +
-                            ": the port is in use or the address is not one of this machine\n");
+                            ": Address already in use\n");
+}
+
+TEST(ServerProcess, SaysWhyTheMetricsHaveNoPort) {
+  const Finished finished =
+      Execute({FOVEA_SERVER, "--listen", "127.0.0.1:0", "--metrics-listen", "192.0.2.1:0"});
+  EXPECT_NE(finished.exit_code, 0);
+  EXPECT_EQ(finished.err,
+            "fovea-server: --metrics-listen: cannot listen on 192.0.2.1:0: Cannot assign requested "
+            "address\n");
 }
 
 TEST(ServerProcess, RefusesBadFlagsInOneLine) {
