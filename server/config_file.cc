@@ -21,8 +21,9 @@ bool IsOptionOfTheMethod(const std::string& key) {
   });
 }
 
-// Of the first line that starts with this key or section.
-std::size_t LineOf(const std::string& key, const std::string& text) {
+// Numbers of the lines that start with this key or section.
+std::vector<std::size_t> LinesOf(const std::string& key, const std::string& text) {
+  std::vector<std::size_t> found;
   std::istringstream lines(text);
   std::size_t number = 0;
   for (std::string line; std::getline(lines, line);) {
@@ -30,9 +31,9 @@ std::size_t LineOf(const std::string& key, const std::string& text) {
     const std::size_t start = std::min(line.find_first_not_of(" \t\"'["), line.size());
     const std::size_t end = start + key.size();
     if (line.compare(start, key.size(), key) != 0) continue;
-    if (end == line.size() || line.find_first_of(" \t=\"']", end) == end) return number;
+    if (end == line.size() || line.find_first_of(" \t=\"']", end) == end) found.push_back(number);
   }
-  return 0;
+  return found;
 }
 
 std::string TextOf(std::istream& input) {
@@ -66,11 +67,16 @@ void ConfigFile::Check(const CLI::ConfigItem& item, const std::string& text) con
   const bool is_section = item.name == "++" || item.name == "--";
   const std::string key = is_section ? CLI::detail::join(item.parents, ".") : item.fullname();
   const CLI::Option* option = is_section ? nullptr : app_.get_option_no_throw("--" + key);
+  const auto fail = [&](std::size_t line, const std::string& what) {
+    throw std::invalid_argument("--config: " + app_.get_config_ptr()->as<std::string>() + ":" +
+                                std::to_string(line) + ": \"" + key + "\" " + what);
+  };
+  const std::vector<std::size_t> lines = LinesOf(key, text);
+  if (option != nullptr && lines.size() > 1) {  // CLI11 would make one list of both
+    fail(lines.back(), "is there twice; several values are a list in one line");
+  }
   const std::string what = Problem(option, item, is_section ? key + "." : key);
-  if (what.empty()) return;
-  const std::string place =
-      app_.get_config_ptr()->as<std::string>() + ":" + std::to_string(LineOf(key, text));
-  throw std::invalid_argument("--config: " + place + ": \"" + key + "\" " + what);
+  if (!what.empty()) fail(lines.empty() ? 0 : lines.front(), what);
 }
 
 std::string ConfigFile::Problem(const CLI::Option* option, const CLI::ConfigItem& item,

@@ -134,6 +134,8 @@ TEST(ServerProcess, ChecksItsConfiguration) {
       {"fast = true\n", ":1: \"fast\" is no key; --help lists"},
       {"[section]\nlisten = \"127.0.0.1:0\"\n", ":1: \"section\" is no key"},
       {"[mrf]\nlambda = 3\n", ":1: \"mrf\" is no key; options of the method come"},
+      {"listen = \"[::1]:0\"\n# more\nlisten = \"127.0.0.1:0\"\n", ":3: \"listen\" is there twice"},
+      {"insecure = true\ninsecure = false\n", ":2: \"insecure\" is there twice"},
       {"check-config = true\n", ":1: \"check-config\" is for the command line only"}};
   for (const auto& [text, error] : cases) {
     const ConfigFile bad(text);
