@@ -108,7 +108,7 @@ SocketAddress SocketAddress::OrLoopback() const {
     if (host == htonl(INADDR_ANY)) host = htonl(INADDR_LOOPBACK);
   } else if (family() == AF_INET6) {
     auto& host = As<sockaddr_in6>(address.storage_).sin6_addr;
-    if (IN6_IS_ADDR_UNSPECIFIED(&host)) host = in6addr_loopback;
+    if (IN6_IS_ADDR_UNSPECIFIED(&host)) inet_pton(AF_INET6, "::ffff:127.0.0.1", &host);
   }
   return address;
 }

@@ -26,7 +26,8 @@ class SocketAddress {
   // "unix:" with the path, and the abstract name where it has one.
   std::string Uri() const;
 
-  // How this machine reaches itself there: "127.0.0.1" for "0.0.0.0", "[::1]" for "[::]".
+  // How this machine reaches itself there: "127.0.0.1" for "0.0.0.0" and, mapped to IPv6, for
+  // "[::]", since machines and containers whose IPv6 is switched off have that, but no "[::1]".
   SocketAddress OrLoopback() const;
   // The same host with any free port; any free name of a UNIX address.
   SocketAddress WithAnyPort() const;

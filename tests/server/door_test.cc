@@ -56,6 +56,19 @@ TEST(SocketAddress, IsWrittenAsGrpcDoes) {
   EXPECT_EQ(uri("::ffff:10.0.0.7"), "ipv4:10.0.0.7:1234");
 }
 
+TEST(SocketAddress, IsReachedByItsOwnMachineAlsoWithoutIpv6) {
+  sockaddr_in6 address{};
+  address.sin6_family = AF_INET6;
+  address.sin6_port = htons(1234);
+  const auto loopback_of = [&](const char* host) {
+    inet_pton(AF_INET6, host, &address.sin6_addr);
+    const auto* plain = reinterpret_cast<const sockaddr*>(&address);
+    return server::SocketAddress(plain, sizeof address).OrLoopback().Uri();
+  };
+  EXPECT_EQ(loopback_of("::"), "ipv4:127.0.0.1:1234");
+  EXPECT_EQ(loopback_of("::1"), "ipv6:%5B::1%5D:1234");
+}
+
 TEST(SocketAddress, OfAPeerIsThatWithoutThePort) {
   EXPECT_EQ(server::AddressOfPeer("ipv4:10.0.0.7:1234"), "ipv4:10.0.0.7");
   EXPECT_EQ(server::AddressOfPeer("ipv6:%5B2001:db8::7%5D:1234"), "ipv6:%5B2001:db8::7%5D");
