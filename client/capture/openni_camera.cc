@@ -51,7 +51,8 @@ std::optional<Picture> OpenNiCamera::Read(std::size_t index) {
   const bool is_depth = index == 1;
   const int gap = frame.getFrameIndex() - std::exchange(last_index_[index], frame.getFrameIndex());
   if (is_depth && delivered_ && gap > 1) losses_.missed += static_cast<std::uint64_t>(gap - 1);
-  if (cv::Size(frame.getWidth(), frame.getHeight()) != options_.size) {
+  const bool cut = frame.getDataSize() < frame.getStrideInBytes() * frame.getHeight();
+  if (cut || cv::Size(frame.getWidth(), frame.getHeight()) != options_.size) {
     ++losses_.wrong_size;
     CheckSilence();
     return std::nullopt;
@@ -87,7 +88,8 @@ void OpenNiCamera::CheckSilence() const {
   const std::string since = " for " + Seconds(options_.frame_timeout_s);
   if (losses_.wrong_size > 0) {
     throw CameraError("the camera " + uri_ + " sends images of another size than " +
-                      std::to_string(size().width) + "x" + std::to_string(size().height) + since);
+                      std::to_string(size().width) + "x" + std::to_string(size().height) +
+                      ", or cut short," + since);
   }
   const std::string text = "no frames arrive from " + uri_ + since;
   if (device_.isFile()) throw CameraError(text + ": the recording is cut short");

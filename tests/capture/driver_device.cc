@@ -169,7 +169,7 @@ void DriverDevice::ServeFrame(int index) {
     cv::resize(color, color, {}, 0.5, 0.5, cv::INTER_NEAREST);
     cv::resize(depth, depth, {}, 0.5, 0.5, cv::INTER_NEAREST);
   }
-  depth_->Deliver(depth, index, TimeOf(index));
+  depth_->Deliver(depth, index, TimeOf(index), options_.Has("half") && index % 4 == 0);
   if (options_.Has("color-waits")) {
     owed_color_ = index;
     return;

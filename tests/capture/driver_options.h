@@ -16,6 +16,7 @@ namespace fovea::testing {
 //   late-registration   registration works only once the streams run
 //   silent              no frame ever arrives
 //   wrong-size          images are half as wide and high as set
+//   half                half of each fourth depth image arrives
 //   drop-color          each fourth colour image is missing
 //   color-waits         each colour image comes with the next look at the camera only
 //   late-color          each fourth colour image arrives after the next depth image

@@ -86,7 +86,7 @@ OniBool DriverStream::isPropertySupported(int id) {
   return (id >= ONI_STREAM_PROPERTY_CROPPING && id <= ONI_STREAM_PROPERTY_MIRRORING) ? TRUE : FALSE;
 }
 
-void DriverStream::Deliver(const cv::Mat& image, int index, std::uint64_t time_us) {
+void DriverStream::Deliver(const cv::Mat& image, int index, std::uint64_t time_us, bool only_half) {
   OniFrame* frame = getServices().acquireFrame();
   if (frame == nullptr) return;
   frame->sensorType = type_;
@@ -101,6 +101,10 @@ void DriverStream::Deliver(const cv::Mat& image, int index, std::uint64_t time_u
   frame->dataSize = static_cast<int>(image.total() * image.elemSize());
   cv::Mat out(image.size(), image.type(), frame->data);
   mirrored_ != 0 ? cv::flip(image, out, 1) : image.copyTo(out);
+  if (only_half) {
+    frame->dataSize /= 2;
+    out.rowRange(image.rows / 2, image.rows).setTo(0);
+  }
   raiseNewFrame(frame);
   getServices().releaseFrame(frame);
 }

@@ -22,7 +22,7 @@ class DriverStream : public oni::driver::StreamBase {
 
   bool Running() const { return running_; }
   // Hands out one image: CV_8UC3, R first, or CV_16UC1.
-  void Deliver(const cv::Mat& image, int index, std::uint64_t time_us);
+  void Deliver(const cv::Mat& image, int index, std::uint64_t time_us, bool only_half = false);
 
  private:
   const OniSensorType type_;

@@ -97,8 +97,8 @@ TEST_F(MishapsTest, WrongSize) {
                      "sends images of another size than 320x240");
 }
 
-TEST_F(MishapsTest, PairsImagesOfOneMomentOnly) {
-  for (const std::string fault : {"drop-color", "late-color"}) {
+TEST_F(MishapsTest, PairsWholeImagesOfOneMomentOnly) {
+  for (const std::string fault : {"drop-color", "late-color", "half"}) {
     const Finished finished = With(fault, {"--save", At(fault)});
     EXPECT_EQ(finished.exit_code, 0) << finished.err;
     const std::vector<SavedFrame> saved = Saved(At(fault));
