@@ -17,7 +17,8 @@ namespace fovea::server {
 namespace {
 
 void AddProtectionFlags(CLI::App& app, ServerOptions& options) {
-  app.add_flag("--insecure", options.insecure, "Serve other machines unprotected");
+  app.add_flag("--insecure", options.insecure, "Serve other machines unprotected")
+      ->default_str("false");
   app.add_option("--tls-cert", options.tls_cert, "Certificate chain of the server, PEM file");
   app.add_option("--tls-key", options.tls_key, "Its private key, PEM file");
   app.add_option("--tls-client-ca", options.tls_client_ca,
@@ -78,7 +79,7 @@ void AddFlags(CLI::App& app, ServerOptions& options) {
          "Addresses to listen on, each HOST:PORT, where port 0 takes a free one, or unix:/PATH. "
          "Other than loopback and UNIX sockets only with TLS and client certificates or tokens, or "
          "with --insecure")
-      ->capture_default_str();
+      ->default_str(options.listen.front());  // without the brackets of a list
   AddProtectionFlags(app, options);
   AddConnectionFlags(app, options);
   app.add_option("--max-streams", options.max_streams, "Streams open at once, 1 to 10000")

@@ -161,6 +161,8 @@ TEST(ServerProcess, ShowsWhatAFlagHasWithItsFile) {
   };
   EXPECT_EQ(shown("metrics-listen").out, "127.0.0.1:9000\n");
   EXPECT_EQ(shown("max-pixels").out, "2000\n");
+  EXPECT_EQ(shown("listen").out, "127.0.0.1:50051\n");
+  EXPECT_EQ(shown("insecure").out, "false\n");
   EXPECT_EQ(shown("tokens").out, "\n");
   EXPECT_EQ(shown("tokens").exit_code, 0);
 }
