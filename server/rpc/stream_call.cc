@@ -55,7 +55,8 @@ StreamCall::StreamCall(const CallEnvironment& environment)
     : environment_(environment),
       token_(environment.live_calls.Enter()),
       caller_(&context_, environment.connections),
-      transfer_(&context_, environment.queue, environment.max_transfer, environment.unsent) {}
+      transfer_(&context_, environment.queue, environment.max_transfer, environment.unsent),
+      newest_(environment.frame_room) {}
 
 StreamCall::~StreamCall() {
   if (place_) environment_.metrics.OnStreams(-1);
@@ -141,31 +142,13 @@ void StreamCall::OnRead() {
   if (finished_) return;
   environment_.metrics.OnReceived(caller_.robot());
   environment_.metrics.OnReceivedBytes(bytes_.Length());
-  if (num_received_ == 0 && environment_.picks != nullptr && AcceptsPicks(bytes_)) {
+  if (newest_.num_received() == 0 && environment_.picks != nullptr && AcceptsPicks(bytes_)) {
     listening_ = environment_.picks->Listen(caller_.robot());
   }
-  if (newest_) {
-    LetGo();
-    newest_.reset();
-    ++num_dropped_;
-    environment_.metrics.OnDropped();
-  }
-  newest_ = {.bytes = {},
-             .room = environment_.frame_room.Take(bytes_.Length()),
-             .sequence = num_received_++,
-             .at = std::chrono::steady_clock::now()};
-  newest_->bytes.Swap(&bytes_);
-  bytes_.Clear();
-  if (!newest_->room) LetGo();
+  if (newest_.Put(&bytes_)) environment_.metrics.OnDropped();
   CheckAccess();
   Proceed();
   if (!finished_) Read();
-}
-
-// Its options hold all the same.
-void StreamCall::LetGo() {
-  if (auto options = OptionBytesOf(newest_->bytes)) newer_options_ = std::move(options);
-  newest_->bytes.Clear();
 }
 
 void StreamCall::OnGone() {
@@ -220,7 +203,7 @@ void StreamCall::Proceed() {
     AddRetryAfter(std::chrono::milliseconds(0), &context_);
     Finish({grpc::StatusCode::UNAVAILABLE,
             "the stream has reached its greatest age; open another one"});
-  } else if (newest_) {
+  } else if (newest_.waits()) {
     TakeTurn();
   } else if (no_more_) {
     Finish(grpc::Status::OK);
@@ -271,14 +254,13 @@ void StreamCall::ComputeOrSayWhyNot() {
 void StreamCall::Compute() {
   const auto began = std::chrono::steady_clock::now();
   response_.Clear();
-  Received received;
+  NewestFrame::Received received;
   std::optional<std::string> options;
   {
     const std::lock_guard lock(mutex_);
-    received = std::move(*newest_);
-    newest_.reset();
-    options = std::exchange(newer_options_, std::nullopt);
-    response_.set_dropped(std::exchange(num_dropped_, 0));
+    received = newest_.Take();
+    options = newest_.TakeOptions();
+    response_.set_dropped(newest_.TakeNumDropped());
   }
   response_.set_sequence(received.sequence);
   v1::DetectStreamRequest request;
@@ -308,7 +290,7 @@ void StreamCall::Compute() {
 void StreamCall::Finish(const grpc::Status& status) {
   finished_ = true;
   // Of a frame that waits, this is all that the caller hears.
-  if (newest_) environment_.metrics.OnAnswered(caller_.robot(), status, {}, {});
+  if (newest_.waits()) environment_.metrics.OnAnswered(caller_.robot(), status, {}, {});
   listening_.reset();
   age_.Cancel();
   stream_.Finish(status, Then([self = shared_from_this()](bool) {}));

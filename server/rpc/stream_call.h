@@ -5,7 +5,6 @@
 #include <grpcpp/support/async_stream.h>
 #include <grpcpp/support/byte_buffer.h>
 
-#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -13,7 +12,7 @@
 
 #include "server/rpc/caller.h"
 #include "server/rpc/detection_service.h"
-#include "server/rpc/frame_room.h"
+#include "server/rpc/newest_frame.h"
 #include "server/rpc/transfer_limit.h"
 #include "server/stream_tracker.h"
 
@@ -30,14 +29,6 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   ~StreamCall();
 
  private:
-  // A message as it came: it is parsed when its turn has come, and not at all where it is dropped.
-  struct Received {
-    grpc::ByteBuffer bytes;
-    FrameRoom::Place room;  // null: there was none for the bytes
-    std::uint64_t sequence = 0;
-    std::chrono::steady_clock::time_point at;
-  };
-
   void OnRequest();
   void Open();  // mutex_ is held
   // The stream is not let in; mutex_ is held. `reason` is what it is counted as.
@@ -45,7 +36,6 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   void Read();
   void OnRead();
   void OnNoMore();
-  void LetGo();  // of the newest frame's bytes; mutex_ is held
   void OnGone();
   void OnWritten(bool ok);
   void End();          // by the server
@@ -76,10 +66,7 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   PickBoard::TakenPtr pick_;           // in response_
 
   std::mutex mutex_;
-  std::optional<std::string> newer_options_;  // of the frames that were dropped since then
-  std::optional<Received> newest_;            // waits
-  std::uint64_t num_received_ = 0;
-  std::uint64_t num_dropped_ = 0;  // since the last frame that was taken
+  NewestFrame newest_;
   Scheduler::Ticket ticket_ = 0;
   bool busy_ = false;     // waits for its turn, computes or writes
   bool no_more_ = false;  // the caller sends no more frames

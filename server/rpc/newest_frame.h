@@ -1,0 +1,50 @@
+#pragma once
+
+#include <grpcpp/support/byte_buffer.h>
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "server/rpc/frame_room.h"
+
+namespace fovea::server {
+
+// What has come of a stream and is not worked on yet: the newest frame waits, what waited before it
+// is dropped. Not thread-safe.
+class NewestFrame {
+ public:
+  // A message as it came: it is parsed when its turn has come, and not at all where it is dropped.
+  struct Received {
+    grpc::ByteBuffer bytes;
+    FrameRoom::Place room;  // null: there was none for the bytes
+    std::uint64_t sequence = 0;
+    std::chrono::steady_clock::time_point at;
+  };
+
+  explicit NewestFrame(FrameRoom& room) : room_(room) {}
+
+  std::uint64_t num_received() const { return num_received_; }
+  bool waits() const { return frame_.has_value(); }
+
+  // Takes the bytes. Returns whether one was dropped for it.
+  bool Put(grpc::ByteBuffer* bytes);
+
+  // Of one that waits, once.
+  Received Take();
+  // Of frames whose bytes are gone since the last call: the options hold all the same.
+  std::optional<std::string> TakeOptions();
+  std::uint64_t TakeNumDropped();
+
+ private:
+  void LetGo();
+
+  FrameRoom& room_;
+  std::optional<Received> frame_;
+  std::optional<std::string> options_;
+  std::uint64_t num_received_ = 0;
+  std::uint64_t num_dropped_ = 0;
+};
+
+}  // namespace fovea::server
