@@ -26,23 +26,20 @@ template <typename Response>
 grpc::internal::MethodHandler* LateReading(
     std::function<grpc::Status(grpc::ServerContext*, LateStream<Response>*, Response*)> answer) {
   using Handler = grpc::internal::TemplatedBidiStreamingHandler<LateStream<Response>, false>;
-  const auto respond = [answer = std::move(answer)](grpc::ServerContext* context,
-                                                    LateStream<Response>* stream) {
-    Response response;
-    grpc::Status status = answer(context, stream, &response);
-    if (status.ok()) stream->Write(response);
-    return status;
-  };
-  return new Handler([respond](grpc::ServerContext* context, LateStream<Response>* stream) {
-    try {
-      return respond(context, stream);
-    } catch (const Overloaded& full) {
-      AddRetryAfter(full.retry_after, context);
-      return StatusOfCurrentException(/*deadline_passed=*/false);
-    } catch (...) {  // whatever it is, the caller gets a status
-      return StatusOfCurrentException(/*deadline_passed=*/false);
-    }
-  });
+  return new Handler(
+      [answer = std::move(answer)](grpc::ServerContext* context, LateStream<Response>* stream) {
+        try {
+          Response response;
+          grpc::Status status = answer(context, stream, &response);
+          if (status.ok()) stream->Write(response);
+          return status;
+        } catch (const Overloaded& full) {
+          AddRetryAfter(full.retry_after, context);
+          return StatusOfCurrentException(/*deadline_passed=*/false);
+        } catch (...) {  // whatever it is, the caller gets a status
+          return StatusOfCurrentException(/*deadline_passed=*/false);
+        }
+      });
 }
 
 // Waits for the message, for as long as `limit` allows.

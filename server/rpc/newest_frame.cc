@@ -13,16 +13,17 @@ bool NewestFrame::Put(grpc::ByteBuffer* bytes) {
     frame_.reset();  // and its room, before the next one takes some
     ++num_dropped_;
   }
-  frame_ = {.bytes = {},
-            .room = room_.Take(bytes->Length()),
-            .sequence = num_received_++,
-            .at = std::chrono::steady_clock::now()};
+  frame_.emplace();
+  frame_->room = room_.Take(bytes->Length());
+  frame_->sequence = num_received_++;
+  frame_->at = std::chrono::steady_clock::now();
   frame_->bytes.Swap(bytes);
   bytes->Clear();
   if (!frame_->room) LetGo();
   return drops;
 }
 
+// Its options hold all the same.
 void NewestFrame::LetGo() {
   if (auto options = OptionBytesOf(frame_->bytes)) options_ = std::move(options);
   frame_->bytes.Clear();
@@ -31,13 +32,9 @@ void NewestFrame::LetGo() {
 NewestFrame::Received NewestFrame::Take() {
   Received frame = std::move(*frame_);
   frame_.reset();
+  frame.options = std::exchange(options_, std::nullopt);
+  frame.num_dropped = std::exchange(num_dropped_, 0);
   return frame;
 }
-
-std::optional<std::string> NewestFrame::TakeOptions() {
-  return std::exchange(options_, std::nullopt);
-}
-
-std::uint64_t NewestFrame::TakeNumDropped() { return std::exchange(num_dropped_, 0); }
 
 }  // namespace fovea::server

@@ -19,7 +19,9 @@ class NewestFrame {
   struct Received {
     grpc::ByteBuffer bytes;
     FrameRoom::Place room;  // null: there was none for the bytes
-    std::uint64_t sequence = 0;
+    // Of what had no room and of frames dropped before it, the last ones that were said.
+    std::optional<std::string> options;
+    std::uint64_t sequence = 0, num_dropped = 0;  // the latter since the last one taken
     std::chrono::steady_clock::time_point at;
   };
 
@@ -33,9 +35,6 @@ class NewestFrame {
 
   // Of one that waits, once.
   Received Take();
-  // Of frames whose bytes are gone since the last call: the options hold all the same.
-  std::optional<std::string> TakeOptions();
-  std::uint64_t TakeNumDropped();
 
  private:
   void LetGo();

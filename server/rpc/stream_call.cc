@@ -255,13 +255,11 @@ void StreamCall::Compute() {
   const auto began = std::chrono::steady_clock::now();
   response_.Clear();
   NewestFrame::Received received;
-  std::optional<std::string> options;
   {
     const std::lock_guard lock(mutex_);
     received = newest_.Take();
-    options = newest_.TakeOptions();
-    response_.set_dropped(newest_.TakeNumDropped());
   }
+  response_.set_dropped(received.num_dropped);
   response_.set_sequence(received.sequence);
   v1::DetectStreamRequest request;
   grpc::Status status = received.room ? Parse(&received.bytes, &request) : StatusOfNoRoom();
@@ -271,7 +269,7 @@ void StreamCall::Compute() {
   if (status.ok() && request.has_options()) {
     options_ = request.options().SerializeAsString();
   } else {
-    if (options) options_ = std::move(*options);
+    if (received.options) options_ = std::move(*received.options);
     request.mutable_options()->ParseFromString(options_);
   }
   const FrameRequest frame{.frame = request.has_frame() ? &request.frame() : nullptr,

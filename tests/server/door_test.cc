@@ -44,29 +44,22 @@ void AwaitOpen(const server::Server& server, std::size_t number) {
   while (server.connections().counts().open != number) std::this_thread::yield();
 }
 
-TEST(SocketAddress, IsWrittenAsGrpcDoes) {
+server::SocketAddress AddressOf(const char* host) {
   sockaddr_in6 address{};
   address.sin6_family = AF_INET6;
   address.sin6_port = htons(1234);
-  const auto uri = [&](const char* host) {
-    inet_pton(AF_INET6, host, &address.sin6_addr);
-    return server::SocketAddress(reinterpret_cast<const sockaddr*>(&address), sizeof address).Uri();
-  };
-  EXPECT_EQ(uri("::1"), "ipv6:%5B::1%5D:1234");
-  EXPECT_EQ(uri("::ffff:10.0.0.7"), "ipv4:10.0.0.7:1234");
+  inet_pton(AF_INET6, host, &address.sin6_addr);
+  return {reinterpret_cast<const sockaddr*>(&address), sizeof address};
+}
+
+TEST(SocketAddress, IsWrittenAsGrpcDoes) {
+  EXPECT_EQ(AddressOf("::1").Uri(), "ipv6:%5B::1%5D:1234");
+  EXPECT_EQ(AddressOf("::ffff:10.0.0.7").Uri(), "ipv4:10.0.0.7:1234");
 }
 
 TEST(SocketAddress, IsReachedByItsOwnMachineAlsoWithoutIpv6) {
-  sockaddr_in6 address{};
-  address.sin6_family = AF_INET6;
-  address.sin6_port = htons(1234);
-  const auto loopback_of = [&](const char* host) {
-    inet_pton(AF_INET6, host, &address.sin6_addr);
-    const auto* plain = reinterpret_cast<const sockaddr*>(&address);
-    return server::SocketAddress(plain, sizeof address).OrLoopback().Uri();
-  };
-  EXPECT_EQ(loopback_of("::"), "ipv4:127.0.0.1:1234");
-  EXPECT_EQ(loopback_of("::1"), "ipv6:%5B::1%5D:1234");
+  EXPECT_EQ(AddressOf("::").OrLoopback().Uri(), "ipv4:127.0.0.1:1234");
+  EXPECT_EQ(AddressOf("::1").OrLoopback().Uri(), "ipv6:%5B::1%5D:1234");
 }
 
 TEST(SocketAddress, OfAPeerIsThatWithoutThePort) {

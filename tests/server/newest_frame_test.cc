@@ -39,10 +39,12 @@ TEST(NewestFrame, DropsWhatWaitedBefore) {
   EXPECT_FALSE(newest.waits());
   EXPECT_EQ(received.sequence, 2U);
   EXPECT_EQ(newest.num_received(), 3U);
-  EXPECT_EQ(newest.TakeNumDropped(), 2U);
-  EXPECT_EQ(newest.TakeNumDropped(), 0U);
-  EXPECT_EQ(ProfileOf(newest.TakeOptions()), "paper");
-  EXPECT_FALSE(newest.TakeOptions());
+  EXPECT_EQ(received.num_dropped, 2U);
+  EXPECT_EQ(ProfileOf(received.options), "paper");
+  EXPECT_FALSE(Put(FrameBytes(), &newest));
+  const NewestFrame::Received next = newest.Take();
+  EXPECT_EQ(next.num_dropped, 0U);
+  EXPECT_FALSE(next.options);
 }
 
 TEST(NewestFrame, KeepsOptionsAloneWhereThereIsNoRoom) {
@@ -53,7 +55,7 @@ TEST(NewestFrame, KeepsOptionsAloneWhereThereIsNoRoom) {
   const NewestFrame::Received received = newest.Take();
   EXPECT_FALSE(received.room);
   EXPECT_EQ(received.bytes.Length(), 0U);
-  EXPECT_EQ(ProfileOf(newest.TakeOptions()), "paper");
+  EXPECT_EQ(ProfileOf(received.options), "paper");
 }
 
 TEST(NewestFrame, GivesBackTheRoomOfWhatItDrops) {
