@@ -14,7 +14,7 @@ server=""
 finish() {
   local status=$?
   [ -z "$server" ] || kill "$server" 2>/dev/null || true
-  [ "$status" = 0 ] || cat "$out"/*.log >&2 || true
+  [ "$status" = 0 ] || find "$out" -maxdepth 1 -name "*.log" -exec cat {} + >&2
   rm -rf "$out"
 }
 trap finish EXIT

@@ -29,8 +29,8 @@ void NewestFrame::LetGo() {
   frame_->bytes.Clear();
 }
 
-NewestFrame::Received NewestFrame::Take() {
-  Received frame = std::move(*frame_);
+ReceivedFrame NewestFrame::Take() {
+  ReceivedFrame frame = std::move(*frame_);
   frame_.reset();
   frame.options = std::exchange(options_, std::nullopt);
   frame.num_dropped = std::exchange(num_dropped_, 0);

@@ -11,20 +11,21 @@
 
 namespace fovea::server {
 
+// A message of a stream as it came: it is parsed when its turn has come, and not at all where it is
+// dropped.
+struct ReceivedFrame {
+  grpc::ByteBuffer bytes;
+  FrameRoom::Place room;  // null: there was none for the bytes
+  // Of what had no room and of frames dropped before it, the last ones that were said.
+  std::optional<std::string> options;
+  std::uint64_t sequence = 0, num_dropped = 0;  // the latter since the last one taken
+  std::chrono::steady_clock::time_point at;
+};
+
 // What has come of a stream and is not worked on yet: the newest frame waits, what waited before it
 // is dropped. Not thread-safe.
 class NewestFrame {
  public:
-  // A message as it came: it is parsed when its turn has come, and not at all where it is dropped.
-  struct Received {
-    grpc::ByteBuffer bytes;
-    FrameRoom::Place room;  // null: there was none for the bytes
-    // Of what had no room and of frames dropped before it, the last ones that were said.
-    std::optional<std::string> options;
-    std::uint64_t sequence = 0, num_dropped = 0;  // the latter since the last one taken
-    std::chrono::steady_clock::time_point at;
-  };
-
   explicit NewestFrame(FrameRoom& room) : room_(room) {}
 
   std::uint64_t num_received() const { return num_received_; }
@@ -34,13 +35,13 @@ class NewestFrame {
   bool Put(grpc::ByteBuffer* bytes);
 
   // Of one that waits, once.
-  Received Take();
+  ReceivedFrame Take();
 
  private:
   void LetGo();
 
   FrameRoom& room_;
-  std::optional<Received> frame_;
+  std::optional<ReceivedFrame> frame_;
   std::optional<std::string> options_;
   std::uint64_t num_received_ = 0;
   std::uint64_t num_dropped_ = 0;

@@ -254,7 +254,7 @@ void StreamCall::ComputeOrSayWhyNot() {
 void StreamCall::Compute() {
   const auto began = std::chrono::steady_clock::now();
   response_.Clear();
-  NewestFrame::Received received;
+  ReceivedFrame received;
   {
     const std::lock_guard lock(mutex_);
     received = newest_.Take();

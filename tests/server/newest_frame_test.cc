@@ -11,6 +11,7 @@ namespace {
 
 using server::FrameRoom;
 using server::NewestFrame;
+using server::ReceivedFrame;
 
 grpc::ByteBuffer FrameBytes(const std::string& profile = {}) {
   v1::DetectStreamRequest request;
@@ -35,14 +36,14 @@ TEST(NewestFrame, DropsWhatWaitedBefore) {
   EXPECT_FALSE(Put(FrameBytes(), &newest));
   EXPECT_TRUE(Put(FrameBytes("paper"), &newest));
   EXPECT_TRUE(Put(FrameBytes(), &newest));
-  const NewestFrame::Received received = newest.Take();
+  const ReceivedFrame received = newest.Take();
   EXPECT_FALSE(newest.waits());
   EXPECT_EQ(received.sequence, 2U);
   EXPECT_EQ(newest.num_received(), 3U);
   EXPECT_EQ(received.num_dropped, 2U);
   EXPECT_EQ(ProfileOf(received.options), "paper");
   EXPECT_FALSE(Put(FrameBytes(), &newest));
-  const NewestFrame::Received next = newest.Take();
+  const ReceivedFrame next = newest.Take();
   EXPECT_EQ(next.num_dropped, 0U);
   EXPECT_FALSE(next.options);
 }
@@ -52,7 +53,7 @@ TEST(NewestFrame, KeepsOptionsAloneWhereThereIsNoRoom) {
   const FrameRoom::Place others = room.Take(800);
   NewestFrame newest(room);
   EXPECT_FALSE(Put(FrameBytes("paper"), &newest));
-  const NewestFrame::Received received = newest.Take();
+  const ReceivedFrame received = newest.Take();
   EXPECT_FALSE(received.room);
   EXPECT_EQ(received.bytes.Length(), 0U);
   EXPECT_EQ(ProfileOf(received.options), "paper");
