@@ -7,6 +7,7 @@
 
 #include "flags/misspelling.h"
 #include "server/access/credentials.h"
+#include "server/access/file_to_read_again.h"
 #include "server/access/gate_keeper.h"
 #include "server/access/observer_gate.h"
 #include "server/config_file.h"
@@ -218,7 +219,8 @@ std::optional<ServerOptions> ParseCommandLine(int argc, char** argv, Settings* s
   AddFlags(app, options);
   RequirePlainValues(app);
   app.set_config("--config", "",
-                 "File with any of these flags, one KEY = VALUE a line; flags given here win");
+                 "File with any of these flags, one KEY = VALUE a line; flags given here win")
+      ->each([](const std::string& path) { RequireFileToReadAgain("--config", path); });
   app.config_formatter(std::make_shared<ConfigFile>(app));
   Questions questions;
   AddQuestionFlags(app, questions);

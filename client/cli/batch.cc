@@ -196,7 +196,7 @@ bool DetectFolder(const client::Client& client, const Batch& batch, FrameSetting
   FrameList list = batch.list ? *batch.list : ListFrames(batch.input);
   for (const std::string& note : list.notes) std::cerr << "note: " << note << '\n';
   if (const std::size_t renamed = NameApart(list.frames); renamed > 0) {
-    std::cerr << "note: frames with the name of another one: " << renamed
+    std::cerr << "note: frames whose name is taken: " << renamed
               << "; they are called NAME_2, NAME_3, ...\n";
   }
   SetDepthFrom(list, batch, &settings);

@@ -31,8 +31,11 @@ FrameList ListFrames(const std::string& folder);
 // Whether a file of this name is an image of a frame, by the first of these ways.
 bool IsOfAFrame(const std::string& filename);
 
-// Frames of one name get one each, so that no result takes the place of another: NAME, NAME_2, …
-// Returns how many were renamed.
+// Of the file beside the results that says what was asked.
+inline constexpr const char* kRequestName = "fovea_request";
+
+// Frames of one name, or of that one, get one each, so that no result takes the place of another:
+// NAME, NAME_2, … Returns how many were renamed.
 std::size_t NameApart(std::vector<FrameFiles>& frames);
 
 }  // namespace fovea::cli

@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string RequestPath(const Batch& batch) {
-  return (fs::path(batch.output) / "fovea_request.json").string();
+  return (fs::path(batch.output) / kRequestName).string() + ".json";
 }
 
 // Whether a frame's files are all there, and no older than what they were made from: its images and

@@ -67,6 +67,10 @@ std::chrono::sys_seconds TimeOf(const ASN1_TIME& time) {
   return std::chrono::sys_seconds(std::chrono::seconds(timegm(&parts)));
 }
 
+std::chrono::sys_seconds StartOf(const X509& certificate) {
+  return TimeOf(*X509_get0_notBefore(&certificate));
+}
+
 std::chrono::sys_seconds ExpiryOf(const X509& certificate) {
   return TimeOf(*X509_get0_notAfter(&certificate));
 }

@@ -24,6 +24,7 @@ std::vector<RevocationList> RevocationListsOf(const std::string& pem);
 bool IsKeyOf(const std::string& key_pem, const std::vector<Certificate>& chain);
 
 // In whole seconds, since times beyond 2262 do not fit the nanoseconds of a time_point.
+std::chrono::sys_seconds StartOf(const X509& certificate);
 std::chrono::sys_seconds ExpiryOf(const X509& certificate);
 std::chrono::sys_seconds TimeOf(const ASN1_TIME& time);
 

@@ -81,7 +81,12 @@ void Credentials::WarnOfWhatIsDue() const {
   constexpr std::chrono::days kSoon{14};
   if (!has_tls()) return;
   const TlsFiles files = this->files();
-  const std::chrono::sys_seconds expiry = ExpiryOf(*files.leaf);
+  const std::chrono::sys_seconds start = StartOf(*files.leaf), expiry = ExpiryOf(*files.leaf);
+  if (NowInSeconds() < start) {
+    spdlog::warn("--tls-cert: the certificate of {} is good from {} on, and this machine's clock "
+                 "says {}",
+                 options_.tls_cert, TextOf(start), TextOf(NowInSeconds()));
+  }
   if (expiry < NowInSeconds() + kSoon) {
     spdlog::warn("--tls-cert: the certificate of {} {} {}", options_.tls_cert,
                  expiry < NowInSeconds() ? "has expired at" : "expires soon, at", TextOf(expiry));

@@ -6,12 +6,14 @@
 #include <sstream>
 #include <vector>
 
+#include "server/access/file_to_read_again.h"
 #include "server/conversion/field_error.h"
 
 namespace fovea::server {
 namespace {
 
 std::string Read(const char* flag, const std::string& path) {
+  RequireFileToReadAgain(flag, path);
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;

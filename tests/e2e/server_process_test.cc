@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -20,6 +21,7 @@
 
 #include "client/client.h"
 #include "tests/server/frames.h"
+#include "tests/support/temporary_folder.h"
 
 namespace fovea::testing {
 namespace {
@@ -143,15 +145,33 @@ TEST(ServerProcess, ChecksItsConfiguration) {
     EXPECT_EQ(invalid.exit_code, 1) << text;
     EXPECT_THAT(invalid.err, HasSubstr(error)) << text;
   }
-  const Finished endless = Execute({FOVEA_SERVER, "--check-config", "--config", "/dev/zero"});
-  EXPECT_THAT(endless.err, HasSubstr("--config: the file has more than 1 MiB"));
+  const ConfigFile large(std::string((1 << 20) + 1, '#'));
+  const Finished too_large = Execute({FOVEA_SERVER, "--check-config", "--config", large.path()});
+  EXPECT_THAT(too_large.err, HasSubstr("--config: the file has more than 1 MiB"));
   const Finished unset = Execute({FOVEA_SERVER, "--check-config", "--tokens", ""});
   EXPECT_THAT(unset.err, HasSubstr("--tokens: is empty"));
-  const Finished device = Execute({FOVEA_SERVER, "--check-config", "--tokens", "/dev/zero"});
-  EXPECT_THAT(device.err, HasSubstr("--tokens: /dev/zero is no file that can be read again"));
   const Finished missing = Execute({FOVEA_SERVER, "--config", "/nowhere.toml"});
   EXPECT_EQ(missing.exit_code, 1);
   EXPECT_THAT(missing.err, StartsWith("fovea-server: --config: /nowhere.toml"));
+}
+
+// Without the look at what they are, each would wait for somebody who writes, or have no end.
+TEST(ServerProcess, WantsFilesThatItCanReadAgain) {
+  const TemporaryFolder folder;
+  const std::string pipe = folder.At("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), S_IRUSR | S_IWUSR), 0);
+  for (const std::string& path : {pipe, std::string("/dev/zero")}) {
+    for (std::vector<std::string> flags : {std::vector<std::string>{"--config"},
+                                           {"--tokens"},
+                                           {"--tls-cert", "/dev/null", "--tls-key"}}) {
+      const std::string error = flags.back() + ": " + path + " is no file that can be read again";
+      flags.insert(flags.begin(), {FOVEA_SERVER, "--check-config"});
+      flags.push_back(path);
+      const Finished refused = Execute(flags);
+      EXPECT_EQ(refused.exit_code, 1) << error;
+      EXPECT_THAT(refused.err, HasSubstr(error));
+    }
+  }
 }
 
 TEST(ServerProcess, ShowsWhatAFlagHasWithItsFile) {

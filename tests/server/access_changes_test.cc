@@ -130,6 +130,17 @@ TEST_F(AccessChanges, SaysWhenTheCertificateExpires) {
   EXPECT_EQ(ExpiryMetric(plain), 0) << "there is none without TLS";
 }
 
+TEST_F(AccessChanges, SaysThatTheCertificateIsNotGoodYet) {
+  const CapturedLog log;
+  const PemPair pair = authority_.Issue("early", 3600);
+  options_.tls_cert = folder_.Write("cert.pem", pair.certificate);
+  options_.tls_key = folder_.Write("key.pem", pair.key);
+  const Loopback loopback(FindOne, options_);
+  log.Await("is good from " +
+            server::TextOf(server::StartOf(*server::CertificatesOf(pair.certificate).front())) +
+            " on, and this machine's clock says");
+}
+
 TEST_F(AccessChanges, ABadFileChangesNothing) {
   ReloadBySignalOnly();
   options_.tokens = folder_.Write(

@@ -62,9 +62,10 @@ Authority::Authority() : key_(NewKey()), certificate_(NewCertificate("authority"
 
 std::string Authority::Certificate() const { return PemOfCertificate(certificate_.get()); }
 
-PemPair Authority::Issue(const std::string& name) const {
+PemPair Authority::Issue(const std::string& name, long start_s) const {
   const Key key = NewKey();
   const auto certificate = NewCertificate(name, key.get());
+  X509_gmtime_adj(X509_getm_notBefore(certificate.get()), start_s);
   X509_set_issuer_name(certificate.get(), X509_get_subject_name(certificate_.get()));
   AddExtension(certificate.get(), NID_subject_alt_name, "DNS:" + name + ",IP:127.0.0.1");
   X509_sign(certificate.get(), key_.get(), EVP_sha256());

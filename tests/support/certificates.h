@@ -20,8 +20,9 @@ class Authority {
   Authority();
 
   std::string Certificate() const;
-  // For the given name, which is also its DNS name, and for 127.0.0.1.
-  PemPair Issue(const std::string& name) const;
+  // For the given name, which is also its DNS name, and for 127.0.0.1; good from so many seconds
+  // from now on.
+  PemPair Issue(const std::string& name, long start_s = -60) const;
   // The list of these certificates as revoked, whose next issue is due after so many seconds.
   std::string Revoke(const std::vector<std::string>& certificates, long due_s = 3600) const;
 

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+namespace fovea::server {
+
+// Throws std::invalid_argument that names `flag` where the path is a pipe, which would be waited
+// for and cannot be read again, as SIGHUP does, or a device other than /dev/null, which need not
+// end. What is not there at all is for whoever opens it.
+void RequireFileToReadAgain(const std::string& flag, const std::string& path);
+
+}  // namespace fovea::server
