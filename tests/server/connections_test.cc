@@ -22,17 +22,11 @@ using client::Client;
 using client::ClientOptions;
 using ::testing::HasSubstr;
 
-// A stream that has had an answer.
 std::unique_ptr<client::DetectStream> OpenStream(const std::string& address,
                                                  const std::string& robot) {
   ClientOptions of_robot = PatientOptions();
   of_robot.robot = robot;
-  auto stream = Client(address, of_robot).OpenStream(kPatience);
-  v1::DetectStreamRequest request;
-  *request.mutable_frame() = TestFrame();
-  stream->Send(request);
-  stream->Receive();
-  return stream;
+  return AnsweredStream(Client(address, of_robot));
 }
 
 TEST(Limits, StreamsAreCountedByRobotAndInAll) {

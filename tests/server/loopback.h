@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <memory>
 
 #include "client/client.h"
 #include "server/server.h"
@@ -31,6 +32,9 @@ struct Loopback {
   server::Server server;
   client::Client client;
 };
+
+// A stream of this client that has had an answer. Throws RpcError where the server ends it instead.
+std::unique_ptr<client::DetectStream> AnsweredStream(const client::Client& client);
 
 // Runs `call`, which must throw RpcError, and returns that as a status.
 template <typename Call>

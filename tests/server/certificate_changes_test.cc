@@ -1,6 +1,5 @@
-// Certificates, lists of revoked ones and tokens that change while the server serves.
+// Certificates and lists of revoked ones that change while the server serves.
 #include <gmock/gmock.h>
-#include <grpcpp/create_channel.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -33,16 +32,6 @@ grpc::Status StatusOfDetecting(const Client& client) {
   }
 }
 
-// A stream that has had an answer.
-std::unique_ptr<client::DetectStream> OpenStream(const Client& client) {
-  auto stream = client.OpenStream(kPatience);
-  v1::DetectStreamRequest request;
-  *request.mutable_frame() = TestFrame();
-  EXPECT_TRUE(stream->Send(request));
-  EXPECT_TRUE(stream->Receive());
-  return stream;
-}
-
 std::chrono::sys_seconds ExpiryOf(const PemPair& pair) {
   return server::ExpiryOf(*server::CertificatesOf(pair.certificate).front());
 }
@@ -55,9 +44,9 @@ double ExpiryMetric(const Loopback& loopback) {
   return MetricValue(*loopback.server.metrics(), "fovea_certificate_expiry_timestamp_seconds");
 }
 
-class AccessChanges : public ::testing::Test {
+class CertificateChanges : public ::testing::Test {
  protected:
-  AccessChanges() {
+  CertificateChanges() {
     WriteServer(authority_.Issue("server"));
     options_.tls_key = folder_.At("key.pem");
     options_.tls_cert = folder_.At("cert.pem");
@@ -93,7 +82,7 @@ class AccessChanges : public ::testing::Test {
   server::ServerOptions options_ = LoopbackOptions();
 };
 
-TEST_F(AccessChanges, ServesTheOldCertificateUntilTheNewKeyIsThere) {
+TEST_F(CertificateChanges, ServesTheOldCertificateUntilTheNewKeyIsThere) {
   const CapturedLog log;
   const Loopback loopback(FindOne, options_);
   const auto serves = [&](const Authority& authority) {
@@ -116,7 +105,7 @@ TEST_F(AccessChanges, ServesTheOldCertificateUntilTheNewKeyIsThere) {
   EXPECT_EQ(ExpiryMetric(loopback), SecondsOf(ExpiryOf(pair)));
 }
 
-TEST_F(AccessChanges, SaysWhenTheCertificateExpires) {
+TEST_F(CertificateChanges, SaysWhenTheCertificateExpires) {
   const CapturedLog log;
   const Loopback loopback(FindOne, options_);
   const auto expiry =
@@ -130,7 +119,7 @@ TEST_F(AccessChanges, SaysWhenTheCertificateExpires) {
   EXPECT_EQ(ExpiryMetric(plain), 0) << "there is none without TLS";
 }
 
-TEST_F(AccessChanges, SaysThatTheCertificateIsNotGoodYet) {
+TEST_F(CertificateChanges, SaysThatTheCertificateIsNotGoodYet) {
   const CapturedLog log;
   const PemPair pair = authority_.Issue("early", 3600);
   options_.tls_cert = folder_.Write("cert.pem", pair.certificate);
@@ -141,7 +130,7 @@ TEST_F(AccessChanges, SaysThatTheCertificateIsNotGoodYet) {
             " on, and this machine's clock says");
 }
 
-TEST_F(AccessChanges, ABadFileChangesNothing) {
+TEST_F(CertificateChanges, ABadFileChangesNothing) {
   ReloadBySignalOnly();
   options_.tokens = folder_.Write(
       "tokens", "kitchen a3ee786b5707c27d42570785081ec17f5c7db9262a01366af362a1aa61a420b9\n");
@@ -163,14 +152,14 @@ TEST_F(AccessChanges, ABadFileChangesNothing) {
   EXPECT_EQ(MetricValue(metrics, "fovea_robot_frames_received_total", "kitchen"), 1);
 }
 
-TEST_F(AccessChanges, RevokedCertificatesEndTheirStreams) {
+TEST_F(CertificateChanges, RevokedCertificatesEndTheirStreams) {
   ReloadBySignalOnly();
   AskForClientCertificates();
   const PemPair kitchen = clients_.Issue("kitchen"), hall = clients_.Issue("hall");
   Revoke({});
   Loopback loopback(FindOne, options_);
   const Client client = ClientOf(loopback, kitchen), other = ClientOf(loopback, hall);
-  const auto stream = OpenStream(client), stays = OpenStream(other);
+  const auto stream = AnsweredStream(client), stays = AnsweredStream(other);
 
   Revoke({kitchen.certificate});
   loopback.server.ReloadAccess();
@@ -186,19 +175,19 @@ TEST_F(AccessChanges, RevokedCertificatesEndTheirStreams) {
   EXPECT_EQ(MetricValue(*loopback.server.metrics(), "fovea_refused_total", "UNAUTHENTICATED"), 2);
 }
 
-TEST_F(AccessChanges, RevocationIsSeenWithoutASignal) {
+TEST_F(CertificateChanges, RevocationIsSeenWithoutASignal) {
   AskForClientCertificates();
   const PemPair kitchen = clients_.Issue("kitchen");
   Revoke({});
   const Loopback loopback(FindOne, options_);
   const Client client = ClientOf(loopback, kitchen);
-  const auto stream = OpenStream(client);
+  const auto stream = AnsweredStream(client);
   Revoke({kitchen.certificate});
   EXPECT_EQ(StatusOf([&] { stream->Receive(); }).error_message(),
             "the client certificate was revoked");
 }
 
-TEST_F(AccessChanges, AnOverdueListIsHeededAndNamed) {
+TEST_F(CertificateChanges, AnOverdueListIsHeededAndNamed) {
   const CapturedLog log;
   AskForClientCertificates();
   const PemPair kitchen = clients_.Issue("kitchen"), hall = clients_.Issue("hall");
@@ -210,12 +199,12 @@ TEST_F(AccessChanges, AnOverdueListIsHeededAndNamed) {
   log.Await("--tls-crl: " + options_.tls_crl + ": the list of CN=authority should have been");
 }
 
-TEST_F(AccessChanges, AnotherAuthorityOfClientsEndsTheStreamsOfTheFirst) {
+TEST_F(CertificateChanges, AnotherAuthorityOfClientsEndsTheStreamsOfTheFirst) {
   ReloadBySignalOnly();
   AskForClientCertificates();
   Loopback loopback(FindOne, options_);
   const Client client = ClientOf(loopback, clients_.Issue("kitchen"));
-  const auto stream = OpenStream(client);
+  const auto stream = AnsweredStream(client);
   const Authority others;
   folder_.Write("clients.pem", others.Certificate());
   loopback.server.ReloadAccess();
@@ -227,7 +216,7 @@ TEST_F(AccessChanges, AnotherAuthorityOfClientsEndsTheStreamsOfTheFirst) {
   }
 }
 
-TEST_F(AccessChanges, ListsThatDoNotFitAreNamed) {
+TEST_F(CertificateChanges, ListsThatDoNotFitAreNamed) {
   AskForClientCertificates();
   const auto error_with = [&](const std::string& list) -> std::string {
     options_.tls_crl = folder_.Write("crl.pem", list);
@@ -249,100 +238,6 @@ TEST_F(AccessChanges, ListsThatDoNotFitAreNamed) {
             start + "holds no list of CN=authority, an authority of --tls-client-ca");
   options_.tls_client_ca.clear();
   EXPECT_EQ(error_with(clients_.Revoke({})), "--tls-crl: needs --tls-client-ca");
-}
-
-class TokenChanges : public ::testing::Test {
- protected:
-  static constexpr const char* kHash =
-      "a3ee786b5707c27d42570785081ec17f5c7db9262a01366af362a1aa61a420b9";  // of let-me-in
-  static constexpr const char* kOther =
-      "d9298a10d1b0735837dc4bd85dac641b0f3cef27a47e5d53a54f2f3f5b2fcffa";
-
-  TokenChanges() { WriteTokens(std::string("kitchen ") + kHash); }
-
-  void WriteTokens(const std::string& text) { options_.tokens = folder_.Write("tokens", text); }
-  static Client Kitchen(const Loopback& loopback) {
-    ClientOptions options = PatientOptions();
-    options.token = "let-me-in";
-    return Client(loopback.server.Address(), options);
-  }
-  static void ExpectEnd(client::DetectStream& stream, const std::string& why) {
-    const grpc::Status status = StatusOf([&] { stream.Receive(); });
-    EXPECT_EQ(status.error_code(), grpc::StatusCode::UNAUTHENTICATED);
-    EXPECT_EQ(status.error_message(), why);
-  }
-
-  const TemporaryFolder folder_;
-  server::ServerOptions options_ = LoopbackOptions();
-};
-
-TEST_F(TokenChanges, ARemovedTokenEndsItsStreams) {
-  Loopback loopback(FindOne, options_);
-  const Client client = Kitchen(loopback);
-  const auto stream = OpenStream(client);
-  loopback.server.ReloadAccess();  // nothing has changed
-  v1::DetectStreamRequest request;
-  *request.mutable_frame() = TestFrame();
-  EXPECT_TRUE(stream->Send(request));
-  EXPECT_TRUE(stream->Receive());
-  WriteTokens(std::string("hall ") + kOther);
-  loopback.server.ReloadAccess();
-  ExpectEnd(*stream, "the token is not known");
-}
-
-TEST_F(TokenChanges, ATokenThatBecomesAnothersEndsItsStreams) {
-  Loopback loopback(FindOne, options_);
-  const Client client = Kitchen(loopback);
-  const auto stream = OpenStream(client);
-  WriteTokens(std::string("hall ") + kHash);
-  loopback.server.ReloadAccess();
-  ExpectEnd(*stream, "the token is another robot's now");
-}
-
-TEST_F(TokenChanges, AnIdleStreamEndsWhenItsTokenExpires) {
-  // In whole seconds: long enough to open the stream, or the test says that it was not.
-  const auto soon = std::chrono::ceil<std::chrono::seconds>(std::chrono::system_clock::now()) +
-                    std::chrono::seconds(3);
-  WriteTokens(std::string("kitchen ") + kHash + " " + server::TextOf(soon));
-  const Loopback loopback(FindOne, options_);
-  const Client client = Kitchen(loopback);
-  const auto stream = OpenStream(client);
-  ExpectEnd(*stream, "the token has expired");
-}
-
-// The answer that is computed is sent; the frame that waits gets none.
-TEST_F(TokenChanges, TheAnswerThatIsComputedIsSent) {
-  Gate gate;
-  Loopback loopback(std::ref(gate), options_);
-  const Client client = Kitchen(loopback);
-  const auto stream = client.OpenStream(kPatience);
-  v1::DetectStreamRequest request;
-  *request.mutable_frame() = TestFrame();
-  ASSERT_TRUE(stream->Send(request));
-  gate.WaitUntilBegun();
-  ASSERT_TRUE(stream->Send(request));
-  WriteTokens(std::string("hall ") + kOther);
-  loopback.server.ReloadAccess();
-  gate.Let();
-  EXPECT_TRUE(stream->Receive());
-  ExpectEnd(*stream, "the token is not known");
-}
-
-TEST_F(TokenChanges, TheSchemeIsTakenInAnyCase) {
-  const Loopback loopback(FindOne, options_);
-  const auto stub = v1::DetectionService::NewStub(
-      grpc::CreateChannel(loopback.server.Address(), grpc::InsecureChannelCredentials()));
-  const auto code_with = [&](const std::string& authorization) {
-    grpc::ClientContext context;
-    context.AddMetadata("authorization", authorization);
-    v1::GetServerInfoResponse info;
-    return stub->GetServerInfo(&context, {}, &info).error_code();
-  };
-  for (const char* scheme : {"Bearer", "bearer", "BEARER"}) {
-    EXPECT_EQ(code_with(std::string(scheme) + " let-me-in"), grpc::StatusCode::OK) << scheme;
-  }
-  EXPECT_EQ(code_with("Basic let-me-in"), grpc::StatusCode::UNAUTHENTICATED);
-  EXPECT_EQ(code_with("Bearer"), grpc::StatusCode::UNAUTHENTICATED);
 }
 
 }  // namespace
