@@ -8,6 +8,7 @@
 
 #include "server/access/token_line.h"
 #include "server/conversion/field_error.h"
+#include "server/logging/log_record.h"
 
 namespace fovea::server {
 namespace {
@@ -42,6 +43,7 @@ std::vector<std::string> ParsePatterns(const std::string& text) {
   const bool whole = std::ranges::none_of(patterns, [](const auto& each) { return each.empty(); });
   RequireField(!patterns.empty() && whole && patterns.size() <= kMaxPatterns, "\"" + text + "\"",
                "must be 1 to 64 patterns of robots with commas between them, * for all");
+  RequireField(IsUtf8(text), "\"" + Harmless(text) + "\"", "is no UTF-8");
   return patterns;
 }
 
@@ -70,7 +72,7 @@ void ObserverTable::Add(const std::string& line) {
   words >> hash >> rights >> robots >> expires >> rest;
   RequireField(rest.empty(), "\"" + rest + "\"",
                "is too much; a line is NAME SHA256 RIGHTS ROBOTS [EXPIRES]");
-  RequireField(name.size() <= kMaxTokenName, "the name", "has more than 64 characters");
+  RequireTokenName("the name", name);
   RequireHash(hash);
   ObserverEntry entry{.name = name, .rights = ParseRights(rights), .robots = ParsePatterns(robots)};
   if (!expires.empty()) entry.expires = ParseExpiry(expires);

@@ -5,8 +5,15 @@
 
 #include "server/access/file_to_read_again.h"
 #include "server/byte_order_mark.h"
+#include "server/logging/log_record.h"
 
 namespace fovea::server {
+
+void RequireTokenName(const std::string& what, const std::string& name) {
+  constexpr std::size_t kMost = 64;
+  RequireField(name.size() <= kMost, what, "has more than 64 characters");
+  RequireField(IsUtf8(name), what, "is no UTF-8");
+}
 
 void ForEachTokenLine(const std::string& flag, const std::string& path,
                       const std::function<void(const std::string&)>& add) {

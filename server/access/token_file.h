@@ -14,8 +14,9 @@
 
 namespace fovea::server {
 
-// Of robots and observers, in characters.
-inline constexpr std::size_t kMaxTokenName = 64;
+// Throws std::invalid_argument for a name of a robot or an observer that has more than 64 bytes or
+// is no UTF-8, which messages to observers cannot hold. `what`: "the robot's name".
+void RequireTokenName(const std::string& what, const std::string& name);
 
 // Calls add(line) for each line of the file that `flag` names. Throws std::runtime_error where
 // there is none; of what `add` throws, std::invalid_argument names flag, file and line.

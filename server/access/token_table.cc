@@ -19,7 +19,7 @@ void TokenTable::Add(const std::string& line) {
   if (!(words >> robot) || robot.front() == '#') return;
   words >> hash >> expires >> rest;
   RequireField(rest.empty(), "\"" + rest + "\"", "is too much; a line is ROBOT SHA256 [EXPIRES]");
-  RequireField(robot.size() <= kMaxTokenName, "the robot's name", "has more than 64 characters");
+  RequireTokenName("the robot's name", robot);
   RequireHash(hash);
   Entry entry{.robot = robot};
   if (!expires.empty()) entry.expires = ParseExpiry(expires);

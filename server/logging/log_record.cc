@@ -65,6 +65,15 @@ std::string Harmless(std::string_view text) {
   return result;
 }
 
+bool IsUtf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = LengthOfCharacter(text);
+    if (length == 0) return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
 LogRecord& LogRecord::Text(const std::string& key, std::string_view value) {
   std::size_t size = value.size();
   if (size > kMaxBytes) {  // not in the middle of a character

@@ -50,4 +50,6 @@ class LogRecord {
 // each of which becomes a question mark.
 std::string Harmless(std::string_view text);
 
+bool IsUtf8(std::string_view text);
+
 }  // namespace fovea::server

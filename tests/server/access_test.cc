@@ -235,7 +235,8 @@ TEST_F(Tokens, FileMistakesAreNamed) {
       {"kitchen " + good + " tomorrow", ":1: \"tomorrow\": is not a time"},
       {"kitchen " + good + " 2999-01-31T12:00:00Z more", ":1: \"more\": is too much"},
       {"kitchen " + good + "\nhall " + good, ":2: the token: is there twice"},
-      {std::string(65, 'x') + " " + good, ":1: the robot's name"}};
+      {std::string(65, 'x') + " " + good, ":1: the robot's name"},
+      {"k\xFC" + (" " + good), ":1: the robot's name: is no UTF-8"}};
   for (const auto& [text, error] : cases) {
     const std::string path = folder_.Write("bad", text);
     const std::string start = std::string("--tokens: ").append(path).append(error);

@@ -304,6 +304,8 @@ TEST_F(Observers, FileMistakesAreNamed) {
       {"ann " + hash + " view", ":1: \"\": must be 1 to 64 patterns"},
       {"ann " + hash + " view a,,b", ":1: \"a,,b\": must be 1 to 64 patterns"},
       {"ann " + hash + " view * soon", ":1: \"soon\": is not a time"},
+      {"\xFC " + hash + " view *", ":1: the name: is no UTF-8"},
+      {"ann " + hash + " view k\xFC,hall", ":1: \"k?,hall\": is no UTF-8"},
       {"ann " + hash + " view *\nben " + hash + " view *", ":2: the token: is there twice"}};
   for (const auto& [text, error] : cases) {
     options_.observers = folder_.Write("bad", text);
