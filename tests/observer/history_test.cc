@@ -169,6 +169,14 @@ TEST_F(ObserverHistory, IsListedByServer) {
   EXPECT_EQ(of_there[0].server, "there:2");
 }
 
+TEST_F(ObserverHistory, RobotsMayHaveAnyName) {
+  History history(folder_.Path(), {});
+  for (const char* name : {"lock", ".lock", "..", "a/b"}) {
+    EXPECT_NO_THROW(history.Add(Record(name), kStart)) << name;
+    EXPECT_EQ(IdsOf(history, name).size(), 1U) << name;
+  }
+}
+
 TEST_F(ObserverHistory, IsOfOneProgram) {
   const History history(folder_.Path(), {});
   EXPECT_THAT([&] { const History other(folder_.Path(), {}); },

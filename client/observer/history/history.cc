@@ -63,9 +63,9 @@ History::History(fs::path folder, const HistoryLimits& limits)
 
 History::~History() { close(lock_); }
 
-// Two programs would drop each other's frames.
+// Two programs would drop each other's frames. No robot's folder has that name.
 void History::Lock() {
-  const fs::path path = folder_ / "lock";
+  const fs::path path = folder_ / ".lock";
   lock_ = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
   if (lock_ < 0) Fail(path, strerror(errno));
   if (flock(lock_, LOCK_EX | LOCK_NB) == 0) return;
