@@ -46,6 +46,11 @@ class ObserverHistory : public ::testing::Test {
     return files;
   }
 
+  fs::path FileOf(const std::string& robot, std::uint64_t id) const {
+    const std::string number = std::to_string(id);
+    return fs::path(folder_.At(robot)) / (std::string(20 - number.size(), '0') + number + ".frame");
+  }
+
   const TemporaryFolder folder_;
 };
 
@@ -96,6 +101,40 @@ TEST_F(ObserverHistory, IsBoundedByRobotAndInAll) {
   std::uint64_t on_disk = 0;
   for (const fs::path& path : Files()) on_disk += fs::file_size(path);
   EXPECT_EQ(on_disk, history.counts().bytes);
+}
+
+// The device says what a full disk says, until the file is removed that leads there.
+TEST_F(ObserverHistory, TheOldestGoesWhereTheDiskIsFull) {
+  History history(folder_.Path(), {});
+  for (const int at : {0, 1}) history.Add(Record("a"), kStart + seconds(at));
+  history.Add(Record("b"), kStart + seconds(2));
+  const auto ids = IdsOf(history, "a");
+  const std::uint64_t id = IdsOf(history, "b").front() + 1'000'000;
+  const auto path = FileOf("b", id);
+  fs::create_symlink("/dev/full", path.string() + ".part");
+  history.Add(Record("b"), kStart + seconds(3));
+  EXPECT_THAT(IdsOf(history, "a"), ::testing::ElementsAre(ids[1]));
+  EXPECT_EQ(IdsOf(history, "b").back(), id);
+  EXPECT_TRUE(history.Read("b", id));
+}
+
+TEST_F(ObserverHistory, WhyItCannotBeWrittenIsTheSameForAllFiles) {
+  History history(folder_.Path(), {});
+  history.Add(Record("a"), kStart);
+  const auto why = [&](int at) -> std::string {
+    fs::create_directory(FileOf("a", IdsOf(history, "a").front() + at * 1'000'000).string() +
+                         ".part");
+    try {
+      history.Add(Record("a"), kStart + seconds(at));
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return {};
+  };
+  const std::string first = why(1);
+  EXPECT_THAT(first, ::testing::HasSubstr(folder_.Path()));
+  EXPECT_EQ(first, why(2));
+  EXPECT_EQ(IdsOf(history, "a").size(), 1U);
 }
 
 TEST_F(ObserverHistory, FramesAndRobotsAreBounded) {

@@ -10,8 +10,8 @@
 #include <cctype>
 #include <cerrno>
 #include <charconv>
-#include <cstring>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 namespace fovea::observer {
@@ -36,11 +36,19 @@ std::optional<std::uint64_t> IdOf(const fs::path& path) {
   throw std::runtime_error("--history: " + folder.string() + ": " + why);
 }
 
+[[noreturn]] void Fail(const fs::path& folder, int error) {
+  throw std::system_error(error, std::generic_category(), "--history: " + folder.string());
+}
+
+bool IsFull(const std::error_code& error) {
+  return error == std::errc::no_space_on_device || error.value() == EDQUOT;
+}
+
 void MakeFolder(const fs::path& folder) {
   std::error_code error;
   if (fs::is_directory(folder, error)) return;
   fs::create_directories(folder.parent_path(), error);
-  if (mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST) Fail(folder, strerror(errno));
+  if (mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST) Fail(folder, errno);
 }
 
 }  // namespace
@@ -67,7 +75,7 @@ History::~History() { close(lock_); }
 void History::Lock() {
   const fs::path path = folder_ / ".lock";
   lock_ = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-  if (lock_ < 0) Fail(path, strerror(errno));
+  if (lock_ < 0) Fail(path, errno);
   if (flock(lock_, LOCK_EX | LOCK_NB) == 0) return;
   close(lock_);
   Fail(folder_, "another program uses it");
@@ -128,9 +136,9 @@ void History::Add(const HistoryRecord& record, std::chrono::system_clock::time_p
   const auto at = std::chrono::floor<std::chrono::microseconds>(now).time_since_epoch().count();
   auto id = static_cast<std::uint64_t>(std::max<std::int64_t>(at, 1));
   if (found != robots_.end()) id = std::max(id, found->second.frames.back().id + 1);
-  MakeRoom(robot, HistoryFileSize(record));
-  MakeFolder(FolderOf(robot));
-  const std::uint64_t bytes = WriteHistoryFile(PathOf(robot, id), record);
+  const std::uint64_t bytes = HistoryFileSize(record);
+  MakeRoom(robot, bytes);
+  Write(record, id, bytes);
   Keep(robot, {.id = id,
                .server = NumberOf(record.header.server),
                .objects = record.header.objects,
@@ -145,6 +153,26 @@ void History::Keep(const std::string& robot, const Kept& frame) {
   kept.bytes += frame.bytes;
   bytes_ += frame.bytes;
   ++num_frames_;
+}
+
+// A disk may have less room than the history may take: there, too, the oldest goes. The reason is
+// told without the name of the file, so that it is the same for all.
+void History::Write(const HistoryRecord& record, std::uint64_t id, std::uint64_t bytes) {
+  const std::uint64_t before = bytes_;
+  while (true) {
+    try {
+      MakeFolder(FolderOf(record.header.robot));
+      WriteHistoryFile(PathOf(record.header.robot, id), record);
+      return;
+    } catch (const std::system_error& error) {
+      const bool can_shrink = IsFull(error.code()) && num_frames_ > 0 && before - bytes_ <= bytes;
+      if (!can_shrink) {
+        throw std::runtime_error("cannot write to " + folder_.string() + ": " +
+                                 error.code().message());
+      }
+      DropOldest(Oldest());
+    }
+  }
 }
 
 void History::DropOldest(Robots::iterator robot) {

@@ -40,7 +40,7 @@ class History {
   History(const History&) = delete;
   History& operator=(const History&) = delete;
 
-  // Throws std::runtime_error where it cannot be written; what is there stays.
+  // On a full disk, too, the oldest goes. Throws std::runtime_error where it cannot be written.
   void Add(const HistoryRecord& record, std::chrono::system_clock::time_point now);
 
   // Oldest first. Of servers that `may_see` says yes to.
@@ -79,6 +79,7 @@ class History {
   // mutex_ is held for these.
   std::uint32_t NumberOf(const std::string& server);
   void Keep(const std::string& robot, const Kept& frame);
+  void Write(const HistoryRecord& record, std::uint64_t id, std::uint64_t bytes);
   void DropOldest(Robots::iterator robot);
   Robots::iterator Oldest();  // the robot that has the oldest frame; there must be one
   void MakeRoom(const std::string& robot, std::uint64_t bytes);

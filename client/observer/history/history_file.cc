@@ -1,7 +1,6 @@
 #include "client/observer/history/history_file.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 #include <zlib.h>
 
@@ -10,7 +9,7 @@
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
+#include <system_error>
 
 #include "client/observer/json_text.h"
 
@@ -76,7 +75,7 @@ void Write(const fs::path& path, const std::string& bytes) {
   }
   std::error_code ignored;
   fs::remove(path, ignored);
-  throw std::runtime_error(fmt::format("cannot write {}: {}", path.string(), strerror(error)));
+  throw std::system_error(error, std::generic_category(), "cannot write " + path.string());
 }
 
 std::optional<Start> ReadStart(std::ifstream& file, std::uint64_t file_bytes) {
@@ -100,7 +99,7 @@ std::uint64_t HistoryFileSize(const HistoryRecord& record) {
   return sizeof(Start) + TextOf(record.header).size() + record.frame.ByteSizeLong();
 }
 
-std::uint64_t WriteHistoryFile(const fs::path& path, const HistoryRecord& record) {
+void WriteHistoryFile(const fs::path& path, const HistoryRecord& record) {
   const std::string header = TextOf(record.header);
   const std::string body = record.frame.SerializeAsString();
   Start start{.magic = {},
@@ -114,10 +113,7 @@ std::uint64_t WriteHistoryFile(const fs::path& path, const HistoryRecord& record
   Write(part, bytes);
   std::error_code error;
   fs::rename(part, path, error);
-  if (error) {
-    throw std::runtime_error(fmt::format("cannot write {}: {}", path.string(), error.message()));
-  }
-  return bytes.size();
+  if (error) throw std::system_error(error, "cannot write " + path.string());
 }
 
 std::optional<HistoryHeader> ReadHistoryHeader(const fs::path& path) {

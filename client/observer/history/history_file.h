@@ -28,8 +28,8 @@ struct HistoryRecord {
 std::uint64_t HistoryFileSize(const HistoryRecord& record);
 
 // Writes a file that is there as a whole or not at all, whatever ends this program. `path` must not
-// exist. Returns its size; throws std::runtime_error that names it.
-std::uint64_t WriteHistoryFile(const std::filesystem::path& path, const HistoryRecord& record);
+// exist. Throws std::system_error that names it.
+void WriteHistoryFile(const std::filesystem::path& path, const HistoryRecord& record);
 
 // None where the file is not whole, is none of these, or cannot be read. The header alone is read
 // without the rest; a damaged rest shows when all is read.
