@@ -16,7 +16,7 @@ namespace fovea::observer {
 namespace {
 
 constexpr const char* kCookie = "fovea_session";
-constexpr std::size_t kMaxToken = 256, kMaxRobot = 64;
+constexpr std::size_t kMaxToken = 256, kMaxRobot = 1024;
 
 // The name without the port; IPv6 keeps its brackets.
 std::string NameOfHost(const std::string& host) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kUsualRateHz = 2, kMaxRateHz = 30, kMinRateHz = 0.001;
 constexpr int kMaxPatterns = 64;
-constexpr std::size_t kMaxPatternBytes = 64;
+constexpr std::size_t kMaxPatternBytes = 1024;  // names of certificates are long, escaped even more
 
 std::chrono::steady_clock::duration PeriodOf(double rate_hz) {
   if (rate_hz == 0) rate_hz = kUsualRateHz;
@@ -34,7 +34,7 @@ Wish WishOf(const v1::WatchRequest& request, const ObserverEntry& observer) {
   RequireField(request.robots_size() <= kMaxPatterns, "robots", "must be at most 64");
   for (const std::string& pattern : wish.robots) {
     RequireField(!pattern.empty() && pattern.size() <= kMaxPatternBytes, "robots",
-                 "must each have 1 to 64 characters");
+                 "must each have 1 to 1024 characters");
   }
   for (const int part : request.parts()) {
     RequireField(part > v1::WATCH_PART_UNSPECIFIED && v1::WatchPart_IsValid(part), "parts",

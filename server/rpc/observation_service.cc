@@ -13,12 +13,12 @@
 namespace fovea::server {
 namespace {
 
-constexpr std::size_t kMaxRobot = 64, kMaxFrameId = 1024;
+constexpr std::size_t kMaxRobot = 1024, kMaxFrameId = 1024;
 constexpr std::chrono::seconds kPickPatience{5};
 
 void RequireRobot(const std::string& robot) {
   RequireField(!robot.empty() && robot.size() <= kMaxRobot, "robot",
-               "must have 1 to 64 characters");
+               "must have 1 to 1024 characters");
 }
 
 bool IsFinite(const v1::Vector3& vector) {

@@ -162,6 +162,13 @@ def test_looks_at_many_robots_one_after_the_other(
             assert close["robot"] == "hall-late"
 
 
+def test_robots_with_long_names_are_looked_at(visitor: Visitor) -> None:
+    """As those of certificates may be."""
+    visitor.log_in(OBSERVERS["ann"][0])
+    with Events(visitor, f"?close={253 * 'a'}") as events:
+        events.servers("watching")
+
+
 def test_a_close_look_at_a_foreign_robot_shows_nothing(
     visitor: Visitor, robots: Robots, scene: Scene
 ) -> None:

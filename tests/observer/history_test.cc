@@ -216,6 +216,21 @@ TEST_F(ObserverHistory, RobotsMayHaveAnyName) {
   }
 }
 
+// As those of certificates may be.
+TEST_F(ObserverHistory, RobotsMayHaveLongNames) {
+  const std::string one(253, '/'), other = std::string(252, '/') + "x";
+  {
+    History history(folder_.Path(), {});
+    for (const std::string& name : {one, other}) history.Add(Record(name), kStart);
+  }
+  const History history(folder_.Path(), {});
+  for (const std::string& name : {one, other}) {
+    const auto ids = IdsOf(history, name);
+    ASSERT_EQ(ids.size(), 1U);
+    EXPECT_EQ(history.Read(name, ids.front())->header.robot, name);
+  }
+}
+
 TEST_F(ObserverHistory, IsOfOneProgram) {
   const History history(folder_.Path(), {});
   EXPECT_THAT([&] { const History other(folder_.Path(), {}); },

@@ -146,6 +146,17 @@ TEST_F(Observers, SeeTheirRobotsAlone) {
   EXPECT_EQ(reaching.Next().frame().robot(), "hall");
 }
 
+// Certificates have such names, and each character may be escaped.
+TEST_F(Observers, LookAtRobotsOfLongNames) {
+  const Loopback loopback(FindOne, options_);
+  v1::WatchRequest request = RequestOf({});
+  std::string pattern;
+  for (int i = 0; i < 253; ++i) pattern += "\\*";
+  request.add_robots(pattern);
+  Watching watching(loopback.server.Address(), "all-of-it", request);
+  EXPECT_TRUE(watching.Next().has_observer());
+}
+
 TEST_F(Observers, SeeRefusedFrames) {
   const Loopback loopback(FindOne, options_);
   v1::WatchRequest problems = RequestOf({v1::WATCH_PART_PREVIEW});

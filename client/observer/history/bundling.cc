@@ -59,7 +59,8 @@ bundle::BundledFrame FrameOf(HistoryRecord record) {
 }
 
 std::string NameOf(const std::string& robot, const bundle::BundledFrame& frame) {
-  std::string plain = robot;
+  constexpr std::size_t kMost = 64;
+  std::string plain = robot.substr(0, kMost);
   for (char& c : plain) {
     const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-';
     if (!is_plain) c = '_';

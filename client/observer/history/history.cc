@@ -2,11 +2,13 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <openssl/sha.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <charconv>
@@ -51,15 +53,27 @@ void MakeFolder(const fs::path& folder) {
   if (mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST) Fail(folder, errno);
 }
 
+// Begins with a dot, which no name has otherwise.
+std::string HashOf(const std::string& text) {
+  std::array<unsigned char, SHA256_DIGEST_LENGTH> hash{};
+  SHA256(reinterpret_cast<const unsigned char*>(text.data()), text.size(), hash.data());
+  std::string digits = ".";
+  for (const unsigned char byte : hash) digits += fmt::format("{:02x}", byte);
+  return digits;
+}
+
 }  // namespace
 
 std::string FolderNameOf(const std::string& robot) {
+  constexpr std::size_t kMost = 200;  // file systems end at 255; certificates name robots at length
   std::string name;
   for (const char c : robot) {
     const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_';
     name += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
   }
-  return name;
+  if (name.size() <= kMost) return name;
+  const std::string hash = HashOf(robot);
+  return name.substr(0, kMost - hash.size()) + hash;
 }
 
 History::History(fs::path folder, const HistoryLimits& limits)

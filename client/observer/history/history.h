@@ -95,7 +95,8 @@ class History {
   std::uint64_t bytes_ = 0;
 };
 
-// A name that is a folder's and no other robot's: "kitchen/1" is "kitchen%2F1".
+// A name that is a folder's and no other robot's: "kitchen/1" is "kitchen%2F1"; what would be too
+// long ends with a hash of all of it.
 std::string FolderNameOf(const std::string& robot);
 
 }  // namespace fovea::observer
