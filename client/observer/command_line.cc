@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
 #include <memory>
@@ -86,7 +87,14 @@ Recording Record(const Flags& flags, const std::vector<ServerLink>& servers) {
   return recording;
 }
 
+// A reader of the log that has gone, and a limit on the size of files, are errors like others.
+void IgnoreSignalsOfWriting() {
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
 int Serve(const Flags& flags) {
+  IgnoreSignalsOfWriting();
   fovea::cli::CheckServerAddress(flags.connection.server);
   fovea::flags::RequireListenAddress("--listen", flags.listen);
   RequireProtection(flags);

@@ -7,6 +7,7 @@ import io
 import json
 import os
 import re
+import resource
 import signal
 import subprocess
 import zipfile
@@ -271,6 +272,28 @@ def test_stays_within_its_size(scene: Scene, tmp_path: Path) -> None:
                 assert folder_size(tmp_path / "history" / robot) <= most / 2
         assert first[0] not in visitor.history("attic"), "the oldest goes first"
         assert visitor.history("yard")
+
+
+def test_what_cannot_be_written_ends_nothing(scene: Scene, tmp_path: Path) -> None:
+    """Files that would be larger than they may be, and a log whose reader has gone."""
+
+    def limit_files() -> None:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (1 << 16, 1 << 16))
+
+    reader, log = os.pipe()
+    os.close(reader)
+    flags = history_flags(tmp_path)
+    with (
+        ServerProcess(write_observers(tmp_path)) as server,
+        ObserverProcess(
+            server.address, "127.0.0.1:0", *flags, stderr=log, preexec_fn=limit_files
+        ) as observer,
+    ):
+        os.close(log)
+        recorded = Recorded(observer, Robots(server.address))
+        visitor = recorded.visitor("ann")
+        while "too large" not in visitor.get("/api/session").json()["history"]["problem"]:
+            recorded.robots.detect("attic", scene.frame())
 
 
 def test_the_oldest_minutes_go(scene: Scene, tmp_path: Path) -> None:

@@ -44,10 +44,10 @@ def history_flags(folder: Path, **flags: Any) -> list[str]:
 
 
 class Process:
-    """A program of ours that says where it listens in its first line."""
+    """A program of ours that says where it listens in its first line. `options` are Popen's."""
 
-    def __init__(self, *command: str) -> None:
-        self._process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+    def __init__(self, *command: str, **options: Any) -> None:
+        self._process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True, **options)
         assert self._process.stdout is not None
         self.line = self._process.stdout.readline().strip()
         assert self.line, f"{command[0]} did not start"
@@ -75,9 +75,11 @@ class ServerProcess(Process):
 
 
 class ObserverProcess(Process):
-    def __init__(self, server: str, listen: str = "127.0.0.1:0", *flags: str) -> None:
+    def __init__(
+        self, server: str, listen: str = "127.0.0.1:0", *flags: str, **options: Any
+    ) -> None:
         command = ["--server", server, "--listen", listen, *flags]
-        super().__init__(os.environ["FOVEA_OBSERVER"], *command)
+        super().__init__(os.environ["FOVEA_OBSERVER"], *command, **options)
         self.url = self.line.split()[-1]
         self.address = self.url.split("/")[2]
 
