@@ -85,7 +85,10 @@ void AddFrame(const std::string& name, const BundledFrame& frame, ZipWriter* zip
   }
   zip->Add(name + "_options.json", JsonOf(frame.request.options()));
   if (frame.answer) {
-    zip->Add(name + "_answer.json", JsonOf(*frame.answer));
+    std::string text = JsonOf(*frame.answer);
+    if (text.size() <= ZipLimits().max_entry_bytes) {
+      zip->Add(name + "_answer.json", std::move(text));
+    }
     zip->Add(name + "_answer.pb", BytesOf(*frame.answer));
   } else {
     zip->Add(name + "_error.json", JsonOf(frame.error.value_or(v1::FrameError())));
@@ -102,7 +105,8 @@ std::string ReadMe(const BundleNote& note) {
       "--depth-unit) and intrinsics.json. NAME_request.pb is what was sent, byte for byte\n"
       "(fovea.v1.DetectRequest), NAME_answer.pb what came back (fovea.v1.Detections), each also "
       "as\n"
-      "JSON. Images that no program could read have no file of their own.\n";
+      "JSON, where that is not too large. Images that no program could read have no file of their\n"
+      "own.\n";
   if (note.num_left_out > 0) {
     text += fmt::format("\n{} more frames of that time found no room.\n", note.num_left_out);
   }

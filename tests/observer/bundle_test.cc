@@ -118,6 +118,15 @@ TEST(ObserverBundle, ThatIsTooLargeIsRefusedUnopened) {
   EXPECT_THAT(ErrorOf(small), HasSubstr("\"bundle.json\" of more than 64 MiB"));
 }
 
+TEST(ObserverBundle, HoldsNoTextThatItsReadersRefuse) {
+  BundledFrame large = TestBundledFrame();
+  large.answer->mutable_objects(0)->mutable_cloud()->set_colors(
+      std::string(std::size_t{50} << 20, 0));
+  const std::string file = bundle::WriteBundle({large}, {.made_by = "test"});
+  EXPECT_EQ(ErrorOf(file), "none");
+  EXPECT_EQ(Bundle(file).AnswerOf("frame_0001")->ByteSizeLong(), large.answer->ByteSizeLong());
+}
+
 TEST(ObserverBundle, WithNamesThatLeadElsewhereIsRefused) {
   for (const char* name : {"../x_request.pb", "/etc/x_request.pb", "a/b_request.pb",
                            "a\\b_request.pb", ".x_request.pb", "x\ny_request.pb", ""}) {

@@ -6,6 +6,8 @@
 
 #include <fstream>
 
+#include "client/bundle/bundle.h"
+#include "client/observer/history/bundling.h"
 #include "tests/support/temporary_folder.h"
 
 namespace fovea::testing {
@@ -229,6 +231,20 @@ TEST_F(ObserverHistory, RobotsMayHaveLongNames) {
     ASSERT_EQ(ids.size(), 1U);
     EXPECT_EQ(history.Read(name, ids.front())->header.robot, name);
   }
+}
+
+TEST_F(ObserverHistory, BundlesAreBoundedByWhatWasAnsweredToo) {
+  History history(folder_.Path(), {});
+  HistoryRecord record = Record("a");
+  record.frame.mutable_frame()->set_id("small");
+  record.frame.mutable_answer()->add_objects()->mutable_cloud()->set_colors(
+      std::string(std::size_t{5} << 20, 'x'));
+  for (int i = 0; i < 10; ++i) history.Add(record, kStart + seconds(i));
+  const auto entries = history.List("a", [](const auto&) { return true; });
+  const observer::Moment all{.at = entries.front().id, .before = 0, .after = 600'000'000};
+  const auto file = observer::BundleOf(history, "a", entries, all);
+  ASSERT_TRUE(file);
+  EXPECT_EQ(bundle::Bundle(file->bytes).names().size(), 6U);  // of 32 MiB
 }
 
 TEST_F(ObserverHistory, IsOfOneProgram) {

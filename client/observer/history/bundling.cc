@@ -26,6 +26,12 @@ std::optional<std::uint64_t> SecondsOf(const std::string& text) {
   return *seconds * kSecond;
 }
 
+// Of what was sent and answered: answers with clouds and pictures of the steps are larger than
+// frames.
+std::size_t SizeOf(const v1::WatchedFrame& frame) {
+  return frame.frame().ByteSizeLong() + frame.answer().ByteSizeLong();
+}
+
 std::uint64_t Between(std::uint64_t a, std::uint64_t b) { return a > b ? a - b : b - a; }
 
 // Nearest to the moment first.
@@ -87,7 +93,7 @@ std::optional<BundleFile> BundleOf(const History& history, const std::string& ro
   std::size_t bytes = 0, num_left_out = 0;
   for (const std::uint64_t id : ids) {
     auto record = frames.size() < kMaxFrames ? history.Read(robot, id) : std::nullopt;
-    const std::size_t size = record ? record->frame.frame().ByteSizeLong() : 0;
+    const std::size_t size = record ? SizeOf(record->frame) : 0;
     if (!record || (bytes + size > kMaxBytes && !frames.empty())) {
       ++num_left_out;
       continue;
