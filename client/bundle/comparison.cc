@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "client/bundle/shown.h"
+
 namespace fovea::bundle {
 namespace {
 
@@ -24,6 +26,10 @@ void LeaveOutTracks(v1::Detections* answer) {
 
 std::string Count(int count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+std::string ServerOf(const v1::Detections& answer) {
+  return Shown(answer.server_version()) + " (" + Shown(answer.server_build()) + ")";
 }
 
 }  // namespace
@@ -58,8 +64,7 @@ std::string CompareAnswers(const v1::Detections& then, const v1::Detections& now
   v1::Detections before = Comparable(then, asked, /*with_times=*/false);
   v1::Detections after = Comparable(now, asked, /*with_times=*/false);
   if (BytesOf(before) == BytesOf(after)) return "the same answer as then";
-  const std::string versions = before.server_version() + " (" + before.server_build() + ") then, " +
-                               after.server_version() + " (" + after.server_build() + ") now";
+  const std::string versions = ServerOf(before) + " then, " + ServerOf(after) + " now";
   for (v1::Detections* each : {&before, &after}) {
     each->clear_server_version();
     each->clear_server_build();

@@ -6,6 +6,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "client/bundle/shown.h"
+
 namespace fovea::bundle {
 namespace {
 
@@ -40,15 +42,7 @@ bool IsPlain(const std::string& name) {
          std::ranges::all_of(name, is_fine);
 }
 
-// Names come from outside and go to people's terminals.
-std::string Shown(const std::string& name) {
-  constexpr std::size_t kMost = 60;
-  std::string text = name.substr(0, kMost);
-  for (char& c : text) {
-    if (c < ' ' || c > '~') c = '?';
-  }
-  return '"' + text + '"';
-}
+std::string Quoted(const std::string& name) { return '"' + Shown(name) + '"'; }
 
 }  // namespace
 
@@ -68,10 +62,10 @@ ZipReader::ZipReader(std::string bytes, const ZipLimits& limits)
       Fail("has an entry that cannot be read");
     }
     const std::string name = stat.name != nullptr ? stat.name : "";
-    if (!IsPlain(name)) Fail("has an entry " + Shown(name) + ", which is no plain file name");
-    if (!seen.insert(name).second) Fail("has " + Shown(name) + " twice");
+    if (!IsPlain(name)) Fail("has an entry " + Quoted(name) + ", which is no plain file name");
+    if (!seen.insert(name).second) Fail("has " + Quoted(name) + " twice");
     if ((stat.valid & ZIP_STAT_SIZE) == 0 || stat.size > limits_.max_entry_bytes) {
-      Fail("has " + Shown(name) + " of more than " +
+      Fail("has " + Quoted(name) + " of more than " +
            std::to_string(limits_.max_entry_bytes >> 20U) + " MiB");
     }
     total += stat.size;

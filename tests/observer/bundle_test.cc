@@ -154,6 +154,8 @@ TEST(ObserverBundle, ComparesAnswersByWhatWasAskedFor) {
               HasSubstr("the same answer as then, by server"));
   now.add_objects();
   EXPECT_THAT(bundle::CompareAnswers(then, now, asked), HasSubstr("1 object then, 2 now"));
+  then.set_server_version("\x1b[2J");  // of whoever made the bundle, for somebody's terminal
+  EXPECT_THAT(bundle::CompareAnswers(then, now, asked), HasSubstr("server ?[2J () then"));
 }
 
 TEST(ObserverRvl, DecodesWhatWasEncodedAndNothingElse) {
