@@ -43,10 +43,10 @@ class Wake : public std::enable_shared_from_this<Wake> {
 
 // Until they end, or the browser leaves.
 template <typename Stream>
-boost::asio::awaitable<void> SendEvents(Stream& stream, const HttpResponse& response,
-                                        unsigned version) {
+boost::asio::awaitable<void> SendEvents(Stream& stream, WaitingConnections& waiting,
+                                        const HttpResponse& response, unsigned version) {
   const std::string head = HeadOf(response, version, false);
-  co_await Send(stream, head);
+  co_await Send(stream, waiting, head);
   const auto executor = co_await boost::asio::this_coro::executor;
   const auto wake = std::make_shared<Wake>(executor);
   response.events->OnNews([wake] { wake->Call(); });
@@ -61,14 +61,15 @@ boost::asio::awaitable<void> SendEvents(Stream& stream, const HttpResponse& resp
   while (!*has_left) {
     const std::string text = response.events->Take();
     if (!text.empty()) {
-      co_await Send(stream, text);
+      co_await Send(stream, waiting, text);
       if (response.events->HasEnded()) co_return;
       pause.expires_after(kEventPause);
       co_await pause.async_wait(boost::asio::use_awaitable);
       co_await wake->Wait(kKeepAlive);
       continue;
     }
-    co_await Send(stream, ": nothing new\n\n");  // one that left without a word is noticed, too
+    co_await Send(stream, waiting,
+                  ": nothing new\n\n");  // one that left without a word is noticed, too
     co_await wake->Wait(kKeepAlive);
   }
 }

@@ -134,12 +134,12 @@ class HttpServer::Impl {
       HttpResponse response = ErrorResponse(400, "the address is malformed");
       if (is_good) response = co_await Answer(request);
       if (response.events && !is_head) {
-        co_await SendEvents(stream, response, message.version());
+        co_await SendEvents(stream, waiting_, response, message.version());
         co_return;
       }
       goes_on = message.keep_alive();
       const std::string head = HeadOf(response, message.version(), goes_on);
-      co_await Send(stream, head, is_head ? std::string_view() : *response.body);
+      co_await Send(stream, waiting_, head, is_head ? std::string_view() : *response.body);
     }
   }
 

@@ -20,7 +20,7 @@ struct HttpOptions {
 
 // Serves HTTP/1.1 on one thread, its caller's, as coroutines that wait for nobody. What is slow
 // goes to eight threads of its own. Where there are as many connections as may be, the one that has
-// waited longest for a request makes room, so that a flood of them keeps nobody out.
+// waited longest for its browser makes room, so that a flood of them keeps nobody out.
 class HttpServer {
  public:
   struct Handler {

@@ -13,6 +13,7 @@ from conftest import Robots, Scene
 from processes import OBSERVERS, PATIENCE, Events, ObserverProcess, ServerProcess, Visitor
 
 MAX_CONNECTIONS = 256
+UNREAD = 40 * b"GET /page.js HTTP/1.1\r\nHost: localhost\r\n\r\n"  # more than sockets hold
 TO_CLOSE = 30.0  # seconds; half of what a connection may be idle between requests
 
 
@@ -25,7 +26,10 @@ def alone(server: ServerProcess) -> Iterator[ObserverProcess]:
 
 def connect(observer: ObserverProcess, text: bytes = b"") -> socket.socket:
     host, port = observer.address.split(":")
-    connection = socket.create_connection((host, int(port)), timeout=PATIENCE)
+    connection = socket.socket()
+    connection.settimeout(PATIENCE)
+    connection.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+    connection.connect((host, int(port)))
     connection.sendall(text)
     return connection
 
@@ -36,6 +40,7 @@ def connect(observer: ObserverProcess, text: bytes = b"") -> socket.socket:
         b"",
         b"GET / HTTP/1.1\r\n",
         b"POST /api/login HTTP/1.1\r\nHost: localhost\r\nContent-Length: 9\r\n\r\n{",
+        UNREAD,
     ],
 )
 def test_crowds_make_room_for_whoever_comes(
@@ -46,7 +51,9 @@ def test_crowds_make_room_for_whoever_comes(
     with ExitStack() as crowd, Events(visitor) as events:
         events.servers("watching")
         for _ in range(MAX_CONNECTIONS + 50):
-            crowd.enter_context(connect(alone, text))
+            connection = crowd.enter_context(connect(alone, text))
+            if text == UNREAD:
+                assert connection.recv(1)
         assert visitor.get("/").status == 200
         assert visitor.log_in(OBSERVERS["ann"][0]).status == 200
         robots.detect("barn", scene.frame())

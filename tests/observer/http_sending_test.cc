@@ -20,6 +20,7 @@ class SlowStream {
   explicit SlowStream(asio::io_context& context) : context_(context) {}
 
   executor_type get_executor() { return context_.get_executor(); }
+  void close() {}
   void expires_after(std::chrono::nanoseconds time) {
     EXPECT_EQ(time, observer::kWriteTime);
     bytes_of_spans.push_back(0);
@@ -59,7 +60,8 @@ std::string Letters(std::size_t size) {
 std::vector<std::size_t> SizesOfPieces(const std::string& first, const std::string& rest) {
   asio::io_context context;
   SlowStream stream(context);
-  asio::co_spawn(context, observer::Send(stream, first, rest),
+  observer::WaitingConnections waiting;
+  asio::co_spawn(context, observer::Send(stream, waiting, first, rest),
                  [](const std::exception_ptr& error) { EXPECT_FALSE(error); });
   context.run();
   EXPECT_EQ(stream.received, first + rest);
