@@ -1,5 +1,6 @@
 #include "client/observer/server_link.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "client/channel.h"
@@ -18,6 +19,9 @@ std::string TextOf(const client::ServerAddress& address) {
 
 std::vector<ServerLink> LinkServers(const std::string& addresses,
                                     const client::ClientOptions& options) {
+  constexpr int kMaxMessageMib = 256;  // frame, answer and pictures at once
+  client::ClientOptions of_links = options;
+  of_links.max_answer_mib = std::max(options.max_answer_mib, kMaxMessageMib);
   std::vector<ServerLink> links;
   for (const client::ServerAddress& address : client::ParseServerAddresses(addresses)) {
     const std::string text = TextOf(address);
@@ -26,7 +30,7 @@ std::vector<ServerLink> LinkServers(const std::string& addresses,
         found.targets.empty() ? client::ServerTarget{.target = "dns:///" + text, .authority = text}
                               : found.targets.front();
     links.push_back(
-        {.address = text, .channel = client::MakeChannel(target, /*has_others=*/false, options)});
+        {.address = text, .channel = client::MakeChannel(target, /*has_others=*/false, of_links)});
   }
   return links;
 }
