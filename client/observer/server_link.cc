@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "client/channel.h"
-#include "client/server_address.h"
 
 namespace fovea::observer {
 namespace {
@@ -17,6 +16,12 @@ std::string TextOf(const client::ServerAddress& address) {
 
 }  // namespace
 
+client::ServerTarget TargetOf(const client::ServerAddress& address) {
+  if (!client::HaveNames({address})) return client::FindTargets({address}).targets.front();
+  const std::string text = TextOf(address);
+  return {.target = "dns:///" + text, .authority = text};
+}
+
 std::vector<ServerLink> LinkServers(const std::string& addresses,
                                     const client::ClientOptions& options) {
   constexpr int kMaxMessageMib = 256;  // frame, answer and pictures at once
@@ -24,13 +29,9 @@ std::vector<ServerLink> LinkServers(const std::string& addresses,
   of_links.max_answer_mib = std::max(options.max_answer_mib, kMaxMessageMib);
   std::vector<ServerLink> links;
   for (const client::ServerAddress& address : client::ParseServerAddresses(addresses)) {
-    const std::string text = TextOf(address);
-    const client::FoundTargets found = client::FindTargets({address});
-    const client::ServerTarget target =
-        found.targets.empty() ? client::ServerTarget{.target = "dns:///" + text, .authority = text}
-                              : found.targets.front();
     links.push_back(
-        {.address = text, .channel = client::MakeChannel(target, /*has_others=*/false, of_links)});
+        {.address = TextOf(address),
+         .channel = client::MakeChannel(TargetOf(address), /*has_others=*/false, of_links)});
   }
   return links;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "client/client_options.h"
+#include "client/server_address.h"
 
 namespace fovea::observer {
 
@@ -16,8 +17,12 @@ struct ServerLink {
   std::shared_ptr<grpc::Channel> channel;
 };
 
-// Of "HOST:PORT" or several with commas between. Names are looked up once, and those that are not
-// found now are asked of gRPC later. Throws std::invalid_argument for what is no address.
+// Names are left to gRPC, which tries all of their addresses, and looks them up again where none
+// answers: a server may come back with another one.
+client::ServerTarget TargetOf(const client::ServerAddress& address);
+
+// Of "HOST:PORT" or several with commas between. Throws std::invalid_argument for what is no
+// address.
 std::vector<ServerLink> LinkServers(const std::string& addresses,
                                     const client::ClientOptions& options);
 

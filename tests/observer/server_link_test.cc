@@ -1,4 +1,4 @@
-// What of servers is taken.
+// Which servers are asked, and what of them is taken.
 #include "client/observer/server_link.h"
 
 #include <grpcpp/server.h>
@@ -16,7 +16,14 @@
 namespace fovea::testing {
 namespace {
 
+using client::ServerTarget;
+using observer::TargetOf;
+
 constexpr std::size_t kLarge = std::size_t{80} << 20;
+
+ServerTarget TargetOfText(const std::string& text) {
+  return TargetOf(client::ParseServerAddresses(text).front());
+}
 
 // A frame, an answer with clouds and what both look like.
 class LargeFrames final : public v1::ObservationService::Service {
@@ -28,6 +35,14 @@ class LargeFrames final : public v1::ObservationService::Service {
     return grpc::Status::OK;
   }
 };
+
+TEST(ObserverServerLink, LeavesNamesToGrpcWhichLooksThemUpAgain) {
+  EXPECT_EQ(TargetOfText("localhost:7"), (ServerTarget{"dns:///localhost:7", "localhost:7"}));
+  EXPECT_EQ(TargetOfText("no.such.example:7").target, "dns:///no.such.example:7");
+  EXPECT_EQ(TargetOfText("127.0.0.1:7").target, "ipv4:127.0.0.1:7");
+  EXPECT_EQ(TargetOfText("[::1]:7").target, "ipv6:[::1]:7");
+  EXPECT_EQ(TargetOfText("unix:/run/fovea").target, "unix:/run/fovea");
+}
 
 TEST(ObserverServerLink, TakesMessagesThatAreLargerThanAnswers) {
   LargeFrames service;
