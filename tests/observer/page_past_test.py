@@ -135,7 +135,20 @@ def test_tries_options_beside_the_answer(
     assert "objects.min_probability" in browser.text("#tried.bad")
 
 
-def test_a_frame_that_is_not_recorded_is_tried_by_the_nearest(
+def test_a_day_of_frames_is_drawn(browser: Browser, past: Any) -> None:
+    """As if the history had held them: two a second."""
+    count = 24 * 60 * 60 * 2
+    browser.driver.execute_script(
+        """const [count] = arguments, fetched = window.fetch;
+        const of = (value) => Array.from({ length: count }, (_, i) => value(i));
+        const list = { minutes: 1440, problem: "", ids: of((i) => Date.now() * 1000 - 5e5 * (count - i)), objects: of(() => 3), problems: of(() => 0) };
+        window.fetch = (path, ...more) => path.startsWith("/api/history?") ? Promise.resolve(Response.json(list)) : fetched(path, ...more);""",
+        count,
+    )
+    browser.until(lambda: f"{count} frames recorded" in browser.text("#moment"))
+
+
+def test_a_frame_that_is_not_recorded_is_saved_and_tried_by_the_nearest(
     browser: Browser, scene: Scene, tmp_path: Path
 ) -> None:
     """A robot that sends faster than the history is kept."""

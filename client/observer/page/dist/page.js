@@ -21700,7 +21700,7 @@ var Timeline = class {
     const x = (time) => (time - from) / (to - from) * clientWidth;
     context.fillStyle = grid;
     for (let minute = to; minute > from && to - from < MAX_MINUTES * 6e7; minute -= 6e7) context.fillRect(x(minute), 0, 1, clientHeight);
-    const most = Math.max(REDUCED, ...objects);
+    const most = objects.reduce((a, b) => Math.max(a, b), REDUCED);
     ids.forEach((id, i) => {
       const height = problems[i] ? clientHeight : (0.15 + 0.85 * objects[i] / most) * clientHeight;
       context.fillStyle = problems[i] ? bad : good;

@@ -60,7 +60,8 @@ export class Timeline {
     const x = (time: number) => ((time - from) / (to - from)) * clientWidth;
     context.fillStyle = grid;
     for (let minute = to; minute > from && to - from < MAX_MINUTES * 60e6; minute -= 60e6) context.fillRect(x(minute), 0, 1, clientHeight);
-    const most = Math.max(REDUCED, ...objects);
+    // Not all of them as arguments of one call, which may be too many.
+    const most = objects.reduce((a, b) => Math.max(a, b), REDUCED);
     ids.forEach((id, i) => {
       const height = problems[i] ? clientHeight : (0.15 + (0.85 * objects[i]) / most) * clientHeight;
       context.fillStyle = problems[i] ? bad : good;
