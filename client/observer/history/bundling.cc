@@ -103,9 +103,12 @@ std::optional<BundleFile> BundleOf(const History& history, const std::string& ro
   }
   if (frames.empty()) return std::nullopt;
   const std::string name = NameOf(robot, frames.front());
+  const auto answered_at =
+      std::chrono::floor<std::chrono::milliseconds>(frames.front().answered_at.time_since_epoch());
   std::ranges::sort(frames, {}, &bundle::BundledFrame::answered_at);
   return BundleFile{
       .name = name,
+      .answered_at = answered_at,
       .bytes = bundle::WriteBundle(std::move(frames), {.made_by = "fovea-observer " FOVEA_VERSION,
                                                        .num_left_out = num_left_out})};
 }

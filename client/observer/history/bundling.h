@@ -1,6 +1,7 @@
 // Frames of the history as one file for a bug report.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -21,7 +22,9 @@ struct Moment {
 std::optional<Moment> MomentOf(const HttpRequest& request);
 
 struct BundleFile {
-  std::string name = {}, bytes = {};
+  std::string name = {};
+  std::chrono::milliseconds answered_at{};  // since 1970, of the frame nearest to the moment
+  std::string bytes = {};
 };
 
 // Those nearest to the moment where all would be too many: 64 frames, or 32 MiB. `entries` are what

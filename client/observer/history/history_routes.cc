@@ -54,7 +54,8 @@ HttpResponse FileResponse(BundleFile file, std::shared_ptr<void> ticket) {
       std::make_shared<Sent>(Sent{.ticket = std::move(ticket), .bytes = std::move(file.bytes)});
   return {.type = "application/zip",
           .body = {sent, &sent->bytes},
-          .headers = {{"Content-Disposition", "attachment; filename=\"" + file.name + "\""}}};
+          .headers = {{"Content-Disposition", "attachment; filename=\"" + file.name + "\""},
+                      {"Fovea-Answered-At-Ms", std::to_string(file.answered_at.count())}}};
 }
 
 }  // namespace

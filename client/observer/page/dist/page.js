@@ -67,7 +67,7 @@ async function saveBundle(robot, at, before, after) {
   const url = URL.createObjectURL(await response.blob());
   el("a", { href: url, download: name }).click();
   setTimeout(() => URL.revokeObjectURL(url), 6e4);
-  return name;
+  return { name, answeredAtMs: Number(response.headers.get("Fovea-Answered-At-Ms")) };
 }
 async function answerOr(response) {
   const answer = await response.json();
@@ -21336,6 +21336,12 @@ var NONE = { minutes: 0, problem: "", ids: [], objects: [], problems: [] };
 function nearestOf(moments, time) {
   return moments.reduce((best, each) => Math.abs(each - time) < Math.abs(best - time) ? each : best);
 }
+function nearestInstead(shown, answeredAtMs) {
+  const later = answeredAtMs - Number(shown?.line.answered_at_ms);
+  if (!later) return "";
+  const seconds = (Math.abs(later) / 1e3).toFixed(2);
+  return `the history does not hold the frame that was shown: this is the nearest, ${seconds} s ${later < 0 ? "before" : "after"} it`;
+}
 var Reel = class {
   constructor(robot, hasHistory, withDepth) {
     this.robot = robot;
@@ -21509,8 +21515,9 @@ var Save = class {
   around = el("input", { type: "number", id: "around", min: "1", max: "600", value: "5", "aria-label": "seconds before and after" });
   told = el("span", { role: "status", class: "soft", id: "saved" });
   async save(around) {
-    const at = this.reel.current?.line.came_at_us;
-    if (!at) return;
+    const shown = this.reel.current;
+    if (!shown) return;
+    const at = shown.line.came_at_us;
     try {
       const wait = around * 1e3 + LATE_MS - (Date.now() - at / 1e3);
       if (wait > 0) {
@@ -21518,7 +21525,9 @@ var Save = class {
         await new Promise((done) => setTimeout(done, wait));
       }
       this.say("saving");
-      this.say(`saved ${await saveBundle(this.robot, at, around, around)}`);
+      const { name, answeredAtMs } = await saveBundle(this.robot, at, around, around);
+      const instead = nearestInstead(shown, answeredAtMs);
+      this.say(`saved ${name}${instead && `: ${instead}`}`, instead !== "");
     } catch (error) {
       this.say(error.message, true);
     }
@@ -22081,10 +22090,8 @@ var RobotView = class {
       this.buttons.get("t").setAttribute("aria-pressed", "false");
       return this.say(`only frames of the history can be tried, and it holds none of ${this.robot} yet`, true);
     }
-    const later = Number(this.reel.current?.line.answered_at_ms) - Number(shown?.line.answered_at_ms);
-    if (!later) return;
-    const seconds = (Math.abs(later) / 1e3).toFixed(2);
-    this.say(`the history does not hold the frame that was shown: this is the nearest, ${seconds} s ${later < 0 ? "before" : "after"} it`);
+    const instead = nearestInstead(shown, Number(this.reel.current?.line.answered_at_ms));
+    if (instead) this.say(instead);
   }
   // What is shown stays.
   hold() {

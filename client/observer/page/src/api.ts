@@ -52,8 +52,9 @@ export async function pastFrame(robot: string, id: number, withDepth: boolean): 
   return { line, frame, picture, depth, past: true };
 }
 
-// One frame, or those of some seconds around it, as a file for whoever looks into it.
-export async function saveBundle(robot: string, at: number, before: number, after: number): Promise<string> {
+// One frame, or those of some seconds around it, as a file for whoever looks into it: its name, and
+// when the frame in the middle was answered.
+export async function saveBundle(robot: string, at: number, before: number, after: number): Promise<{ name: string; answeredAtMs: number }> {
   const query = `robot=${encodeURIComponent(robot)}&at=${at}&before=${before}&after=${after}`;
   const response = await fetch(`/api/history/bundle?${query}`);
   if (!response.ok) throw new Error(response.status === 404 ? "the history holds nothing of that time" : (await response.json()).error);
@@ -61,7 +62,7 @@ export async function saveBundle(robot: string, at: number, before: number, afte
   const url = URL.createObjectURL(await response.blob());
   el("a", { href: url, download: name }).click();
   setTimeout(() => URL.revokeObjectURL(url), 60_000);
-  return name;
+  return { name, answeredAtMs: Number(response.headers.get("Fovea-Answered-At-Ms")) };
 }
 
 async function answerOr<Answer>(response: Response): Promise<Answer> {

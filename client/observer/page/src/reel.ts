@@ -12,6 +12,15 @@ function nearestOf(moments: number[], time: number): number {
   return moments.reduce((best, each) => (Math.abs(each - time) < Math.abs(best - time) ? each : best));
 }
 
+// Of a fast robot the history has not all frames: which one it gives instead of what is shown; empty
+// where it is that.
+export function nearestInstead(shown: Seen | null, answeredAtMs: number): string {
+  const later = answeredAtMs - Number(shown?.line.answered_at_ms);
+  if (!later) return "";
+  const seconds = (Math.abs(later) / 1000).toFixed(2);
+  return `the history does not hold the frame that was shown: this is the nearest, ${seconds} s ${later < 0 ? "before" : "after"} it`;
+}
+
 export class Reel {
   history = NONE;
   onShow: (seen: Seen) => void = () => {};

@@ -4,7 +4,7 @@ import { Cloud } from "./cloud";
 import { counted, el, toggle } from "./dom";
 import { labelsOf } from "./masks";
 import { drawFrame, type Shown } from "./overlay";
-import { Reel } from "./reel";
+import { nearestInstead, Reel } from "./reel";
 import { Save } from "./save";
 import { Stages } from "./stages";
 import { ObjectTable } from "./table";
@@ -200,11 +200,8 @@ export class RobotView {
       this.buttons.get("t")!.setAttribute("aria-pressed", "false");
       return this.say(`only frames of the history can be tried, and it holds none of ${this.robot} yet`, true);
     }
-    // Of a fast robot the history has not all frames.
-    const later = Number(this.reel.current?.line.answered_at_ms) - Number(shown?.line.answered_at_ms);
-    if (!later) return;
-    const seconds = (Math.abs(later) / 1000).toFixed(2);
-    this.say(`the history does not hold the frame that was shown: this is the nearest, ${seconds} s ${later < 0 ? "before" : "after"} it`);
+    const instead = nearestInstead(shown, Number(this.reel.current?.line.answered_at_ms));
+    if (instead) this.say(instead);
   }
 
   // What is shown stays.

@@ -1,7 +1,7 @@
 // Bug reports: one frame, or the seconds around it, as a file.
 import { saveBundle } from "./api";
 import { el } from "./dom";
-import type { Reel } from "./reel";
+import { nearestInstead, type Reel } from "./reel";
 
 const LATE_MS = 1500; // frames of now are on disk by then
 
@@ -22,8 +22,9 @@ export class Save {
   }
 
   private async save(around: number): Promise<void> {
-    const at = this.reel.current?.line.came_at_us;
-    if (!at) return;
+    const shown = this.reel.current;
+    if (!shown) return;
+    const at = shown.line.came_at_us;
     try {
       const wait = around * 1000 + LATE_MS - (Date.now() - at / 1000);
       if (wait > 0) {
@@ -31,7 +32,9 @@ export class Save {
         await new Promise((done) => setTimeout(done, wait));
       }
       this.say("saving");
-      this.say(`saved ${await saveBundle(this.robot, at, around, around)}`);
+      const { name, answeredAtMs } = await saveBundle(this.robot, at, around, around);
+      const instead = nearestInstead(shown, answeredAtMs);
+      this.say(`saved ${name}${instead && `: ${instead}`}`, instead !== "");
     } catch (error) {
       this.say((error as Error).message, true);
     }
