@@ -25,6 +25,9 @@ endif()
 configure_package_config_file(cmake/fovea-config.cmake.in fovea-config.cmake
                               INSTALL_DESTINATION ${FOVEA_CONFIG_DIR})
 write_basic_package_version_file(fovea-config-version.cmake COMPATIBILITY SameMinorVersion)
+# As far up as it takes: on Debian, below /usr, libraries are in lib/x86_64-linux-gnu.
+file(RELATIVE_PATH FOVEA_PREFIX_FROM_PC ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig
+     ${CMAKE_INSTALL_PREFIX})
 configure_file(cmake/fovea.pc.in fovea.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/fovea-config.cmake
               ${PROJECT_BINARY_DIR}/fovea-config-version.cmake DESTINATION ${FOVEA_CONFIG_DIR}

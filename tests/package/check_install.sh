@@ -38,6 +38,14 @@ for file in etc/fovea/fovea-server.toml usr/lib/python3/dist-packages/fovea/__in
 done
 cmp "$source/deploy/fovea-server.service" "$work/debian/usr/lib/systemd/system/fovea-server.service"
 
+# Where libraries have a folder of the architecture, as below /usr on Debian, its fovea.pc finds the rest.
+cmake -S "$source" -B "$work/multiarch" -G Ninja -D CMAKE_BUILD_TYPE=Release \
+  -D CMAKE_INSTALL_LIBDIR=lib/x86_64-linux-gnu -D FOVEA_BUILD_TESTS=OFF -D FOVEA_BUILD_CAPTURE=OFF \
+  -D FOVEA_BUILD_PCL=OFF >/dev/null
+install -D "$work/multiarch/fovea.pc" "$work/own/lib/x86_64-linux-gnu/pkgconfig/fovea.pc"
+headers=$(PKG_CONFIG_PATH=$work/own/lib/x86_64-linux-gnu/pkgconfig pkg-config --variable=includedir fovea)
+[ -f "$headers/fovea/client/client.h" ] || fail "fovea.pc looks for headers in $headers"
+
 DESTDIR=$work/local cmake --install "$build" --prefix /usr/local >/dev/null
 # Debian's python3 has one folder there, of its own minor version.
 searched=$("$python" -c 'import site; print(next(p for p in site.getsitepackages() if p.startswith("/usr/local/")))')
