@@ -35,11 +35,12 @@ check-long: dependencies
 
 # Debian packages of the server, the clients and the libraries, in $(BUILD)
 package: build
-	@cd $(BUILD) && cpack
+	@umask 022 && cd $(BUILD) && cpack
 
-# Below PREFIX, and nothing else; /usr/local unless given, which needs root
+# Below PREFIX, and nothing else; /usr/local unless given, which needs root. For others, too: the
+# server's own user has to read its configuration.
 install: build
-	@cmake --install $(BUILD) $(if $(PREFIX),--prefix $(PREFIX))
+	@umask 022 && cmake --install $(BUILD) $(if $(PREFIX),--prefix $(subst $() ,\ ,$(PREFIX)))
 
 clean:
 	rm -rf build demo

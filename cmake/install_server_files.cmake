@@ -23,6 +23,9 @@ endif()
 file(INSTALL ${deploy}/fovea-server.toml DESTINATION ${configuration} RENAME ${name})
 
 file(READ ${deploy}/fovea-server.service unit)
+foreach(path program configuration) # in systemd's own words
+  string(REPLACE " " "\\x20" ${path} "${${path}}")
+endforeach()
 string(REPLACE "=fovea-server " "=${program} " unit "${unit}")
 string(REPLACE "/etc/fovea/" "${configuration}/" unit "${unit}")
 set(units ${prefix}/lib/systemd/system)

@@ -21,6 +21,15 @@ unit=$work/own/lib/systemd/system/fovea-server.service
 grep -qx "ExecStart=$work/own/bin/fovea-server --config $work/own/etc/fovea/fovea-server.toml" "$unit" ||
   fail "the unit starts another server: $(grep ExecStart= "$unit")"
 
+# As make does it: also where a folder has two words, and for others whatever the umask is.
+install=$(make -C "$source" --dry-run --silent install BUILD="$build" PREFIX="$work/two words" | tail -n 1)
+(umask 077 && eval "$install" >/dev/null)
+closed=$(find "$work/two words" -type d -not -perm -755)
+[ -z "$closed" ] || fail "others may not look into $closed"
+words=$work/two\\x20words # as systemd writes it
+grep -qxF "ExecStart=$words/bin/fovea-server --config $words/etc/fovea/fovea-server.toml" \
+  "$work/two words/lib/systemd/system/fovea-server.service" || fail "the unit of two words starts another server"
+
 # An edited configuration stays; a relative prefix is one from where the command runs.
 echo 'max-pixels = 1000000' >>"$work/own/etc/fovea/fovea-server.toml"
 cp "$work/own/etc/fovea/fovea-server.toml" "$work/edited.toml"
@@ -50,3 +59,9 @@ DESTDIR=$work/local cmake --install "$build" --prefix /usr/local >/dev/null
 # Debian's python3 has one folder there, of its own minor version.
 searched=$("$python" -c 'import site; print(next(p for p in site.getsitepackages() if p.startswith("/usr/local/")))')
 [ -d "$work/local$searched/fovea" ] || fail "python3 looks in $searched, the library is not there"
+
+# A package, of those that make makes: for others whatever the umask is.
+package=$(make -C "$source" --dry-run --silent package BUILD="$build" | tail -n 1)
+(umask 077 && eval "$package -D CPACK_COMPONENTS_ALL=python -B $work/packages" >/dev/null)
+closed=$(dpkg-deb --contents "$work"/packages/*.deb | grep '^d' | grep -v '^drwxr-xr-x' || true)
+[ -z "$closed" ] || fail "others may not look into $closed"
