@@ -60,8 +60,10 @@ DESTDIR=$work/local cmake --install "$build" --prefix /usr/local >/dev/null
 searched=$("$python" -c 'import site; print(next(p for p in site.getsitepackages() if p.startswith("/usr/local/")))')
 [ -d "$work/local$searched/fovea" ] || fail "python3 looks in $searched, the library is not there"
 
-# A package, of those that make makes: for others whatever the umask is.
+# A package, of those that make makes: for others whatever the umask is, and it says what it is.
 package=$(make -C "$source" --dry-run --silent package BUILD="$build" | tail -n 1)
 (umask 077 && eval "$package -D CPACK_COMPONENTS_ALL=python -B $work/packages" >/dev/null)
 closed=$(dpkg-deb --contents "$work"/packages/*.deb | grep '^d' | grep -v '^drwxr-xr-x' || true)
 [ -z "$closed" ] || fail "others may not look into $closed"
+synopsis=$(dpkg-deb --field "$work"/packages/*.deb Description | head -n 1)
+[ "$synopsis" = "Python client of fovea, which detects unknown objects" ] || fail "its synopsis: $synopsis"
