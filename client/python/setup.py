@@ -39,6 +39,10 @@ def generate(folder: str) -> None:
 
 class BuildWithProtos(build_py):
     def run(self) -> None:
+        if self.editable_mode:
+            raise SystemExit("no editable install: there are modules that only the build generates")
+        # pip keeps this folder beside the sources, and in it what an older version had.
+        shutil.rmtree(Path(self.build_lib) / "fovea", ignore_errors=True)
         super().run()
         generate(self.build_lib)
 

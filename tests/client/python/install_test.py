@@ -17,18 +17,28 @@ SOURCE = Path(os.environ["FOVEA_SOURCE_DIR"])
 EXAMPLES = SOURCE / "client/examples/python"
 
 
+PIP = [sys.executable, "-m", "pip", "install", "--no-index", "--no-build-isolation", "--no-deps"]
+
+
 @pytest.fixture(scope="module")
-def installed(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Where the package is, installed without network from a copy of the sources."""
-    folder = tmp_path_factory.mktemp("pip")
+def sources(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A copy of them, from which pip has installed an older version with one module more."""
+    folder = tmp_path_factory.mktemp("source")
     for part in ("client/python", "proto"):
         built = shutil.ignore_patterns("build", "*.egg-info", "__pycache__")
-        shutil.copytree(SOURCE / part, folder / "source" / part, ignore=built)
-    target = folder / "target"
-    command = [sys.executable, "-m", "pip", "install", "--no-index", "--no-build-isolation"]
-    command += ["--no-deps", "--target", str(target), str(folder / "source/client/python")]
+        shutil.copytree(SOURCE / part, folder / part, ignore=built)
+    (folder / "client/python/build/lib/fovea").mkdir(parents=True)
+    (folder / "client/python/build/lib/fovea/gone.py").touch()
+    return folder / "client/python"
+
+
+@pytest.fixture(scope="module")
+def installed(sources: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Where the package is, installed without network from a copy of the sources."""
+    folder = tmp_path_factory.mktemp("pip")
+    command = [*PIP, "--target", str(folder / "target"), str(sources)]
     subprocess.run(command, check=True, capture_output=True, env=os.environ | {"HOME": str(folder)})
-    return target
+    return folder / "target"
 
 
 @pytest.fixture(scope="module")
@@ -56,9 +66,18 @@ def test_the_installed_package_is_complete(installed: Path) -> None:
     assert Path("v1/detection_service_pb2_grpc.py") in files
     for file in [*files, Path("py.typed")]:
         assert (installed / "fovea" / file).read_bytes() == (built / file).read_bytes()
+    assert not (installed / "fovea/gone.py").exists()
     program = "import fovea, importlib.metadata as m; print(fovea.__file__, m.version('fovea'))"
     expected = [str(installed / "fovea/__init__.py"), fovea.__version__]
     assert run_with(installed, "-c", program).split() == expected
+
+
+def test_an_editable_install_is_refused(sources: Path, tmp_path: Path) -> None:
+    """The sources lack the modules of the contract."""
+    command = [*PIP, "--target", str(tmp_path), "--editable", str(sources)]
+    finished = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert finished.returncode != 0
+    assert "no editable install" in finished.stdout + finished.stderr
 
 
 def test_the_example_finds_objects(installed: Path, server: ServerProcess, frames: Path) -> None:
