@@ -62,7 +62,9 @@ def run_with(installed: Path, *arguments: str) -> str:
 def test_the_installed_package_is_complete(installed: Path) -> None:
     built = Path(fovea.__file__).parent
     assert built != installed / "fovea"
-    files = sorted(path.relative_to(built) for path in built.rglob("*.py*") if path.is_file())
+    files = sorted(
+        path.relative_to(built) for path in built.rglob("*.py*") if path.suffix != ".pyc"
+    )
     assert Path("v1/detection_service_pb2_grpc.py") in files
     for file in [*files, Path("py.typed")]:
         assert (installed / "fovea" / file).read_bytes() == (built / file).read_bytes()
