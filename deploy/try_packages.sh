@@ -3,7 +3,7 @@
 # them again. Needs root and mmdebstrap.
 # usage: deploy/try_packages.sh BUILD_FOLDER   (after make package)
 set -eu
-packages=$(cd "$1" && ls "$PWD"/*.deb)
+ls "$1"/*.deb >/dev/null
 
 command -v mmdebstrap >/dev/null || { echo "try_packages: mmdebstrap is missing: apt-get install mmdebstrap" >&2; exit 1; }
 work=$(mktemp -d)
@@ -16,8 +16,7 @@ find "$root" | sort >"$work/before"
 
 inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"; }
 mkdir "$root/packages"
-# shellcheck disable=SC2086  # a list of files
-cp $packages "$root/packages/"
+cp "$1"/*.deb "$root/packages/"
 inside sh -c 'apt-get update -q && apt-get install -y -q --no-install-recommends /packages/*.deb' >"$work/log" 2>&1 ||
   { tail -n 20 "$work/log" >&2; exit 1; }
 echo "installed: $(cd "$root/packages" && echo *)"

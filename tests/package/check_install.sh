@@ -47,13 +47,17 @@ for file in etc/fovea/fovea-server.toml usr/lib/python3/dist-packages/fovea/__in
 done
 cmp "$source/deploy/fovea-server.service" "$work/debian/usr/lib/systemd/system/fovea-server.service"
 
-# Where libraries have a folder of the architecture, as below /usr on Debian, its fovea.pc finds the rest.
-cmake -S "$source" -B "$work/multiarch" -G Ninja -D CMAKE_BUILD_TYPE=Release \
+# Built in a folder of two words. Where libraries have a folder of the architecture, as below /usr on
+# Debian, fovea.pc finds the rest.
+other="$work/other build"
+cmake -S "$source" -B "$other" -G Ninja -D CMAKE_BUILD_TYPE=Release \
   -D CMAKE_INSTALL_LIBDIR=lib/x86_64-linux-gnu -D FOVEA_BUILD_TESTS=OFF -D FOVEA_BUILD_CAPTURE=OFF \
   -D FOVEA_BUILD_PCL=OFF >/dev/null
-install -D "$work/multiarch/fovea.pc" "$work/own/lib/x86_64-linux-gnu/pkgconfig/fovea.pc"
+install -D "$other/fovea.pc" "$work/own/lib/x86_64-linux-gnu/pkgconfig/fovea.pc"
 headers=$(PKG_CONFIG_PATH=$work/own/lib/x86_64-linux-gnu/pkgconfig pkg-config --variable=includedir fovea)
 [ -f "$headers/fovea/client/client.h" ] || fail "fovea.pc looks for headers in $headers"
+cmake --build "$other" --target fovea_python changelogs >/dev/null
+cmake --install "$other" --component python --prefix "$work/of_other" >/dev/null
 
 DESTDIR=$work/local cmake --install "$build" --prefix /usr/local >/dev/null
 # Debian's python3 has one folder there, of its own minor version.
