@@ -23,6 +23,8 @@ RUN apt-get update -q \
     && apt-get clean && rm -rf /packages /var/lib/apt/lists/*
 COPY deploy/container/fovea-server.toml /etc/fovea/
 COPY deploy/container/fovea-health /usr/local/bin/
+# As in the clone, whose modes follow the umask of whoever made it; the user below reads both.
+RUN chmod 644 /etc/fovea/fovea-server.toml && chmod 755 /usr/local/bin/fovea-health
 USER 10001:10001
 EXPOSE 50051 8080
 HEALTHCHECK --interval=10s --timeout=5s --start-period=10s CMD ["fovea-health"]
