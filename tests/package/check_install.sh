@@ -21,6 +21,12 @@ unit=$work/own/lib/systemd/system/fovea-server.service
 grep -qx "ExecStart=$work/own/bin/fovea-server --config $work/own/etc/fovea/fovea-server.toml" "$unit" ||
   fail "the unit starts another server: $(grep ExecStart= "$unit")"
 
+# The page holds three.js, whose licence wants to be with every copy.
+words() { tr -cs '[:alnum:]' ' '; }
+permission=$(sed -n '/^Permission/,$p' "$source/client/observer/page/dist/licenses.txt" | words)
+words <"$work/own/share/doc/fovea-observer/copyright" | grep -qF "$permission" ||
+  fail "the licence of three.js is not in the copyright file of fovea-observer"
+
 # As make does it: also where a folder has two words, and for others whatever the umask is.
 install=$(make -C "$source" --dry-run --silent install BUILD="$build" PREFIX="$work/two words" | tail -n 1)
 (umask 077 && eval "$install" >/dev/null)
