@@ -33,8 +33,9 @@ lint: dependencies
 check-long: dependencies
 	@deploy/check_long.sh $(PART)
 
-# Debian packages of the server, the clients and the libraries, in $(BUILD)
+# Debian packages of the server, the clients and the libraries, in $(BUILD) in place of older ones
 package: build
+	@rm -f $(BUILD)/*.deb
 	@umask 022 && cd $(BUILD) && cpack
 
 # Below PREFIX, and nothing else; /usr/local unless given, which needs root. For others, too: the

@@ -4,6 +4,7 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR Fovea)
 set(CPACK_PACKAGE_CONTACT "Fovea maintainers <maintainers@fovea.invalid>")
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_SOURCE_DIR}/cmake/package_release.cmake)
 set(FOVEA_DEBIAN_VERSION ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 # Through DESTDIR, since the configuration is in /etc, not below the prefix.

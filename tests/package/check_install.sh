@@ -77,3 +77,7 @@ closed=$(dpkg-deb --contents "$work"/packages/*.deb | grep '^d' | grep -v '^drwx
 [ -z "$closed" ] || fail "others may not look into $closed"
 synopsis=$(dpkg-deb --field "$work"/packages/*.deb Description | head -n 1)
 [ "$synopsis" = "Python client of fovea, which detects unknown objects" ] || fail "its synopsis: $synopsis"
+version=$(dpkg-deb --field "$work"/packages/*.deb Version)
+commit=$(git -C "$source" log -1 --format=%h --abbrev=12 2>/dev/null || true)
+[ -z "$commit" ] || { dpkg --compare-versions "$version" gt 0.1.0-1 && [ "${version##*.}" = "$commit" ]; } ||
+  fail "a package of $commit has the version $version"
