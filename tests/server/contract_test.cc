@@ -46,9 +46,9 @@ Detail DetailOf(const grpc::Status& status) {
   return detail;
 }
 
-v1::DetectRequest WithTime(std::int64_t seconds, int nanos) {
+v1::DetectRequest WithTime(std::int64_t time_s, int nanos) {
   v1::DetectRequest request = TestRequest();
-  request.mutable_frame()->mutable_captured_at()->set_seconds(seconds);
+  request.mutable_frame()->mutable_captured_at()->set_seconds(time_s);
   request.mutable_frame()->mutable_captured_at()->set_nanos(nanos);
   return request;
 }
@@ -157,8 +157,8 @@ TEST(Contract, FramesOfStreamsNameTheFieldToo) {
 
 TEST(Contract, TimesAreThoseThatJsonCanSay) {
   const Loopback loopback(FindOne);
-  const auto error_of = [&](std::int64_t seconds, int nanos) {
-    return Detect(loopback, WithTime(seconds, nanos)).error_message();
+  const auto error_of = [&](std::int64_t time_s, int nanos) {
+    return Detect(loopback, WithTime(time_s, nanos)).error_message();
   };
   EXPECT_THAT(error_of(253402300800, 0), StartsWith("frame.captured_at: is 253402300800 s"));
   EXPECT_THAT(error_of(-62135596801, 0), StartsWith("frame.captured_at: is -62135596801 s"));

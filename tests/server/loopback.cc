@@ -2,8 +2,6 @@
 
 #include <spdlog/spdlog.h>
 
-#include "tests/server/frames.h"
-
 namespace fovea::testing {
 
 server::ServerOptions LoopbackOptions() {
@@ -11,15 +9,6 @@ server::ServerOptions LoopbackOptions() {
   server::ServerOptions options;
   options.listen = {"127.0.0.1:0"};
   return options;
-}
-
-std::unique_ptr<client::DetectStream> AnsweredStream(const client::Client& client) {
-  auto stream = client.OpenStream(kPatience);
-  v1::DetectStreamRequest request;
-  *request.mutable_frame() = TestFrame();
-  stream->Send(request);
-  EXPECT_TRUE(stream->Receive());
-  return stream;
 }
 
 }  // namespace fovea::testing

@@ -8,6 +8,7 @@
 
 #include "client/client.h"
 #include "server/server.h"
+#include "tests/server/frames.h"
 
 namespace fovea::testing {
 
@@ -34,7 +35,14 @@ struct Loopback {
 };
 
 // A stream of this client that has had an answer. Throws RpcError where the server ends it instead.
-std::unique_ptr<client::DetectStream> AnsweredStream(const client::Client& client);
+inline std::unique_ptr<client::DetectStream> AnsweredStream(const client::Client& client) {
+  auto stream = client.OpenStream(kPatience);
+  v1::DetectStreamRequest request;
+  *request.mutable_frame() = TestFrame();
+  stream->Send(request);
+  EXPECT_TRUE(stream->Receive());
+  return stream;
+}
 
 // Runs `call`, which must throw RpcError, and returns that as a status.
 template <typename Call>
