@@ -82,6 +82,14 @@ TEST_F(ObserverHistory, NumbersGoUpWhateverTheClockDoes) {
   EXPECT_TRUE(std::is_sorted(ids.begin(), ids.end()));
 }
 
+TEST_F(ObserverHistory, ForgetsWhatCameWhileTheClockWasAhead) {
+  History history(folder_.Path(), {.span = seconds(100)});
+  for (const int at : {1'000'000, 0, 1}) history.Add(Record("a"), kStart + seconds(at));
+  EXPECT_THAT(IdsOf(history, "a"),
+              ::testing::ElementsAre(1'700'000'000'000'000, 1'700'000'001'000'000));
+  EXPECT_EQ(Files().size(), 2U);
+}
+
 TEST_F(ObserverHistory, EndsSomeTimeBeforeTheNewestFrame) {
   History history(folder_.Path(), {.span = seconds(10)});
   for (int i = 0; i < 20; ++i) history.Add(Record("a"), kStart + seconds(i));

@@ -46,6 +46,10 @@ bool IsFull(const std::error_code& error) {
   return error == std::errc::no_space_on_device || error.value() == EDQUOT;
 }
 
+std::uint64_t SpanOf(const HistoryLimits& limits) {
+  return static_cast<std::uint64_t>(std::chrono::microseconds(limits.span).count());
+}
+
 void MakeFolder(const fs::path& folder) {
   std::error_code error;
   if (fs::is_directory(folder, error)) return;
@@ -149,7 +153,11 @@ void History::Add(const HistoryRecord& record, std::chrono::system_clock::time_p
   const auto found = robots_.find(robot);
   const auto at = std::chrono::floor<std::chrono::microseconds>(now).time_since_epoch().count();
   auto id = static_cast<std::uint64_t>(std::max<std::int64_t>(at, 1));
-  if (found != robots_.end()) id = std::max(id, found->second.frames.back().id + 1);
+  if (found != robots_.end() && found->second.frames.back().id > id + SpanOf(limits_)) {
+    DropAll(found);  // the clock was ahead: they would never be old
+  } else if (found != robots_.end()) {
+    id = std::max(id, found->second.frames.back().id + 1);
+  }
   const std::uint64_t bytes = HistoryFileSize(record);
   MakeRoom(robot, bytes);
   Write(record, id, bytes);
@@ -202,6 +210,10 @@ void History::DropOldest(Robots::iterator robot) {
   robots_.erase(robot);
 }
 
+void History::DropAll(Robots::iterator robot) {
+  for (std::size_t left = robot->second.frames.size(); left > 0; --left) DropOldest(robot);
+}
+
 // Before a frame of this size is written, so that what is on disk never takes more than it may.
 void History::MakeRoom(const std::string& name, std::uint64_t bytes) {
   for (auto robot = robots_.find(name);
@@ -220,7 +232,7 @@ History::Robots::iterator History::Oldest() {
 // Of the robot that got a frame first, then of all.
 void History::Bound(const std::string& name) {
   const auto robot = robots_.find(name);
-  const auto span = static_cast<std::uint64_t>(std::chrono::microseconds(limits_.span).count());
+  const std::uint64_t span = SpanOf(limits_);
   const std::uint64_t newest = robot->second.frames.back().id;
   while (robot->second.frames.size() > 1 && (robot->second.frames.front().id + span < newest ||
                                              robot->second.bytes > limits_.max_bytes / 2)) {
@@ -229,7 +241,7 @@ void History::Bound(const std::string& name) {
   while (robots_.size() > limits_.max_robots) {
     const auto quietest = std::ranges::min_element(
         robots_, {}, [](const auto& each) { return each.second.frames.back().id; });
-    for (std::size_t left = quietest->second.frames.size(); left > 0; --left) DropOldest(quietest);
+    DropAll(quietest);
   }
   while (num_frames_ > limits_.max_frames || bytes_ > limits_.max_bytes) {
     DropOldest(Oldest());

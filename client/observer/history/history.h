@@ -81,6 +81,7 @@ class History {
   void Keep(const std::string& robot, const Kept& frame);
   void Write(const HistoryRecord& record, std::uint64_t id, std::uint64_t bytes);
   void DropOldest(Robots::iterator robot);
+  void DropAll(Robots::iterator robot);
   Robots::iterator Oldest();  // the robot that has the oldest frame; there must be one
   void MakeRoom(const std::string& robot, std::uint64_t bytes);
   void Bound(const std::string& robot);
