@@ -63,6 +63,17 @@ std::string IntrinsicsOf(const BundledFrame& frame) {
   return TextOf(file);
 }
 
+// Unit and camera of depth, as `fovea detect --input FOLDER` reads them.
+std::string CapturedOf(const v1::Frame& sent) {
+  v1::Frame kept;
+  kept.mutable_depth()->set_unit_m(UnitOf(sent.depth()));
+  if (sent.has_depth_intrinsics()) {
+    *kept.mutable_depth_intrinsics() = sent.depth_intrinsics();
+    *kept.mutable_color_from_depth() = sent.color_from_depth();
+  }
+  return JsonOf(kept);
+}
+
 json AboutOf(const std::string& name, const BundledFrame& frame) {
   return {{"name", name},
           {"robot", frame.robot},
@@ -101,8 +112,9 @@ std::string ReadMe(const BundleNote& note) {
       "Frames of robots as Fovea got and answered them.\n\n"
       "  fovea detect --input THIS.zip --output FOLDER\n\n"
       "sends them once more and says whether the answers are the same. Unpacked, this is a folder\n"
-      "for --input as well: NAME_color, NAME_depth.png (units: depth_unit_m in bundle.json, for\n"
-      "--depth-unit) and intrinsics.json. NAME_request.pb is what was sent, byte for byte\n"
+      "for --input as well: NAME_color, NAME_depth.png, intrinsics.json and fovea_capture.json "
+      "(unit\n"
+      "and camera of depth of the first frame). NAME_request.pb is what was sent, byte for byte\n"
       "(fovea.v1.DetectRequest), NAME_answer.pb what came back (fovea.v1.Detections), each also "
       "as\n"
       "JSON, where that is not too large. Images that no program could read have no file of their\n"
@@ -136,15 +148,17 @@ std::string WriteBundle(std::vector<BundledFrame> frames, const BundleNote& note
              {"made_by", note.made_by},
              {"left_out", note.num_left_out},
              {"frames", json::array()}};
-  std::string intrinsics;
+  std::string intrinsics, captured;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const std::string name = fmt::format("frame_{:04}", i + 1);
     about["frames"].push_back(AboutOf(name, frames[i]));
     AddFrame(name, frames[i], &zip);
     if (intrinsics.empty()) intrinsics = IntrinsicsOf(frames[i]);
+    if (captured.empty() && frames[i].answer) captured = CapturedOf(frames[i].request.frame());
     frames[i] = {};  // it is in the file twice now
   }
   if (!intrinsics.empty()) zip.Add("intrinsics.json", intrinsics);
+  if (!captured.empty()) zip.Add("fovea_capture.json", captured);
   zip.Add("bundle.json", TextOf(about));
   zip.Add("README.txt", ReadMe(note));
   return zip.Finish();

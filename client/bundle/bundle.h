@@ -28,9 +28,10 @@ struct BundleNote {
 };
 
 // A zip file of frame_0001_color.png (or .jpg), frame_0001_depth.png, frame_0001_options.json,
-// frame_0001_answer.json and .pb, frame_0001_request.pb, and so on, with intrinsics.json of the
-// first, bundle.json and README.txt. Unpacked, it is a folder that `fovea detect --input` reads;
-// request.pb alone is what was sent, byte for byte. Throws std::runtime_error.
+// frame_0001_answer.json and .pb, frame_0001_request.pb, and so on, with intrinsics.json and
+// fovea_capture.json of the first, bundle.json and README.txt. Unpacked, it is a folder that `fovea
+// detect --input` reads; request.pb alone is what was sent, byte for byte. Throws
+// std::runtime_error.
 std::string WriteBundle(std::vector<BundledFrame> frames, const BundleNote& note);
 
 // The same in the other direction. Thread-safe.

@@ -160,6 +160,26 @@ def test_a_bundle_is_a_folder_of_frames(recorded: Recorded, scene: Scene, tmp_pa
     ]
 
 
+def test_a_bundle_is_a_folder_that_knows_its_depth_camera(
+    recorded: Recorded, scene: Scene, tmp_path: Path
+) -> None:
+    frame = scene.frame(
+        depth=2 * scene.depth[::2, ::2],
+        depth_unit_m=0.0005,
+        depth_intrinsics=fovea.CameraIntrinsics(131.25, 131.25, 79.75, 59.75),
+        color_from_depth=np.eye(4),
+    )
+    number = recorded.record("arm", frame)[0]
+    with zipfile.ZipFile(save(recorded, "arm", number, tmp_path)) as file:
+        file.extractall(tmp_path / "saved")
+    finished = replay(tmp_path / "saved", recorded.robots.address, tmp_path / "again")
+    assert finished.returncode == 0, finished.stderr
+    one = json.loads((tmp_path / "saved" / "frame_0001_answer.json").read_text())
+    other = json.loads((tmp_path / "again" / "frame_0001.json").read_text())
+    poses = [[found["oriented_box"] for found in each["objects"]] for each in (one, other)]
+    assert poses[0] == poses[1] and poses[0]
+
+
 def test_options_are_changed_by_flags(recorded: Recorded, scene: Scene, tmp_path: Path) -> None:
     number = recorded.record("arm", scene.frame())[0]
     path = save(recorded, "arm", number, tmp_path)
