@@ -73,9 +73,10 @@ void RunSweeps(const DetectionFlags& flags, const std::vector<Scene>& scenes,
                const DetectorOptions& options) {
   nlohmann::json rows = nlohmann::json::array();
   std::vector<Chart> charts;
+  std::vector<std::pair<std::string, std::vector<double>>> sweeps;
+  for (const std::string& text : flags.sweeps) sweeps.push_back(ParseSweep(text, options));
   PrintSummaryHeader(std::cout);
-  for (const std::string& sweep : flags.sweeps) {
-    const auto [name, values] = ParseSetting(sweep);
+  for (const auto& [name, values] : sweeps) {
     std::vector<Summary> summaries;
     for (const double value : values) {
       DetectorOptions changed = options;

@@ -11,6 +11,7 @@
 #include "tests/evaluation/logistic_regression.h"
 #include "tests/evaluation/output.h"
 #include "tests/evaluation/parallel.h"
+#include "tests/evaluation/settings.h"
 
 namespace fovea::evaluation {
 namespace {
@@ -36,19 +37,17 @@ struct Rows {
 
 void AddFolder(const std::string& text, LabelEncoding encoding, const KinshipFlags& flags,
                Rows& rows) {
-  const std::size_t equals = text.find('=');
-  const std::string folder = text.substr(0, equals);
-  const double folder_weight = equals == std::string::npos ? 1 : std::stod(text.substr(equals + 1));
+  const auto [folder, folder_weight] = ParseWeighted(text);
   const std::vector<std::string> names = SceneNames(folder);
   const std::vector<double>& k = flags.intrinsics;
   std::vector<std::vector<KinshipSample>> samples(names.size());
   std::mutex mutex;  // guards done
   std::size_t done = 0;
-  ForEachIndex(names.size(), flags.num_threads, [&](std::size_t i) {
-    const Scene scene = LoadScene(folder, names[i], encoding, {k[0], k[1], k[2], k[3]});
+  ForEachIndex(names.size(), flags.num_threads, [&, &dir = folder](std::size_t i) {
+    const Scene scene = LoadScene(dir, names[i], encoding, {k[0], k[1], k[2], k[3]});
     samples[i] = SampleKinship(scene, OptionsOfProfile("default"));
     const std::scoped_lock lock(mutex);
-    ShowProgress(folder, ++done, names.size());
+    ShowProgress(dir, ++done, names.size());
   });
   double total = 0;
   for (const auto& of_scene : samples) {

@@ -44,12 +44,6 @@ DetectorOptions OptionsOf(const ObjectModelFlags& flags) {
   return options;
 }
 
-std::pair<std::string, double> Weighted(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  return {text.substr(0, equals),
-          equals == std::string::npos ? 1 : std::stod(text.substr(equals + 1))};
-}
-
 // Samples `count` scenes with each size of voxels, the original first.
 template <typename LoadScene>
 void Sample(const std::string& what, std::size_t count, double weight,
@@ -77,7 +71,7 @@ void Sample(const std::string& what, std::size_t count, double weight,
 std::vector<TreeSample> SampleAll(const ObjectModelFlags& flags, std::vector<BoxedFrame>& frames) {
   std::vector<TreeSample> samples;
   const auto add_labelled = [&](const std::string& text, LabelEncoding encoding) {
-    const auto [folder, weight] = Weighted(text);
+    const auto [folder, weight] = ParseWeighted(text);
     const std::vector<std::string> names = SceneNames(folder);
     const std::vector<double>& k = flags.intrinsics;
     Sample(
@@ -90,7 +84,7 @@ std::vector<TreeSample> SampleAll(const ObjectModelFlags& flags, std::vector<Box
   for (const std::string& text : flags.mosd) add_labelled(text, LabelEncoding::kMosd);
   for (const std::string& text : flags.plain) add_labelled(text, LabelEncoding::kPlain);
   for (const std::string& text : flags.boxes) {
-    const auto [folder, weight] = Weighted(text);
+    const auto [folder, weight] = ParseWeighted(text);
     const std::vector<BoxedFrame> loaded = LoadBoxedFrames(folder);
     Sample(
         folder, loaded.size(), weight, flags, [&](std::size_t i) { return loaded[i]; }, samples);
