@@ -1,8 +1,12 @@
 #include "tests/evaluation/real_frames/boxed_frames.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -34,20 +38,42 @@ CameraIntrinsics ReadIntrinsics(const fs::path& path) {
   return k;
 }
 
-BoxedObject ToObject(const nlohmann::json& json) {
-  const auto corners = json.at("box").get<std::array<int, 4>>();
-  return {json.at("name").get<std::string>(),
-          {cv::Point(corners[0], corners[1]), cv::Point(corners[2], corners[3])},
+// x0, y0, x1, y1 of pixels of the image, of which there are some.
+cv::Rect ToBox(const nlohmann::json& json, const cv::Size& image, const std::string& place) {
+  const bool is_whole =
+      json.is_array() && json.size() == 4 &&
+      std::all_of(json.begin(), json.end(), [](const auto& n) { return n.is_number_integer(); });
+  if (is_whole) {
+    const auto c = json.get<std::array<std::int64_t, 4>>();
+    if (0 <= c[0] && c[0] < c[2] && c[2] <= image.width && 0 <= c[1] && c[1] < c[3] &&
+        c[3] <= image.height) {
+      return cv::Rect(static_cast<int>(c[0]), static_cast<int>(c[1]), static_cast<int>(c[2] - c[0]),
+                      static_cast<int>(c[3] - c[1]));
+    }
+  }
+  throw std::runtime_error(fmt::format(
+      "{}: box {}: expected [x0, y0, x1, y1] with 0 <= x0 < x1 <= {} and 0 <= y0 < y1 <= {}", place,
+      json.dump(), image.width, image.height));
+}
+
+BoxedObject ToObject(const nlohmann::json& json, const cv::Size& image, const std::string& place) {
+  return {json.at("name").get<std::string>(), ToBox(json.at("box"), image, place),
           json.value("small", false)};
+}
+
+// A frame's name → its objects.
+std::map<std::string, std::vector<nlohmann::json>> ReadBoxes(const fs::path& path) {
+  std::ifstream in(path);
+  auto boxes = nlohmann::json::parse(in).get<std::map<std::string, std::vector<nlohmann::json>>>();
+  if (boxes.empty()) throw std::runtime_error(path.string() + ": no frames here");
+  return boxes;
 }
 
 void AddSource(const fs::path& folder, std::vector<BoxedFrame>& frames) {
   const fs::path boxes = folder / "boxes.json";
   const CameraIntrinsics intrinsics = ReadIntrinsics(folder / "intrinsics.txt");
   try {
-    std::ifstream in(boxes);
-    const nlohmann::json json = nlohmann::json::parse(in);
-    for (const auto& [name, objects] : json.items()) {
+    for (const auto& [name, objects] : ReadBoxes(boxes)) {
       const fs::path png = folder / (name + "_color.png");
       const fs::path color = fs::exists(png) ? png : folder / (name + "_color.jpg");
       frames.push_back({folder.filename().string(),
@@ -55,7 +81,8 @@ void AddSource(const fs::path& folder, std::vector<BoxedFrame>& frames) {
                         LoadFrame(color, folder / (name + "_depth.png"), intrinsics),
                         {}});
       for (const nlohmann::json& object : objects) {
-        frames.back().objects.push_back(ToObject(object));
+        frames.back().objects.push_back(
+            ToObject(object, frames.back().frame.color_rgb.size(), boxes.string() + ": " + name));
       }
     }
   } catch (const nlohmann::json::exception& error) {

@@ -65,6 +65,27 @@ TEST_F(BoxedFrames, SayWhichFileIsWrong) {
   EXPECT_THAT(load, ThrowsMessage<std::runtime_error>(HasSubstr("no boxes.json here")));
 }
 
+TEST_F(BoxedFrames, HaveBoxesWithinTheImage) {
+  const auto load = [this] { return LoadBoxedFrames(folder_); };
+  for (const char* box : {"[3, 2, 1, 6]", "[1, 2, 1, 6]", "[1, 2, 9, 6]", "[-1, 2, 4, 6]",
+                          "[1, 2, 4, 4294967302]", "[1.5, 2, 4, 6]", "[1, 2, 4, 6, 7]"}) {
+    Write("boxes.json", std::string(R"({"a": [{"name": "cup", "box": )") + box + "}]}");
+    EXPECT_THAT(load, ThrowsMessage<std::runtime_error>(HasSubstr("boxes.json: a: box ["))) << box;
+  }
+}
+
+TEST_F(BoxedFrames, AreListedOneByOne) {
+  const auto load = [this] { return LoadBoxedFrames(folder_); };
+  Write("boxes.json", R"({"a": []})");
+  EXPECT_EQ(load().size(), 1U);
+  Write("boxes.json", "{}");
+  EXPECT_THAT(load, ThrowsMessage<std::runtime_error>(HasSubstr("boxes.json: no frames here")));
+  for (const char* text : {"null", "[]", R"({"a": null})", R"({"a": {}})", R"({"a": 5})"}) {
+    Write("boxes.json", text);
+    EXPECT_THAT(load, ThrowsMessage<std::runtime_error>(HasSubstr("boxes.json: "))) << text;
+  }
+}
+
 TEST_F(BoxedFrames, AreRunAndSummedUpBySource) {
   std::vector<BoxedFrame> frames = LoadBoxedFrames(folder_);
   frames.push_back(frames[0]);
