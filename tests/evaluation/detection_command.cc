@@ -5,6 +5,8 @@
 #include "core/options.h"
 #include "tests/evaluation/camera_effects.h"
 #include "tests/evaluation/detection_modes.h"
+#include "tests/evaluation/detection_run.h"
+#include "tests/evaluation/output.h"
 
 namespace fovea::evaluation {
 namespace {
@@ -71,9 +73,12 @@ void AddDetectionCommand(CLI::App& app) {
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
   command->add_flag("--scenes", flags->print_scenes, "Print a line per scene");
-  command->add_option("--json", flags->json, "Write all scores to this file");
-  command->add_option("--plot", flags->plot,
-                      "Write an SVG: the sweeps, the methods, or how far confidence is right");
+  command->add_option("--json", flags->json, "Write all scores to this file")
+      ->check(WhyNotWritable);
+  command
+      ->add_option("--plot", flags->plot,
+                   "Write an SVG: the sweeps, the methods, or how far confidence is right")
+      ->check(WhyNotWritable);
   command->add_option("--overlays", flags->overlays, "Write a picture per scene to this folder");
   command->callback([flags] { RunDetectionMode(*flags); });
 }

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <opencv2/imgcodecs.hpp>
 
 #include "tests/evaluation/camera_effects.h"
 #include "tests/evaluation/detection_run.h"
@@ -16,6 +15,7 @@
 #include "tests/evaluation/score_charts.h"
 #include "tests/evaluation/settings.h"
 #include "tests/evaluation/true_seeds.h"
+#include "tests/support/scene_files.h"
 
 namespace fovea::evaluation {
 namespace {
@@ -39,8 +39,8 @@ std::vector<SceneResult> Evaluate(const DetectionFlags& flags, const std::vector
       [&](const Scene& scene, const Detections& detections) {
         ShowProgress("detecting", ++done, scenes.size());
         if (flags.overlays.empty()) return;
-        cv::imwrite(flags.overlays + "/" + scene.name + "_overlay.png",
-                    DrawOverlay(scene, detections.labels));
+        scenes::WriteImage(flags.overlays + "/" + scene.name + "_overlay.png",
+                           DrawOverlay(scene, detections.labels));
       },
       flags.num_repeats);
 }

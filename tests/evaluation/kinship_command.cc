@@ -155,7 +155,7 @@ void AddKinshipCommand(CLI::App& app) {
   command->add_option("--threads", flags->num_threads, "Scenes at a time")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
-  command->add_option("--csv", flags->csv, "Write all pairs to this file");
+  command->add_option("--csv", flags->csv, "Write all pairs to this file")->check(WhyNotWritable);
   command->callback([flags] { Run(*flags); });
 }
 

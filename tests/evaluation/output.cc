@@ -2,12 +2,18 @@
 
 #include <unistd.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 namespace fovea::evaluation {
+namespace {
+
+std::string NotWritten(const std::string& path) { return path + ": cannot be written"; }
+
+}  // namespace
 
 void ShowProgress(const std::string& what, std::size_t done, std::size_t total) {
   if (isatty(STDERR_FILENO) == 0) return;
@@ -17,11 +23,19 @@ void ShowProgress(const std::string& what, std::size_t done, std::size_t total) 
             << std::flush;
 }
 
+std::string WhyNotWritable(const std::string& path) {
+  std::error_code ignored;
+  const bool is_new = !std::filesystem::exists(path, ignored);
+  if (!std::ofstream(path, std::ios::app)) return NotWritten(path);
+  if (is_new) std::filesystem::remove(path, ignored);
+  return "";
+}
+
 void WriteText(const std::string& path, const std::string& text) {
   if (path.empty()) return;
   std::ofstream file(path);
   file << text << '\n';
-  if (!file.flush()) throw std::runtime_error(path + ": cannot be written");
+  if (!file.flush()) throw std::runtime_error(NotWritten(path));
 }
 
 void WriteJson(const std::string& path, const nlohmann::json& json) {

@@ -11,12 +11,6 @@ namespace {
 
 using nlohmann::json;
 
-void WriteImage(const std::filesystem::path& path, const cv::Mat& image) {
-  if (!cv::imwrite(path.string(), image)) {
-    throw std::runtime_error(path.string() + ": cannot be written");
-  }
-}
-
 cv::Mat InMillimetres(const cv::Mat& depth_m) {
   cv::Mat known = depth_m.clone(), depth_mm;
   cv::patchNaNs(known, 0);
@@ -55,6 +49,12 @@ json ListToJson(const std::vector<Item>& items) {
 }
 
 }  // namespace
+
+void WriteImage(const std::filesystem::path& path, const cv::Mat& image) {
+  if (!cv::imwrite(path.string(), image)) {
+    throw std::runtime_error(path.string() + ": cannot be written");
+  }
+}
 
 void WriteFrame(const std::filesystem::path& folder, const std::string& name,
                 const LabelledFrame& labelled) {

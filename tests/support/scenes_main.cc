@@ -8,7 +8,6 @@
 #include <iostream>
 #include <map>
 #include <numbers>
-#include <opencv2/imgcodecs.hpp>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -97,7 +96,7 @@ void WriteFrames(const Flags& flags) {
       }
       WriteFrame(flags.output, name, frame);
       if (flags.preview) {
-        cv::imwrite(flags.output + "/" + name + "_preview.png", DrawPreview(frame));
+        WriteImage(flags.output + "/" + name + "_preview.png", DrawPreview(frame));
       }
       ShowProgress(++done, total, name);
     }

@@ -48,7 +48,8 @@ void AddFlags(Flags& flags, CLI::App& app) {
   app.add_option("--threads-per-frame", flags.num_threads, "Threads for one frame, of the profiles")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
-  app.add_option("--json", flags.json, "Write all figures to this file");
+  app.add_option("--json", flags.json, "Write all figures to this file")
+      ->check(evaluation::WhyNotWritable);
 }
 
 // What the ratios are to.

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <mutex>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
@@ -16,6 +15,7 @@
 #include "tests/evaluation/grasp_figures/grasp_overlay.h"
 #include "tests/evaluation/output.h"
 #include "tests/evaluation/parallel.h"
+#include "tests/support/scene_files.h"
 
 namespace fovea::evaluation {
 namespace {
@@ -75,8 +75,8 @@ void WritePicture(const CleanUpFlags& flags, const CleanedScene& scene,
   const Gripper& hand = hands[attempt != nullptr ? attempt->grasp.gripper : 0];
   const std::size_t step = scene.attempts.size() + (attempt == nullptr ? 1 : 0);
   const std::string name = fmt::format("scene_{:02}_step_{:02}.jpg", scene.seed, step);
-  cv::imwrite((std::filesystem::path(flags.pictures) / name).string(),
-              DrawGrasps(frame.frame, hand, drawn));
+  scenes::WriteImage(std::filesystem::path(flags.pictures) / name,
+                     DrawGrasps(frame.frame, hand, drawn));
 }
 
 void CleanUpOne(const CleanUpFlags& flags, CleanedScene& result) {

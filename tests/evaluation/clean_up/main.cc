@@ -42,7 +42,7 @@ int Run(int argc, char** argv) {
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
   app.add_option("--pictures", flags.pictures, "Write a picture of each step to this folder");
-  app.add_option("--json", json, "Write every step to this file");
+  app.add_option("--json", json, "Write every step to this file")->check(WhyNotWritable);
   app.add_option("program", flags.program, "Its command line, after --")->required();
   fovea::flags::NameMisspellings(app, argc, argv);
   try {

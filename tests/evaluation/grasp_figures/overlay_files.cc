@@ -1,10 +1,10 @@
 #include "tests/evaluation/grasp_figures/overlay_files.h"
 
 #include <algorithm>
-#include <opencv2/imgcodecs.hpp>
 
 #include "tests/evaluation/grasp_check/check_grasp.h"
 #include "tests/evaluation/grasp_figures/grasp_overlay.h"
+#include "tests/support/scene_files.h"
 
 namespace fovea::evaluation {
 namespace {
@@ -34,7 +34,7 @@ void WriteOverlays(const std::string& folder, const GeneratedScene& scene,
       if (ended.empty()) continue;
       const std::string name = scene.kind + "_" + std::to_string(scene.seed) + "_" + frame.sensor +
                                "_" + FileNameOf(grippers[g]) + ".png";
-      cv::imwrite(folder + "/" + name, DrawGrasps(frame.labelled.frame, grippers[g], ended));
+      scenes::WriteImage(folder + "/" + name, DrawGrasps(frame.labelled.frame, grippers[g], ended));
     }
   }
 }

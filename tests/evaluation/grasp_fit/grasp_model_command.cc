@@ -42,8 +42,10 @@ void AddGraspModelCommand(CLI::App& app) {
           "trials so far, and chooses what is tried in the next")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
-  command->add_option("--source", flags->source,
-                      "Write it as source, for core/grasping/fitted_grasp_model.cc");
+  command
+      ->add_option("--source", flags->source,
+                   "Write it as source, for core/grasping/fitted_grasp_model.cc")
+      ->check(WhyNotWritable);
   command->callback([flags] { Run(*flags); });
 }
 

@@ -234,10 +234,14 @@ void AddObjectModelCommand(CLI::App& app) {
   command->add_option("--penalty", flags->penalty, "On the slopes; more makes the model smoother")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
-  command->add_flag("--leave-one-out", flags->leave_one_out,
-                    "Also score the frames of each group of sources by a model fitted without it");
-  command->add_option("--source", flags->source,
-                      "Write the model there: core/objects/fitted_object_model.cc");
+  command
+      ->add_flag("--leave-one-out", flags->leave_one_out,
+                 "Also score the frames of each group of sources by a model fitted without it")
+      ->needs(boxes);
+  command
+      ->add_option("--source", flags->source,
+                   "Write the model there: core/objects/fitted_object_model.cc")
+      ->check(WhyNotWritable);
   command->add_option("--set", flags->settings, "name=value of a detector option; repeatable");
   command->add_option("--threads", flags->num_threads, "Scenes, or groups left out, at a time")
       ->check(CLI::Range(1, 64))

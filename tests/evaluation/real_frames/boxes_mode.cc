@@ -3,7 +3,6 @@
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 
 #include "core/detector.h"
@@ -11,6 +10,7 @@
 #include "tests/evaluation/peers/peer.h"
 #include "tests/evaluation/real_frames/boxed_run.h"
 #include "tests/evaluation/reliability_report.h"
+#include "tests/support/scene_files.h"
 
 namespace fovea::evaluation {
 namespace {
@@ -45,8 +45,8 @@ std::vector<BoxedFrameResult> Run(const DetectionFlags& flags,
     ShowProgress("detecting", ++count, frames.size());
     if (flags.overlays.empty()) return;
     const std::string suffix = flags.methods.empty() ? "" : "_" + method;
-    cv::imwrite(flags.overlays + "/" + frame.source + "_" + frame.name + suffix + ".png",
-                DrawBoxes(frame, detections.labels));
+    scenes::WriteImage(flags.overlays + "/" + frame.source + "_" + frame.name + suffix + ".png",
+                       DrawBoxes(frame, detections.labels));
   };
   return RunBoxedFrames(frames, Detector(flags, method), flags.num_threads, done);
 }

@@ -88,8 +88,10 @@ void AddRgbdScenesCommand(CLI::App& app) {
   command->add_option("--gamma", flags->gammas, "Values of mrf.gamma_per_m2 (Fig. 8a)")
       ->delimiter(',')
       ->capture_default_str();
-  command->add_option("--json", flags->json, "Write the counts to this file");
-  command->add_option("--plot", flags->plot, "Write an SVG: a line over gamma for each scenario");
+  command->add_option("--json", flags->json, "Write the counts to this file")
+      ->check(WhyNotWritable);
+  command->add_option("--plot", flags->plot, "Write an SVG: a line over gamma for each scenario")
+      ->check(WhyNotWritable);
   command->callback([flags] { Run(*flags); });
 }
 

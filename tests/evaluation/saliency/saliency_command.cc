@@ -6,11 +6,11 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <opencv2/imgcodecs.hpp>
 
 #include "tests/evaluation/output.h"
 #include "tests/evaluation/saliency/map_filters.h"
 #include "tests/evaluation/saliency/saliency_report.h"
+#include "tests/support/scene_files.h"
 
 namespace fovea::evaluation {
 namespace {
@@ -37,8 +37,7 @@ void WriteMap(const std::string& folder, const FixatedImage& image, const std::s
   cv::Mat picture;
   ScaleToUnit(map).convertTo(picture, CV_8U, 255);
   const std::string stem = std::filesystem::path(image.file).stem().string();
-  const std::string path = fmt::format("{}/{}_{}.png", folder, stem, method);
-  if (!cv::imwrite(path, picture)) throw std::runtime_error(path + ": cannot be written");
+  scenes::WriteImage(fmt::format("{}/{}_{}.png", folder, stem, method), picture);
 }
 
 void Run(const SaliencyFlags& flags) {
@@ -107,8 +106,10 @@ void AddSaliencyCommand(CLI::App& app) {
       ->capture_default_str();
   AddScoring(*command, flags->run);
   command->add_option("--maps", flags->maps, "Write every map, scaled to 0 … 255, to this folder");
-  command->add_option("--plot", flags->plot, "Write the scores over the blurs to this SVG");
-  command->add_option("--json", flags->json, "Write all scores to this file");
+  command->add_option("--plot", flags->plot, "Write the scores over the blurs to this SVG")
+      ->check(WhyNotWritable);
+  command->add_option("--json", flags->json, "Write all scores to this file")
+      ->check(WhyNotWritable);
   command->callback([flags] { Run(*flags); });
 }
 

@@ -100,7 +100,8 @@ void AddTrackingCommand(CLI::App& app) {
   command->add_option("--threads", flags->num_threads, "Streams at a time")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
-  command->add_option("--json", flags->json, "Write the figures to this file");
+  command->add_option("--json", flags->json, "Write the figures to this file")
+      ->check(WhyNotWritable);
   command->callback([flags] { Run(*flags); });
 }
 
