@@ -3,6 +3,7 @@
 #include <fmt/ostream.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace fovea::evaluation {
@@ -24,7 +25,9 @@ ReliabilityReport ReportReliability(const std::vector<std::vector<Prediction>>& 
     report.confident_share_of_groups.push_back(MeasureReliability(group).share_of_confident);
   }
   report.reported = MeasureReliability(all);
-  report.held_out = MeasureReliability(CalibrateHeldOut(groups));
+  const auto with_predictions =
+      std::count_if(groups.begin(), groups.end(), [](const auto& group) { return !group.empty(); });
+  if (with_predictions > 1) report.held_out = MeasureReliability(CalibrateHeldOut(groups));
   report.calibration = FitCalibration(std::move(all));
   return report;
 }
@@ -38,7 +41,11 @@ void PrintReliability(std::ostream& out, const ReliabilityReport& report) {
                bin.mean_confidence, 100 * bin.share_correct);
   }
   PrintTotal(out, "as reported", report.reported);
-  PrintTotal(out, "calibrated on other groups", report.held_out);
+  if (report.held_out) {
+    PrintTotal(out, "calibrated on other groups", *report.held_out);
+  } else {
+    fmt::print(out, "  {:28} there are none\n", "calibrated on other groups");
+  }
   fmt::print(out, "  {:28} {:.3f}\n", "as reported, by group",
              fmt::join(report.confident_share_of_groups, " "));
 }
@@ -59,11 +66,12 @@ nlohmann::json ToJson(const Reliability& reliability) {
 }
 
 nlohmann::json ToJson(const ReliabilityReport& report) {
-  return {
+  nlohmann::json json = {
       {"reported", ToJson(report.reported)},
-      {"calibrated_on_other_groups", ToJson(report.held_out)},
       {"confident_share_of_groups", report.confident_share_of_groups},
       {"calibration", {{"from", report.calibration.from}, {"share", report.calibration.share}}}};
+  if (report.held_out) json["calibrated_on_other_groups"] = ToJson(*report.held_out);
+  return json;
 }
 
 Series ReliabilityCurve(const std::string& name, const Reliability& reliability) {
@@ -77,13 +85,13 @@ Series ReliabilityCurve(const std::string& name, const Reliability& reliability)
 }
 
 Chart ReliabilityChart(const ReliabilityReport& report) {
-  return {.title = "Objects that are right",
-          .x_label = "confidence",
-          .y_label = "share right",
-          .series = {{"ideal", {0, 1}, {0, 1}},
-                     ReliabilityCurve("reported", report.reported),
-                     ReliabilityCurve("held out", report.held_out)},
-          .categories = {}};
+  Chart chart{.title = "Objects that are right",
+              .x_label = "confidence",
+              .y_label = "share right",
+              .series = {{"ideal", {0, 1}, {0, 1}}, ReliabilityCurve("reported", report.reported)},
+              .categories = {}};
+  if (report.held_out) chart.series.push_back(ReliabilityCurve("held out", *report.held_out));
+  return chart;
 }
 
 }  // namespace fovea::evaluation

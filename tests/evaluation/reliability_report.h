@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -12,8 +13,9 @@
 namespace fovea::evaluation {
 
 struct ReliabilityReport {
-  Reliability reported;     // confidences as the detector gives them
-  Reliability held_out;     // calibrated on the other groups
+  Reliability reported;  // confidences as the detector gives them
+  // Calibrated on the other groups; absent where fewer than two have predictions.
+  std::optional<Reliability> held_out;
   Calibration calibration;  // on all groups: for use, not for judging
   // Share right among those with confidence ≥ 0.8 in each group; 0 in a group without any.
   std::vector<double> confident_share_of_groups;

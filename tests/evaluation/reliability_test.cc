@@ -2,11 +2,17 @@
 
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/evaluation/reliability_report.h"
+
 namespace fovea::evaluation {
 namespace {
 
 using testing::DoubleEq;
 using testing::ElementsAre;
+using testing::HasSubstr;
 
 TEST(Reliability, ByHand) {
   const Reliability reliability =
@@ -27,6 +33,20 @@ TEST(Reliability, OfNothingIsZero) {
   EXPECT_EQ(reliability.bins.size(), 10U);
   EXPECT_EQ(reliability.calibration_error, 0);
   EXPECT_EQ(reliability.share_of_confident, 0);
+}
+
+TEST(Reliability, WithoutOtherGroupsIsCalibratedOnNone) {
+  for (const auto& groups : {std::vector<std::vector<Prediction>>{{{0.9, true}}},
+                             std::vector<std::vector<Prediction>>{{{0.9, true}}, {}}}) {
+    const ReliabilityReport report = ReportReliability(groups);
+    EXPECT_FALSE(report.held_out);
+    EXPECT_FALSE(ToJson(report).contains("calibrated_on_other_groups"));
+    EXPECT_EQ(ReliabilityChart(report).series.size(), 2U);
+    std::ostringstream text;
+    PrintReliability(text, report);
+    EXPECT_THAT(text.str(), HasSubstr("calibrated on other groups   there are none"));
+  }
+  EXPECT_TRUE(ReportReliability({{{0.9, true}}, {{0.8, true}}}).held_out);
 }
 
 TEST(Calibration, PoolsAdjacentViolators) {
