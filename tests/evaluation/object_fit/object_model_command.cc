@@ -151,20 +151,22 @@ LeftOut LeaveOneOut(const ObjectModelFlags& flags, const std::vector<TreeSample>
 
 void PrintOverShares(const LeftOut& left_out) {
   double all = 0, mean = 0, clear = 0, least = 1, most = 0;
+  bool has_clear = false;
   for (const std::vector<BoxedFrameResult>& results : left_out.results) {
     const BoxSummary summary = Summarize(results);
     const double f1 = summary.all.Boxes().f;
     all += f1 / kScoredShares.size();
     mean += summary.mean_f1 / kScoredShares.size();
     clear += summary.clear.Boxes().f / kScoredShares.size();
+    has_clear = summary.has_clear;
     least = std::min(least, f1);
     most = std::max(most, f1);
   }
   fmt::print(
       "mean over voxels of {} sizes from {} to {} of theirs: F1 {:.1f} ({:.1f} to {:.1f}), mean of "
-      "the sources {:.1f}, clear glass {:.1f}\n",
+      "the sources {:.1f}{}\n",
       kScoredShares.size(), kScoredShares[1], kScoredShares.back(), 100 * all, 100 * least,
-      100 * most, 100 * mean, 100 * clear);
+      100 * most, 100 * mean, has_clear ? fmt::format(", clear glass {:.1f}", 100 * clear) : "");
 }
 
 // Of each group of sources the required objects that some union of segments shows.
@@ -223,7 +225,8 @@ void AddObjectModelCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "object-model", "Fit the model that tells objects from background and parts");
   auto* data = command->add_option_group("scenes");
-  data->add_option("--boxes", flags->boxes, "Folder of frames with boxes; DIR=WEIGHT weighs it");
+  CLI::Option* boxes = data->add_option("--boxes", flags->boxes,
+                                        "Folder of frames with boxes; DIR=WEIGHT weighs it");
   data->add_option("--mosd", flags->mosd, "Folder of <name>_{color,depth,label}.png as of mOSD");
   data->add_option("--data", flags->plain, "The same with label = object");
   data->require_option(1, 0);

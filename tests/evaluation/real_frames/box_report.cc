@@ -53,7 +53,9 @@ BoxSummary Summarize(const std::vector<BoxedFrameResult>& results) {
   std::vector<double> times;
   for (const BoxedFrameResult& result : results) {
     summary.sources[result.source].Add(result.scores);
-    (IsOfClearGlass(result.source) ? summary.clear : summary.all).Add(result.scores);
+    const bool is_clear = IsOfClearGlass(result.source);
+    (is_clear ? summary.has_clear : summary.has_all) = true;
+    (is_clear ? summary.clear : summary.all).Add(result.scores);
     times.push_back(result.total_ms);
   }
   std::vector<double> f1;
@@ -69,11 +71,16 @@ void PrintBoxSummary(std::ostream& out, const std::string& title, const BoxSumma
   fmt::print(out, "{:<28} {:>8} {:>6} {:>6}  {:>6} {:>6} {:>6}\n", title, "required", "found",
              "wrong", "P", "R", "F1");
   for (const auto& [source, scores] : summary.sources) PrintRow(out, "  " + source, scores);
-  PrintRow(out, "all but clear glass", summary.all);
-  fmt::print(out, "{:<28} {:>45.1f}\n", "mean of its sources", 100 * summary.mean_f1);
-  PrintRow(out, "clear glass", summary.clear);
-  fmt::print(out, "missed: {}\nwrong:  {}\nmedian {:.0f} ms\n\n", Counts(summary.all.missed),
-             Counts(summary.all.wrong_by), summary.median_ms);
+  if (summary.has_all) {
+    PrintRow(out, "all but clear glass", summary.all);
+    fmt::print(out, "{:<28} {:>45.1f}\n", "mean of its sources", 100 * summary.mean_f1);
+  }
+  if (summary.has_clear) PrintRow(out, "clear glass", summary.clear);
+  if (summary.has_all) {
+    fmt::print(out, "missed: {}\nwrong:  {}\n", Counts(summary.all.missed),
+               Counts(summary.all.wrong_by));
+  }
+  fmt::print(out, "median {:.0f} ms\n\n", summary.median_ms);
 }
 
 void PrintSideBySide(std::ostream& out, const std::vector<std::string>& methods,
@@ -92,16 +99,22 @@ void PrintSideBySide(std::ostream& out, const std::vector<std::string>& methods,
     row("  " + source,
         [&](const BoxSummary& summary) { return summary.sources.at(source).Boxes().f; });
   }
-  row("all but clear glass", [](const BoxSummary& summary) { return summary.all.Boxes().f; });
-  row("mean of its sources", [](const BoxSummary& summary) { return summary.mean_f1; });
-  row("clear glass", [](const BoxSummary& summary) { return summary.clear.Boxes().f; });
+  if (summaries.front().has_all) {
+    row("all but clear glass", [](const BoxSummary& summary) { return summary.all.Boxes().f; });
+    row("mean of its sources", [](const BoxSummary& summary) { return summary.mean_f1; });
+  }
+  if (summaries.front().has_clear) {
+    row("clear glass", [](const BoxSummary& summary) { return summary.clear.Boxes().f; });
+  }
 }
 
 nlohmann::json ToJson(const BoxSummary& summary) {
-  nlohmann::json json = {{"all", ToJson(summary.all)},
-                         {"mean_f1_of_sources", summary.mean_f1},
-                         {"clear_glass", ToJson(summary.clear)},
-                         {"median_ms", summary.median_ms}};
+  nlohmann::json json = {{"median_ms", summary.median_ms}};
+  if (summary.has_all) {
+    json["all"] = ToJson(summary.all);
+    json["mean_f1_of_sources"] = summary.mean_f1;
+  }
+  if (summary.has_clear) json["clear_glass"] = ToJson(summary.clear);
   for (const auto& [source, scores] : summary.sources) json["sources"][source] = ToJson(scores);
   return json;
 }

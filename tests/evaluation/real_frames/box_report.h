@@ -23,6 +23,8 @@ struct BoxedFrameResult {
 
 struct BoxSummary {
   std::map<std::string, BoxScores> sources;
+  // Each of sources that there are some of; what nothing was asked of has no score.
+  bool has_all = false, has_clear = false;
   BoxScores all;       // of all sources but those of clear glass
   double mean_f1 = 0;  // of these sources
   BoxScores clear;     // of the sources of clear glass, whose names end with _transparent

@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <sstream>
 
 #include "tests/evaluation/real_frames/boxed_run.h"
 #include "tests/support/data_path.h"
@@ -106,6 +108,20 @@ TEST_F(BoxedFrames, AreRunAndSummedUpBySource) {
   EXPECT_EQ(summary.all.found, 1);
   EXPECT_EQ(summary.clear.found, 1);
   EXPECT_EQ(summary.mean_f1, 1);
+}
+
+TEST(BoxReport, SaysNothingOfWhatThereIsNot) {
+  for (const bool is_clear : {false, true}) {
+    const BoxSummary summary =
+        Summarize({{is_clear ? "glass_transparent" : "lab", "a", {}, 1, {}}});
+    std::ostringstream text;
+    PrintBoxSummary(text, "default", summary);
+    PrintSideBySide(text, {"default"}, {summary});
+    EXPECT_EQ(text.str().find("\nclear glass") != std::string::npos, is_clear);
+    EXPECT_EQ(text.str().find("\nall but clear glass") != std::string::npos, !is_clear);
+    EXPECT_EQ(ToJson(summary).contains("clear_glass"), is_clear);
+    EXPECT_EQ(ToJson(summary).contains("all"), !is_clear);
+  }
 }
 
 TEST(RealFrames, AreAllReadable) {
