@@ -9,9 +9,16 @@ namespace fovea::evaluation {
 namespace {
 
 nlohmann::json ToJson(const GripperFigures& f) {
-  return {{"objects", f.objects},      {"offered", f.offered},   {"first_succeeds", f.first},
-          {"any_succeeds", f.any},     {"possible", f.possible}, {"none", f.none},
-          {"none_right", f.none_right}};
+  nlohmann::json json = {{"objects", f.objects},
+                         {"offered", f.offered},
+                         {"first_succeeds", f.first},
+                         {"any_succeeds", f.any},
+                         {"none", f.none}};
+  if (f.searched > 0) {
+    json["possible"] = f.possible;
+    json["none_right"] = f.none_right;
+  }
+  return json;
 }
 
 nlohmann::json ToJson(const GraspedObject& object) {

@@ -11,7 +11,9 @@
 namespace fovea::evaluation {
 namespace {
 
-double Percent(int part, int whole) { return whole > 0 ? 100.0 * part / whole : 0; }
+std::string Percent(int part, int whole) {
+  return whole > 0 ? fmt::format("{:.1f}%", 100.0 * part / whole) : "-";
+}
 
 void PrintHeader(std::ostream& out, const std::string& title) {
   fmt::print(out, "\n{:24} {:>7} {:>9} {:>9} {:>9} {:>9} {:>9} {:>10} {:>9}\n", title, "objects",
@@ -20,11 +22,12 @@ void PrintHeader(std::ostream& out, const std::string& title) {
 
 void PrintRow(std::ostream& out, const std::string& name, const GripperFigures& figures,
               int with_cup) {
-  fmt::print(out, "{:24} {:7} {:8.1f}% {:8.1f}% {:8.1f}% {:8.1f}% {:8.1f}% {:9.1f}% {:8.1f}%\n",
-             name, figures.objects, Percent(figures.first, figures.objects),
-             Percent(figures.any, figures.objects), Percent(figures.offered, figures.objects),
-             Percent(figures.first, figures.offered), Percent(figures.possible, figures.objects),
-             Percent(figures.none_right, figures.none), Percent(with_cup, figures.objects));
+  fmt::print(out, "{:24} {:7} {:>9} {:>9} {:>9} {:>9} {:>9} {:>10} {:>9}\n", name, figures.objects,
+             Percent(figures.first, figures.objects), Percent(figures.any, figures.objects),
+             Percent(figures.offered, figures.objects), Percent(figures.first, figures.offered),
+             Percent(figures.possible, figures.searched),
+             Percent(figures.none_right, figures.searched > 0 ? figures.none : 0),
+             Percent(with_cup, figures.objects));
 }
 
 // In the order of NoGrasp::Reason.
@@ -32,20 +35,24 @@ constexpr std::array<const char*, 9> kReasonNames = {"too wide",        "neighbo
                                                      "too low",         "sloped",    "cut",
                                                      "too little seen", "no seal",   "unlikely"};
 
-// Why there are no grasps, and how often the search agrees that there is none.
+// Why there are no grasps, and how often the search, if any, agrees that there is none.
 void PrintReasons(std::ostream& out, const GraspRun& run, std::size_t gripper) {
   std::array<std::pair<int, int>, kReasonNames.size()> counts = {};
+  bool searched = false;
   for (const GraspedObject& object : run.objects) {
     const GripperResult& result = object.grippers[gripper];
     if (result.reason < 0 || !result.outcomes.empty()) continue;
     auto& [count, impossible] = counts.at(static_cast<std::size_t>(result.reason));
     ++count;
+    searched |= result.possible.has_value();
     impossible += result.possible && !*result.possible;
   }
-  fmt::print(out, "  none, reason (of these impossible):");
+  fmt::print(out, "  none, reason{}:", searched ? " (of these impossible)" : "");
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const auto& [count, impossible] = counts[i];
-    if (count > 0) fmt::print(out, " {} {} ({}),", kReasonNames[i], count, impossible);
+    if (count == 0) continue;
+    fmt::print(out, " {} {}{},", kReasonNames[i], count,
+               searched ? fmt::format(" ({})", impossible) : "");
   }
   fmt::print(out, "\n");
 }

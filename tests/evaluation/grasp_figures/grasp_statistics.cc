@@ -15,6 +15,7 @@ void Add(GripperFigures& sum, const GripperResult& result) {
   sum.offered += !result.outcomes.empty();
   sum.first += result.FirstSucceeds();
   sum.any += result.AnySucceeds();
+  sum.searched += result.possible.has_value();
   sum.possible += result.possible.value_or(false);
   if (!result.outcomes.empty()) return;
   ++sum.none;

@@ -11,8 +11,8 @@ namespace fovea::evaluation {
 
 struct GripperFigures {
   int objects = 0, offered = 0, first = 0, any = 0;  // first: the first grasp succeeds
-  int possible = 0;                                  // 0 without the search
-  int none = 0, none_right = 0;                      // none was offered, and the search finds none
+  int searched = 0, possible = 0;  // whether there is a grasp at all was looked for, and there is
+  int none = 0, none_right = 0;    // none was offered, and the search finds none
 
   double FirstShare() const { return objects > 0 ? double(first) / objects : 0; }
 };
