@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "tests/evaluation/output.h"
 #include "tests/evaluation/settings.h"
 #include "tests/support/random_scene.h"
 
@@ -40,8 +41,11 @@ void AddGeneratedFlags(CLI::App& command, GeneratedFlags& flags) {
   command.add_option("--threads", flags.num_threads, "Scenes at a time")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
-  command.add_option("--json", flags.json, "Write all figures to this file");
-  command.add_option("--plot", flags.plot, "Write charts of them as SVG");
+}
+
+void AddFigureFlags(CLI::App& command, GeneratedFlags& flags) {
+  command.add_option("--json", flags.json, "Write all figures to this file")->check(WhyNotWritable);
+  command.add_option("--plot", flags.plot, "Write charts of them as SVG")->check(WhyNotWritable);
 }
 
 std::vector<std::string> KindsOf(const GeneratedFlags& flags) {

@@ -23,7 +23,11 @@ struct GeneratedFlags {
   std::string json, plot, overlays;
 };
 
+// Which scenes there are, and how they are looked at.
 void AddGeneratedFlags(CLI::App& command, GeneratedFlags& flags);
+
+// Files of figures, of commands that have some.
+void AddFigureFlags(CLI::App& command, GeneratedFlags& flags);
 
 std::vector<std::string> KindsOf(const GeneratedFlags& flags);
 

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "tests/evaluation/grasp_figures/grasp_export.h"
 #include "tests/evaluation/grasp_figures/grasp_report.h"
@@ -19,7 +20,9 @@ void Run(const GraspsFlags& flags) {
   const GraspRun run = RunGrasps(flags, flags.questions);
   PrintGrasps(std::cout, run);
   WriteJson(flags.json, ToJson(run));
-  if (!flags.plot.empty() && !run.objects.empty()) WriteText(flags.plot, DrawSvg(GraspCharts(run)));
+  if (flags.plot.empty()) return;
+  if (run.objects.empty()) throw std::runtime_error("--plot: no object was found");
+  WriteText(flags.plot, DrawSvg(GraspCharts(run)));
 }
 
 }  // namespace
@@ -29,6 +32,7 @@ void AddGraspsCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "grasps", "Check the grasps of generated scenes against the true solids in them");
   AddGeneratedFlags(*command, *flags);
+  AddFigureFlags(*command, *flags);
   command->add_flag("--possible", flags->questions.possible,
                     "Also search whether there is a grasp from above at all: slow");
   command->add_flag("--candidates", flags->questions.candidates,

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "tests/evaluation/object_figures/object_export.h"
 #include "tests/evaluation/object_figures/object_report.h"
@@ -16,7 +17,10 @@ void Run(const GeneratedFlags& flags) {
   PrintObjects(std::cout, run);
   WriteJson(flags.json, ToJson(run));
   const std::vector<Chart> charts = ObjectCharts(run);
-  if (!charts.empty()) WriteText(flags.plot, DrawSvg(charts));
+  if (!flags.plot.empty() && charts.empty()) {
+    throw std::runtime_error("--plot: no object that is seen to 90 % was found");
+  }
+  WriteText(flags.plot, DrawSvg(charts));
 }
 
 }  // namespace
@@ -26,6 +30,7 @@ void AddObjectsCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "objects", "Compare boxes, shapes and relations in generated scenes with the truth");
   AddGeneratedFlags(*command, *flags);
+  AddFigureFlags(*command, *flags);
   command->add_flag("--leaning", flags->leaning,
                     "Lean a book against a box of each scene that has one");
   command->callback([flags] { Run(*flags); });
