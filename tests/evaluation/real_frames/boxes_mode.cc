@@ -22,6 +22,11 @@ void RefuseOtherModes(const DetectionFlags& flags) {
   refuse(!flags.sweeps.empty(), "--sweep");
   refuse(flags.with_effects, "--camera-effects");
   refuse(flags.true_seeds, "--true-seeds");
+  const DetectionFlags unset;
+  refuse(flags.intrinsics != unset.intrinsics, "--intrinsics");
+  refuse(flags.num_repeats != unset.num_repeats, "--repeat");
+  refuse(flags.num_folds != unset.num_folds, "--folds");
+  refuse(!flags.plot.empty() && !flags.methods.empty(), "--plot of --methods");
 }
 
 DetectInFrame Detector(const DetectionFlags& flags, const std::string& method) {
