@@ -106,7 +106,7 @@ std::string ToCsv(const Rows& rows) {
     csv += fmt::format("\n{},{:.6g},{}", rows.is_true[i], rows.weights[i], rows.folds[i]);
     for (const double term : rows.terms[i]) csv += fmt::format(",{:.6g}", term);
   }
-  return csv + '\n';
+  return csv;
 }
 
 void Run(const KinshipFlags& flags) {
