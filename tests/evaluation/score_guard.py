@@ -52,6 +52,8 @@ def measure_all(build: Path) -> dict[str, float]:
 
 
 def main() -> int:
+    if len(sys.argv) < 2 or sys.argv[1].startswith("-"):
+        sys.exit(__doc__)
     measured = measure_all(Path(sys.argv[1]))
     figures = json.loads(FIGURES.read_text()) if FIGURES.exists() else {}
     if "--write" in sys.argv:
