@@ -11,15 +11,6 @@ namespace {
 
 double Norm(const v1::Vector3& v) { return std::hypot(v.x(), v.y(), v.z()); }
 
-double ServerMs(const v1::Detections& detections) {
-  double sum = 0;
-  for (const v1::StageTime& stage : detections.stage_times()) {
-    if (stage.stage() == "processor_wait") continue;  // is part of the others
-    sum += stage.duration().seconds() * 1e3 + stage.duration().nanos() * 1e-6;
-  }
-  return sum;
-}
-
 std::string Remarks(const v1::Object& object) {
   std::string remarks;
   if (object.track_id() != 0) remarks += fmt::sprintf("  #%llu", object.track_id());
@@ -90,6 +81,15 @@ std::string SupportLine(const v1::Detections& detections) {
 
 std::string NumObjects(int number) {
   return std::to_string(number) + (number == 1 ? " object" : " objects");
+}
+
+double ServerMs(const v1::Detections& detections) {
+  double sum = 0;
+  for (const v1::StageTime& stage : detections.stage_times()) {
+    if (stage.stage() == "processor_wait") continue;  // is part of the others
+    sum += stage.duration().seconds() * 1e3 + stage.duration().nanos() * 1e-6;
+  }
+  return sum;
 }
 
 std::string Report(const v1::Detections& detections, double round_trip_ms) {

@@ -9,6 +9,9 @@ namespace fovea::cli {
 // "0 objects", "1 object", "2 objects".
 std::string NumObjects(int number);
 
+// What the server says it spent: waiting, decoding and computing.
+double ServerMs(const v1::Detections& detections);
+
 // What was found as a table for people, with what limited it where little was found or nothing is
 // known to stand on.
 // `round_trip_ms` is the time of the whole call.

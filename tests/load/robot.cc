@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "client/client.h"
+#include "client/cli/report.h"
 #include "tests/load/robot_stream.h"
 
 namespace fovea::load {
@@ -22,19 +23,10 @@ double MillisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-// What the server says it spent: waiting, decoding and computing.
-double ServerMilliseconds(const v1::Detections& detections) {
-  double sum = 0;
-  for (const v1::StageTime& time : detections.stage_times()) {
-    sum += static_cast<double>(time.duration().seconds()) * 1e3 + time.duration().nanos() / 1e6;
-  }
-  return sum;
-}
-
 void Note(const v1::Detections& detections, Clock::time_point sent, Outcome* outcome) {
   const double latency_ms = MillisecondsSince(sent);
   outcome->latency_ms.push_back(latency_ms);
-  outcome->overhead_ms.push_back(latency_ms - ServerMilliseconds(detections));
+  outcome->overhead_ms.push_back(latency_ms - cli::ServerMs(detections));
 }
 
 std::string CodeName(const client::RpcError& error) {

@@ -1,0 +1,73 @@
+#include "tests/load/robot.h"
+
+#include <gmock/gmock.h>
+#include <grpcpp/ext/health_check_service_server_builder_option.h>
+#include <grpcpp/grpcpp.h>
+
+#include <memory>
+
+#include "client/client.h"
+#include "fovea/v1/detection_service.grpc.pb.h"
+
+namespace fovea::load {
+namespace {
+
+using testing::ElementsAre;
+using testing::Gt;
+using testing::Pair;
+
+// Answers calls with the time that its processor was not there, the frames of streams with an
+// error, and has the robots stop.
+class OneAnswer final : public v1::DetectionService::Service {
+ public:
+  OneAnswer() {
+    grpc::EnableDefaultHealthCheckService(true);
+    grpc::ServerBuilder builder;
+    builder.AddListeningPort("127.0.0.1:0", grpc::InsecureServerCredentials(), &port_);
+    builder.RegisterService(this);
+    server_ = builder.BuildAndStart();
+    server_->GetHealthCheckService()->SetServingStatus("fovea.v1.DetectionService", true);
+  }
+  ~OneAnswer() override { server_->Shutdown(); }
+
+  Outcome Run(bool stream) {
+    RobotPlan plan;
+    plan.servers = {"127.0.0.1:" + std::to_string(port_)};
+    plan.stream = stream;
+    return RunRobot(plan, stop_.get_token());
+  }
+
+ private:
+  grpc::Status Detect(grpc::ServerContext* /*context*/, const v1::DetectRequest* /*request*/,
+                      v1::DetectResponse* response) override {
+    v1::StageTime& wait = *response->mutable_detections()->add_stage_times();
+    wait.set_stage("processor_wait");
+    wait.mutable_duration()->set_seconds(3600);
+    stop_.request_stop();
+    return grpc::Status::OK;
+  }
+
+  using Frames = grpc::ServerReaderWriter<v1::DetectStreamResponse, v1::DetectStreamRequest>;
+  grpc::Status DetectStream(grpc::ServerContext* /*context*/, Frames* frames) override {
+    v1::DetectStreamRequest request;
+    v1::DetectStreamResponse response;
+    frames->Read(&request);
+    response.mutable_error()->set_code(grpc::StatusCode::INVALID_ARGUMENT);
+    frames->Write(response);
+    stop_.request_stop();
+    while (frames->Read(&request)) continue;
+    return grpc::Status::OK;
+  }
+
+  int port_ = 0;
+  std::stop_source stop_;
+  std::unique_ptr<grpc::Server> server_;
+};
+
+TEST(Robot, CountsTheWaitForAProcessorOnce) {
+  const Outcome outcome = OneAnswer().Run(/*stream=*/false);
+  EXPECT_THAT(outcome.overhead_ms, ElementsAre(Gt(0)));
+}
+
+}  // namespace
+}  // namespace fovea::load
