@@ -35,6 +35,11 @@ std::string CodeName(const client::RpcError& error) {
 }
 
 // The robot's clock: when the next frame is due.
+std::string CodeName(const v1::FrameError& error) {
+  const auto code = static_cast<grpc::StatusCode>(error.code());
+  return CodeName(client::RpcError({code, error.message()}));
+}
+
 class Pace {
  public:
   Pace(double rate_hz, double phase) : rate_hz_(rate_hz) {
@@ -135,7 +140,7 @@ Outcome Stream(const client::Client& client, const RobotPlan& plan, const std::s
       if (response.has_detections()) {
         Note(response.detections(), sent, &noted);
       } else {
-        ++noted.errors[std::to_string(response.error().code())];
+        ++noted.errors[CodeName(response.error())];
       }
     }
   } catch (const client::RpcError& error) {

@@ -69,5 +69,10 @@ TEST(Robot, CountsTheWaitForAProcessorOnce) {
   EXPECT_THAT(outcome.overhead_ms, ElementsAre(Gt(0)));
 }
 
+TEST(Robot, NamesTheErrorsOfStreams) {
+  const Outcome outcome = OneAnswer().Run(/*stream=*/true);
+  EXPECT_THAT(outcome.errors, ElementsAre(Pair("INVALID_ARGUMENT", 1)));
+}
+
 }  // namespace
 }  // namespace fovea::load
