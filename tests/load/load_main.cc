@@ -160,6 +160,7 @@ std::vector<Outcome> RunAll(const Flags& flags) {
   const fovea::v1::Frame frame = MakeFrame(flags.kind, {flags.size_px[0], flags.size_px[1]});
   Links links;
   const std::vector<RobotPlan> plans = fovea::load::MakePlans(flags, frame, &links);
+  fovea::load::WaitForServers(plans);  // else the robots fail when all of the time is over
   std::stop_source stop;
   const std::jthread cutting = CutLater(flags, &links);
   auto saboteurs = StartSaboteurs(flags, frame, stop.get_token());

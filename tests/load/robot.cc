@@ -4,10 +4,11 @@
 #include <future>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <thread>
 
-#include "client/client.h"
 #include "client/cli/report.h"
+#include "client/client.h"
 #include "tests/load/robot_stream.h"
 
 namespace fovea::load {
@@ -34,12 +35,12 @@ std::string CodeName(const client::RpcError& error) {
   return text.substr(0, text.find(':'));
 }
 
-// The robot's clock: when the next frame is due.
 std::string CodeName(const v1::FrameError& error) {
   const auto code = static_cast<grpc::StatusCode>(error.code());
   return CodeName(client::RpcError({code, error.message()}));
 }
 
+// The robot's clock: when the next frame is due.
 class Pace {
  public:
   Pace(double rate_hz, double phase) : rate_hz_(rate_hz) {
@@ -182,6 +183,12 @@ Outcome Sum(const std::vector<Outcome>& outcomes) {
     for (const auto& [code, count] : one.errors) all.errors[code] += count;
   }
   return all;
+}
+
+void WaitForServers(const std::vector<RobotPlan>& plans) {
+  std::set<std::string> servers;
+  for (const RobotPlan& plan : plans) servers.insert(plan.servers.begin(), plan.servers.end());
+  for (const std::string& server : servers) client::Client(server).WaitUntilReady(kTimeout);
 }
 
 Outcome RunRobot(const RobotPlan& plan, const std::stop_token& stop) {

@@ -37,6 +37,10 @@ struct Outcome {
 // Of several together.
 Outcome Sum(const std::vector<Outcome>& outcomes);
 
+// Returns once every server that they ask serves; throws what client::Client does where one cannot
+// be asked, or does not serve in time.
+void WaitForServers(const std::vector<RobotPlan>& plans);
+
 // Until it is told to stop.
 Outcome RunRobot(const RobotPlan& plan, const std::stop_token& stop);
 

@@ -74,5 +74,11 @@ TEST(Robot, NamesTheErrorsOfStreams) {
   EXPECT_THAT(outcome.errors, ElementsAre(Pair("INVALID_ARGUMENT", 1)));
 }
 
+TEST(Robot, IsNotStartedWithoutItsServer) {
+  RobotPlan plan;
+  plan.servers = {"no address"};
+  EXPECT_THROW(WaitForServers({plan}), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace fovea::load
