@@ -148,12 +148,6 @@ void RunEffects(const DetectionFlags& flags, const std::vector<Scene>& scenes,
 
 }  // namespace
 
-std::vector<std::string> DetectionMethodNames() {
-  std::vector<std::string> names = ProfileNames();
-  for (const std::string& peer : PeerNames()) names.push_back(peer);
-  return names;
-}
-
 bool IsPeer(const std::string& method) {
   const std::vector<std::string> peers = PeerNames();
   return std::find(peers.begin(), peers.end(), method) != peers.end();

@@ -28,9 +28,6 @@ struct DetectionFlags {
   std::string overlays;
 };
 
-// What can stand in DetectionFlags::methods.
-std::vector<std::string> DetectionMethodNames();
-
 bool IsPeer(const std::string& method);
 
 // `flags.settings` on top of a profile.

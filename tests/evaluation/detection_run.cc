@@ -121,6 +121,12 @@ DetectFunction DetectWithPeer(const std::string& name) {
   };
 }
 
+std::vector<std::string> DetectionMethodNames() {
+  std::vector<std::string> names = ProfileNames();
+  for (const std::string& peer : PeerNames()) names.push_back(peer);
+  return names;
+}
+
 std::vector<SceneResult> RunDetection(const std::vector<Scene>& scenes,
                                       const DetectFunction& detect, int num_threads,
                                       const SceneDone& done, int num_repeats) {

@@ -31,6 +31,9 @@ DetectFunction DetectWith(const DetectorOptions& options);
 // Another one, which fills Detections::labels only.
 DetectFunction DetectWithPeer(const std::string& name);
 
+// Profiles and peers.
+std::vector<std::string> DetectionMethodNames();
+
 // Detects in every scene, `num_threads` scenes at a time, and scores the answers. Results come in
 // the order of `scenes`. Each scene is detected `num_repeats` times (at least once), of which the
 // shortest times count. Throws what `detect` throws.

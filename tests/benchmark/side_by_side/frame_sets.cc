@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <opencv2/core.hpp>
+#include <stdexcept>
 
 #include "tests/evaluation/real_frames/boxed_frames.h"
 #include "tests/support/labelled_frame.h"
@@ -132,6 +133,9 @@ std::vector<FrameSet> FrameSets(const std::optional<path>& data, const std::stri
   sets.push_back({"noise", "generated, 640x480", {FrameOf("noise", Noise())}});
   sets.push_back({"checkerboard", "generated, 640x480", {FrameOf("checkerboard", Checkerboard())}});
   std::erase_if(sets, [&](const FrameSet& set) { return !set.name.starts_with(only); });
+  if (sets.empty()) {
+    throw std::invalid_argument(fmt::format("--only {}: no set of frames begins so", only));
+  }
   return sets;
 }
 

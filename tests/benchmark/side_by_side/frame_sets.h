@@ -24,7 +24,7 @@ struct FrameSet {
 // mOSD, frames of other cameras by size, and whole rooms from `data`, without those that it lacks,
 // then generated scenes by size and by their number of objects, noise and a checkerboard; of these
 // the sets whose names begin with `only`. At most `max_frames` each, spread over the whole of a
-// set.
+// set. Throws std::invalid_argument where no name begins so.
 std::vector<FrameSet> FrameSets(const std::optional<std::filesystem::path>& data,
                                 const std::string& only, std::size_t max_frames);
 

@@ -14,6 +14,7 @@
 #include "flags/misspelling.h"
 #include "server/compute_process.h"
 #include "tests/benchmark/side_by_side/measurement.h"
+#include "tests/evaluation/detection_run.h"
 #include "tests/evaluation/output.h"
 #include "tests/evaluation/statistics.h"
 #include "tests/support/data_path.h"
@@ -38,6 +39,7 @@ void AddFlags(Flags& flags, CLI::App& app) {
   app.add_option("--methods", flags.methods,
                  "Profiles and peers; ratios are to the first peer of them, else to the first")
       ->delimiter(',')
+      ->check(CLI::IsMember(evaluation::DetectionMethodNames()))
       ->capture_default_str();
   app.add_option("--rounds", flags.num_rounds, "How often each frame counts")
       ->check(CLI::Range(1, 1000))
