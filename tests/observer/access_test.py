@@ -6,9 +6,7 @@ import gzip
 import http.client
 import json
 import os
-import random
 import signal
-import socket
 import ssl
 import subprocess
 from contextlib import ExitStack
@@ -215,86 +213,11 @@ def test_a_token_that_is_taken_back_ends_the_session(tmp_path: Path) -> None:
         assert visitor.get("/api/session").status == 401
 
 
-@pytest.mark.parametrize(
-    "text",
-    [
-        "GET /%zz HTTP/1.1\r\nHost: localhost\r\n\r\n",
-        "GET /%00 HTTP/1.1\r\nHost: localhost\r\n\r\n",
-        "GET /../../etc/passwd HTTP/1.1\r\nHost: localhost\r\n\r\n",
-        "GET /api/answer?robot=%ff&id=99999999999999999999 HTTP/1.1\r\nHost: localhost\r\n\r\n",
-        "POST /api/login HTTP/1.1\r\nHost: localhost\r\nOrigin: http://localhost\r\nContent-Length: 4\r\n\r\n[[[[",
-        "POST /api/login HTTP/1.1\r\nHost: localhost\r\nContent-Length: 99999999999\r\n\r\n",
-        "GET / HTTP/1.1\r\nHost: localhost\r\nX: " + 20000 * "x" + "\r\n\r\n",
-        "BREW / HTTP/1.1\r\nHost: localhost\r\n\r\n",
-        "\x16\x03\x01 no HTTP at all\r\n\r\n",
-    ],
-)
-def test_hostile_requests_end_nothing(observer: ObserverProcess, text: str) -> None:
-    host, port = observer.address.split(":")
-    received = b""
-    with socket.create_connection((host, int(port)), timeout=PATIENCE) as connection:
-        try:
-            connection.sendall(text.encode("latin-1"))
-            connection.shutdown(socket.SHUT_WR)
-            while chunk := connection.recv(4096):
-                received += chunk
-        except OSError:
-            pass  # it has closed the connection in the midst
-    assert received == b"" or received.startswith(b"HTTP/1.1 4"), received[:100]
-    assert Visitor(observer.address).get("/").status == 200
-
-
 def test_other_machines_only_with_tls() -> None:
     command = [os.environ["FOVEA_OBSERVER"], "--listen", "0.0.0.0:0"]
     finished = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE)
     assert finished.returncode == 1
     assert finished.stderr.startswith('fovea-observer: --listen: "0.0.0.0:0" is open to other')
-
-
-def requests_to_spoil(visitor: Visitor) -> list[bytes]:
-    lines = f"Host: {visitor.address}\r\nCookie: {visitor.headers['Cookie']}\r\n"
-    own = f"{lines}Origin: http://{visitor.address}\r\n"
-    targets = ["/", "/page.js", "/api/session", "/api/answer?robot=a%20b&id=1", "/api/depth?id=2"]
-    gets = [f"GET {target} HTTP/1.1\r\n{lines}\r\n" for target in targets]
-    body = '{"token": "none"}'
-    login = f"POST /api/login HTTP/1.1\r\n{own}Content-Length: {len(body)}\r\n\r\n{body}"
-    chunked = (
-        f"POST /api/logout HTTP/1.1\r\n{own}Transfer-Encoding: chunked\r\n\r\n1\r\na\r\n0\r\n\r\n"
-    )
-    return [text.encode() for text in (*gets, login, chunked)]
-
-
-def test_spoiled_requests_end_nothing(visitor: Visitor) -> None:
-    visitor.log_in(OBSERVERS["ann"][0])
-    host, port = visitor.address.split(":")
-    good = requests_to_spoil(visitor)
-    seed = random.randrange(1 << 32)
-    print("seed", seed)
-    chance = random.Random(seed)
-    for _ in range(400):
-        text = bytearray(chance.choice(good))
-        for _ in range(chance.randint(1, 8)):
-            at = chance.randrange(len(text))
-            spoil = chance.randrange(3)
-            if spoil == 0:
-                text[at] = chance.randrange(256)
-            elif spoil == 1:
-                del text[at : at + chance.randint(1, 20)]
-            else:
-                text[at:at] = bytes(
-                    chance.choices(b"%&=?/;:\r\n\0 aZ9\xff", k=chance.randint(1, 20))
-                )
-            text = text or bytearray(b" ")
-        with socket.create_connection((host, int(port)), timeout=PATIENCE) as connection:
-            try:
-                connection.sendall(text)
-                connection.shutdown(socket.SHUT_WR)
-                start = connection.recv(12)
-            except OSError:  # it has closed the connection in the midst
-                start = b""
-        assert start == b"" or start.startswith(b"HTTP/1."), start
-        assert not start.endswith(b" 500"), bytes(text)
-    assert visitor.get("/api/session").status == 200
 
 
 def test_serves_tls(server: ServerProcess, tmp_path: Path) -> None:

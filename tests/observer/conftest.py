@@ -7,7 +7,6 @@ import subprocess
 import threading
 from collections.abc import Iterator
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -106,6 +105,10 @@ class Recorded:
                 self.robots.detect(robot, frame, **options)
                 newest.append(visitor.newer(robot, last))
         return newest
+
+
+def bundle(robot: str, at: int, before: int = 0, after: int = 0) -> str:
+    return f"/api/history/bundle?robot={robot}&at={at}&before={before}&after={after}"
 
 
 @pytest.fixture(scope="module")

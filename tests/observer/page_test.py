@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from conftest import Recorded, Robots, Scene, Sending
+from conftest import Robots, Scene, Sending
 from processes import OBSERVERS, ObserverProcess, ServerProcess, write_observers
 
 import fovea

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "client/client.h"
 #include "fovea/v1/observation_service.grpc.pb.h"
@@ -41,6 +43,45 @@ class Observers : public ::testing::Test {
   const TemporaryFolder folder_;
   server::ServerOptions options_ = LoopbackOptions();
 };
+
+// One call of Watch.
+class Watching {
+ public:
+  Watching(const std::string& address, const std::string& token,
+           const v1::WatchRequest& request = {})
+      : stub_(v1::ObservationService::NewStub(
+            grpc::CreateChannel(address, grpc::InsecureChannelCredentials()))) {
+    context_.set_deadline(std::chrono::system_clock::now() + kPatience);
+    if (!token.empty()) context_.AddMetadata("authorization", "Bearer " + token);
+    reader_ = stub_->Watch(&context_, request);
+  }
+  ~Watching() { context_.TryCancel(); }
+
+  // The next message; an empty one at the end.
+  v1::WatchResponse Next() {
+    v1::WatchResponse response;
+    if (!reader_->Read(&response)) return {};
+    return response;
+  }
+  grpc::Status Finish() {
+    while (reader_->Read(&ignored_)) {
+    }
+    return reader_->Finish();
+  }
+
+ private:
+  std::unique_ptr<v1::ObservationService::Stub> stub_;
+  grpc::ClientContext context_;
+  std::unique_ptr<grpc::ClientReader<v1::WatchResponse>> reader_;
+  v1::WatchResponse ignored_;
+};
+
+inline v1::WatchRequest RequestOf(const std::vector<v1::WatchPart>& parts, double rate_hz = 30) {
+  v1::WatchRequest request;
+  request.set_max_rate_hz(rate_hz);
+  for (const v1::WatchPart part : parts) request.add_parts(part);
+  return request;
+}
 
 // Calls `call(stub, context)` with this token.
 template <typename Call>
