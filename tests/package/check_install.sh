@@ -24,7 +24,7 @@ grep -qx "ExecStart=$work/own/bin/fovea-server --config $work/own/etc/fovea/fove
 # The page holds three.js, whose licence wants to be with every copy.
 words() { tr -cs '[:alnum:]' ' '; }
 permission=$(sed -n '/^Permission/,$p' "$source/client/observer/page/dist/licenses.txt" | words)
-words <"$work/own/share/doc/fovea-observer/copyright" | grep -qF "$permission" ||
+words <"$work/own/share/doc/fovea-observer/copyright" | grep -F "$permission" >/dev/null ||
   fail "the licence of three.js is not in the copyright file of fovea-observer"
 
 # As make does it: also where a folder has two words, and for others whatever the umask is.
@@ -75,7 +75,7 @@ package=$(make -C "$source" --dry-run --silent package BUILD="$build" | tail -n 
 (umask 077 && eval "$package -D CPACK_COMPONENTS_ALL=python -B $work/packages" >/dev/null)
 closed=$(dpkg-deb --contents "$work"/packages/*.deb | grep '^d' | grep -v '^drwxr-xr-x' || true)
 [ -z "$closed" ] || fail "others may not look into $closed"
-synopsis=$(dpkg-deb --field "$work"/packages/*.deb Description | head -n 1)
+synopsis=$(dpkg-deb --field "$work"/packages/*.deb Description | sed -n 1p)
 [ "$synopsis" = "Python client of fovea, which detects unknown objects" ] || fail "its synopsis: $synopsis"
 version=$(dpkg-deb --field "$work"/packages/*.deb Version)
 commit=$(git -C "$source" log -1 --format=%h --abbrev=12 2>/dev/null || true)
