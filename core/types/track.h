@@ -17,6 +17,7 @@ struct CaptureTime {
   std::int64_t seconds = 0;
   std::int32_t nanos = 0;  // 0 … 999,999,999
 
+  // NOLINTNEXTLINE(modernize-use-nullptr): of the 0 that comparisons are made with
   friend auto operator<=>(const CaptureTime&, const CaptureTime&) = default;
 };
 
