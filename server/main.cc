@@ -11,6 +11,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <system_error>
 
 #include "server/build_info.h"
 #include "server/command_line.h"
@@ -117,6 +118,14 @@ int WaitFor(const sigset_t& signals) {
   return signal;
 }
 
+// Of a thread that could not be started the system says no more than "try again".
+const char* AdviceOn(const std::exception& error) {
+  const auto* of_system = dynamic_cast<const std::system_error*>(&error);
+  const bool no_thread =
+      of_system != nullptr && of_system->code() == std::errc::resource_unavailable_try_again;
+  return no_thread ? ": no thread can be started (limits of threads, processes or memory)" : "";
+}
+
 int Run(int argc, char** argv) {
   fovea::server::GuardStandardStreams();
   const sigset_t signals = BlockSignals();
@@ -160,7 +169,7 @@ int main(int argc, char** argv) {
   try {
     return Run(argc, argv);
   } catch (const std::exception& error) {
-    std::cerr << "fovea-server: " << error.what() << '\n';
+    std::cerr << "fovea-server: " << error.what() << AdviceOn(error) << '\n';
     return EXIT_FAILURE;
   }
 }

@@ -133,8 +133,13 @@ Server::Server(const ServerOptions& options, DetectFunction detect)
   if (tracer_) AddTraceCounters();
   if (watch_hub_) AddWatchCounters();
   EnablePlugins();
-  Listen();
-  Serve();
+  try {
+    Listen();
+    Serve();
+  } catch (...) {  // what has begun ends in the order of Stop(), or never
+    Stop(/*timeout_s=*/0);
+    throw;
+  }
 }
 
 void Server::AddGauges() {
@@ -199,10 +204,9 @@ void Server::Listen() {
   std::vector<std::unique_ptr<grpc::experimental::ServerInterceptorFactoryInterface>> limits;
   limits.push_back(MakeReflectionLimit());
   builder.experimental().SetInterceptorCreators(std::move(limits));
-  auto queue = builder.AddCompletionQueue();
-  server_ = builder.BuildAndStart();
   // In any case: a queue that nobody empties cannot be given back.
-  loop_ = std::make_unique<EventLoop>(std::move(queue));
+  loop_ = std::make_unique<EventLoop>(builder.AddCompletionQueue());
+  server_ = builder.BuildAndStart();
   if (!server_) throw std::runtime_error("gRPC cannot start; the log says more");
   callers_ = std::move(callers);
   self_ = std::move(self);
@@ -269,10 +273,11 @@ void Server::Stop(int timeout_s) {
   access_watch_.reset();
   door_.Close();
   live_calls_.Stop();
-  // Begun at once, since it has callers turn elsewhere with what they ask next (GOAWAY).
-  const auto shutdown = std::async(std::launch::async, [&] {
-    server_->Shutdown(std::chrono::system_clock::now() + patience + kLastWords);
-  });
+  // Begun at once, since it has callers turn elsewhere with what they ask next (GOAWAY); last thing
+  // where there are no threads to be had.
+  const auto shutdown = std::async(std::launch::async | std::launch::deferred,
+                                   [&, end = std::chrono::system_clock::now() + patience +
+                                             kLastWords] { server_->Shutdown(end); });
   live_calls_.WaitUntilIdle(std::chrono::steady_clock::now() + patience);
   // What is left then is late, has just been refused, or only watches the health.
   if (shutdown.wait_for(kLastWords) == std::future_status::timeout) {

@@ -49,15 +49,22 @@ struct Helpers::Batch {
 };
 
 Helpers::Helpers(int num_cores, const std::function<void()>& set_up) : num_cores_(num_cores) {
-  for (int i = 1; i < num_cores; ++i) {
-    threads_.emplace_back([this, set_up] {
-      if (set_up) set_up();
-      Help();
-    });
+  try {
+    for (int i = 1; i < num_cores; ++i) {
+      threads_.emplace_back([this, set_up] {
+        if (set_up) set_up();
+        Help();
+      });
+    }
+  } catch (...) {  // those that there are would be waited for
+    Stop();
+    throw;
   }
 }
 
-Helpers::~Helpers() {
+Helpers::~Helpers() { Stop(); }
+
+void Helpers::Stop() {
   const std::lock_guard lock(mutex_);
   stopping_ = true;
   work_.notify_all();

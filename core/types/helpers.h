@@ -63,6 +63,7 @@ class Helpers {
   friend void RunTogether(const std::vector<Task>& tasks);
   struct Batch;
 
+  void Stop();
   void Run(Scope& scope, const std::vector<Task>& tasks);
   void Await(Batch& batch, std::unique_lock<std::mutex>& lock);
   Batch* FindPart(const Scope& scope);

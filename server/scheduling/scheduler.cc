@@ -31,10 +31,17 @@ void Call(const std::function<void()>& work) noexcept {
 }  // namespace
 
 Scheduler::Scheduler(const SchedulerLimits& limits) : limits_(limits) {
-  for (int i = 0; i < limits_.num_threads; ++i) threads_.emplace_back([this] { RunThread(); });
+  try {
+    for (int i = 0; i < limits_.num_threads; ++i) threads_.emplace_back([this] { RunThread(); });
+  } catch (...) {  // those that there are would be waited for
+    Stop();
+    throw;
+  }
 }
 
-Scheduler::~Scheduler() {
+Scheduler::~Scheduler() { Stop(); }
+
+void Scheduler::Stop() {
   const std::lock_guard lock(mutex_);
   stopping_ = true;
   changed_.notify_all();

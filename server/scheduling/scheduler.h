@@ -107,6 +107,7 @@ class Scheduler {
 
   static constexpr std::size_t kMaxTurnedAway = 1000;  // bounds what robots cost that never return
 
+  void Stop();
   void OnSeen(const RobotId& robot);
   void FindRoom(const RobotId& robot, IfFull if_full = IfFull::kKeepPlace);
   std::optional<Job> Displace(const RobotId& robot);
