@@ -33,9 +33,9 @@ class WatchHub;
 // One frame that is to be answered; null where the request has none.
 struct FrameRequest {
   const v1::Frame* frame = nullptr;
-  const v1::DetectOptions* options = nullptr;
+  const v1::DetectOptions* options = &v1::DetectOptions::default_instance();
   std::chrono::steady_clock::time_point received;
-  std::chrono::steady_clock::time_point began;  // its turn, parsing included
+  std::chrono::steady_clock::time_point began{};  // its turn, parsing included
   StreamTracker* tracker = nullptr;  // of the stream that it is a frame of; null: it is alone
 };
 

@@ -288,7 +288,9 @@ void StreamCall::Compute() {
 void StreamCall::Finish(const grpc::Status& status) {
   finished_ = true;
   // Of a frame that waits, this is all that the caller hears.
-  if (newest_.waits()) environment_.metrics.OnAnswered(caller_.robot(), status, {}, {});
+  if (newest_.waits()) {
+    environment_.answerer.Refuse({.received = newest_.Take().at}, caller_, status);
+  }
   listening_.reset();
   age_.Cancel();
   stream_.Finish(status, Then([self = shared_from_this()](bool) {}));

@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "tests/server/captured_log.h"
 #include "tests/server/detectors.h"
 #include "tests/server/frames.h"
 #include "tests/server/loopback.h"
@@ -264,7 +265,8 @@ TEST(DetectStream, ASlowReaderHoldsUpNobody) {
   AwaitMetric(*loopback.server.metrics(), "fovea_streams", 0);
 }
 
-TEST(DetectStream, CountsTheFrameThatWaitsWhenItEnds) {
+TEST(DetectStream, CountsAndLogsTheFrameThatWaitsWhenItEnds) {
+  const CapturedLog log;
   Gate gate;
   Loopback loopback(std::ref(gate));
   const server::Metrics& metrics = *loopback.server.metrics();
@@ -277,6 +279,7 @@ TEST(DetectStream, CountsTheFrameThatWaitsWhenItEnds) {
   gate.Let();
   AwaitMetric(metrics, "fovea_streams", 0);
   EXPECT_EQ(MetricValue(metrics, "fovea_frames_answered_total"), 2);
+  EXPECT_THAT(log.text(), HasSubstr("frame=\"\" code=CANCELLED"));
 }
 
 TEST(DetectStream, IsForgottenWhenTheCallerVanishes) {
