@@ -83,9 +83,10 @@ void Credentials::WarnOfWhatIsDue() const {
   const TlsFiles files = this->files();
   const std::chrono::sys_seconds start = StartOf(*files.leaf), expiry = ExpiryOf(*files.leaf);
   if (NowInSeconds() < start) {
-    spdlog::warn("--tls-cert: the certificate of {} is good from {} on, and this machine's clock "
-                 "says {}",
-                 options_.tls_cert, TextOf(start), TextOf(NowInSeconds()));
+    spdlog::warn(
+        "--tls-cert: the certificate of {} is good from {} on, and this machine's clock "
+        "says {}",
+        options_.tls_cert, TextOf(start), TextOf(NowInSeconds()));
   }
   if (expiry < NowInSeconds() + kSoon) {
     spdlog::warn("--tls-cert: the certificate of {} {} {}", options_.tls_cert,
