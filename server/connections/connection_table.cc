@@ -44,14 +44,15 @@ void Abort(int fd) {
 
 }  // namespace
 
-int ConnectionTable::Add(const std::string& peer, FileDescriptor watched) {
+ConnectionTable::Added ConnectionTable::Add(const std::string& peer, FileDescriptor watched) {
   const std::lock_guard lock(mutex_);
   const std::string host = HostOfPeer(peer);
   const bool shut_out = IsShutOut(host, Clock::now());
-  if (!shut_out && !HasPlace(host)) MakePlace(host);
-  if (shut_out || !HasPlace(host)) {
+  if (!shut_out && !WhyNoPlace(host).empty()) MakePlace(host);
+  std::string why_not = shut_out ? "its host sent a flood of calls" : WhyNoPlace(host);
+  if (!why_not.empty()) {
     ++counts_.refused;
-    return -1;
+    return {.why_not = std::move(why_not)};
   }
   ++counts_.accepted;
   ++num_places_;
@@ -65,7 +66,7 @@ int ConnectionTable::Add(const std::string& peer, FileDescriptor watched) {
   if (IsUnixPeer(peer))
     added->second.account.Admit();  // all have one name, and are of this machine
   SetWindow(fd, kWindowOfStranger);
-  return fd;
+  return {.watched = fd};
 }
 
 void ConnectionTable::Remove(int watched) {
@@ -84,13 +85,14 @@ bool ConnectionTable::IsShutOut(const std::string& host, Clock::time_point now) 
   return shut_out_.contains(host);
 }
 
-bool ConnectionTable::HasPlace(const std::string& host) const {
-  // Those that were ended and that gRPC has not closed yet.
+std::string ConnectionTable::WhyNoPlace(const std::string& host) const {
   constexpr std::size_t kMaxClosing = 64;
   const auto max = static_cast<std::size_t>(limits_.max_connections);
+  if (num_places_ >= max) return fmt::format("there are {} already (--max-connections)", max);
+  if (connections_.size() >= max + kMaxClosing) return "those that were ended are not closed yet";
   const auto of_host = per_host_.find(host);
-  return num_places_ < max && connections_.size() < max + kMaxClosing &&
-         (of_host == per_host_.end() || of_host->second < limits_.max_per_host);
+  if (of_host == per_host_.end() || of_host->second < limits_.max_per_host) return "";
+  return fmt::format("its host has {} already (--max-connections-per-host)", of_host->second);
 }
 
 void ConnectionTable::MakePlace(const std::string& host) {

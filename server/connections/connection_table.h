@@ -39,11 +39,18 @@ class ConnectionTable {
 
   explicit ConnectionTable(const ConnectionLimits& limits) : limits_(limits) {}
 
-  // Takes the connection in, and returns the descriptor by which Ended() is told of it; -1 where
-  // there is no place. When all places are taken, a connection on which no call was let in makes
-  // room, the oldest one of the host that has most. A host whose connection was ended for a flood
-  // of calls has no place for 5 s: what these left in gRPC is cleared away meanwhile.
-  int Add(const std::string& peer, FileDescriptor watched);
+  // The descriptor by which Ended() is told of a connection that was taken in; -1 where there is no
+  // place for it, and why.
+  struct Added {
+    int watched = -1;
+    std::string why_not = {};
+  };
+
+  // Takes the connection in where there is a place. When all places are taken, a connection on
+  // which no call was let in makes room, the oldest one of the host that has most. A host whose
+  // connection was ended for a flood of calls has no place for 5 s: what these left in gRPC is
+  // cleared away meanwhile.
+  Added Add(const std::string& peer, FileDescriptor watched);
   // Both ends have closed it.
   void Remove(int watched);
 
@@ -75,7 +82,7 @@ class ConnectionTable {
   using Connections = std::map<int, Connection>;  // by fd
 
   bool IsShutOut(const std::string& host, Clock::time_point now);
-  bool HasPlace(const std::string& host) const;
+  std::string WhyNoPlace(const std::string& host) const;  // empty: there is one
   void MakePlace(const std::string& host);
   Connection* Find(const std::string& peer);
   void End(Connection& connection, const std::string& why);

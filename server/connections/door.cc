@@ -157,14 +157,13 @@ void Door::HandOver(const ListeningSocket& listening, FileDescriptor connection)
   if (!own) {
     FileDescriptor watched(fcntl(connection.get(), F_DUPFD_CLOEXEC, 0));
     if (!watched) return;  // and so `connection` is closed
-    const int fd = connections_.Add(peer, std::move(watched));
-    if (fd < 0) {
-      LogLimited(
-          "connection refused", spdlog::level::warn,
-          "connection of " + peer + " refused: there are too many, or its host sent a flood");
+    const ConnectionTable::Added added = connections_.Add(peer, std::move(watched));
+    if (added.watched < 0) {
+      LogLimited("connection refused", spdlog::level::warn,
+                 "connection of " + peer + " refused: " + added.why_not);
       return;
     }
-    Watch(fd, EPOLLET);  // of its end, which is always said
+    Watch(added.watched, EPOLLET);  // of its end, which is always said
   }
   Acceptor::NewConnectionParameters parameters;
   parameters.listener_fd = listening.fd();
