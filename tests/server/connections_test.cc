@@ -81,8 +81,8 @@ TEST(Limits, ARobotMayHaveAllStreamsWhereTheOperatorSaysSo) {
   server::ServerOptions options = LoopbackOptions();
   options.max_streams = options.max_streams_per_robot = 3;
   const Loopback loopback(FindOne, options);
-  std::vector<std::unique_ptr<client::DetectStream>> open;
-  for (int i = 0; i < 3; ++i) open.push_back(OpenStream(loopback.server.Address(), "a"));
+  std::vector<std::unique_ptr<client::DetectStream>> open(3);
+  for (auto& stream : open) stream = OpenStream(loopback.server.Address(), "a");
   EXPECT_EQ(StatusOf([&] { OpenStream(loopback.server.Address(), "b"); }).error_message(),
             "all 3 streams are open");
 }

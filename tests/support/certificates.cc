@@ -31,7 +31,7 @@ Certificate NewCertificate(const std::string& name, EVP_PKEY* key) {
   ASN1_INTEGER_set(X509_get_serialNumber(certificate.get()),
                    static_cast<int>(std::random_device{}() >> 1));
   X509_gmtime_adj(X509_getm_notBefore(certificate.get()), -60);
-  X509_gmtime_adj(X509_getm_notAfter(certificate.get()), 24 * 3600);
+  X509_gmtime_adj(X509_getm_notAfter(certificate.get()), 24L * 3600);
   X509_set_pubkey(certificate.get(), key);
   X509_NAME_add_entry_by_txt(X509_get_subject_name(certificate.get()), "CN", MBSTRING_ASC,
                              reinterpret_cast<const unsigned char*>(name.c_str()), -1, -1, 0);
