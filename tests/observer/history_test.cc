@@ -15,7 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using observer::History;
-using observer::HistoryLimits;
 using observer::HistoryRecord;
 using std::chrono::seconds;
 
@@ -131,7 +130,7 @@ TEST_F(ObserverHistory, TheOldestGoesWhereTheDiskIsFull) {
 TEST_F(ObserverHistory, WhyItCannotBeWrittenIsTheSameForAllFiles) {
   History history(folder_.Path(), {});
   history.Add(Record("a"), kStart);
-  const auto why = [&](int at) -> std::string {
+  const auto why = [&](std::uint64_t at) -> std::string {
     fs::create_directory(FileOf("a", IdsOf(history, "a").front() + at * 1'000'000).string() +
                          ".part");
     try {

@@ -1,5 +1,7 @@
 #include "tests/evaluation/grasp_figures/overlay_files.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "tests/evaluation/grasp_check/check_grasp.h"
@@ -32,9 +34,9 @@ void WriteOverlays(const std::string& folder, const GeneratedScene& scene,
         ended.push_back({*first, CheckGrasp(physical, body, grippers[g], *first)});
       }
       if (ended.empty()) continue;
-      const std::string name = scene.kind + "_" + std::to_string(scene.seed) + "_" + frame.sensor +
-                               "_" + FileNameOf(grippers[g]) + ".png";
-      scenes::WriteImage(folder + "/" + name, DrawGrasps(frame.labelled.frame, grippers[g], ended));
+      const std::string path = fmt::format("{}/{}_{}_{}_{}.png", folder, scene.kind, scene.seed,
+                                           frame.sensor, FileNameOf(grippers[g]));
+      scenes::WriteImage(path, DrawGrasps(frame.labelled.frame, grippers[g], ended));
     }
   }
 }

@@ -97,7 +97,7 @@ void PrintSideBySide(std::ostream& out, const std::vector<std::string>& methods,
   out << '\n';
   for (const auto& [source, scores] : summaries.front().sources) {
     row("  " + source,
-        [&](const BoxSummary& summary) { return summary.sources.at(source).Boxes().f; });
+        [&name = source](const BoxSummary& summary) { return summary.sources.at(name).Boxes().f; });
   }
   if (summaries.front().has_all) {
     row("all but clear glass", [](const BoxSummary& summary) { return summary.all.Boxes().f; });

@@ -64,6 +64,7 @@ ReliabilityReport ReliabilityBySource(const std::vector<BoxedFrameResult>& resul
     group.insert(group.end(), result.predictions.begin(), result.predictions.end());
   }
   std::vector<std::vector<Prediction>> list;
+  list.reserve(groups.size());
   for (const auto& [source, group] : groups) list.push_back(group);
   return ReportReliability(list);
 }
