@@ -37,6 +37,7 @@ std::vector<GroupFigures> Grouped(const GraspRun& run, const NameOfGroup& name_o
     }
   }
   std::vector<GroupFigures> list;
+  list.reserve(groups.size());
   for (auto& [name, group] : groups) list.push_back(std::move(group));
   return list;
 }
