@@ -84,17 +84,22 @@ def test_a_bundle_is_answered_as_it_was(
     assert request.options.return_masks == options["return_masks"]
 
 
-def test_a_bundle_is_a_folder_of_frames(recorded: Recorded, scene: Scene, tmp_path: Path) -> None:
-    number = recorded.record("arm", scene.frame())[0]
-    with zipfile.ZipFile(save(recorded, "arm", number, tmp_path)) as file:
-        file.extractall(tmp_path / "saved")
-    finished = replay(tmp_path / "saved", recorded.robots.address, tmp_path / "again")
+def of_the_folder(recorded: Recorded, frame: Any, folder: Path) -> tuple[Any, Any]:
+    """The objects of the answer in the bundle of this frame, and of that to the unpacked bundle."""
+    number = recorded.record("arm", frame)[0]
+    with zipfile.ZipFile(save(recorded, "arm", number, folder)) as file:
+        file.extractall(folder / "saved")
+    finished = replay(folder / "saved", recorded.robots.address, folder / "again")
     assert finished.returncode == 0, finished.stderr
-    one = json.loads((tmp_path / "saved" / "frame_0001_answer.json").read_text())
-    other = json.loads((tmp_path / "again" / "frame_0001.json").read_text())
-    assert [found["label"] for found in one["objects"]] == [
-        found["label"] for found in other["objects"]
-    ]
+    then = json.loads((folder / "saved" / "frame_0001_answer.json").read_text())
+    now = json.loads((folder / "again" / "frame_0001.json").read_text())
+    assert then["objects"]
+    return then["objects"], now["objects"]
+
+
+def test_a_bundle_is_a_folder_of_frames(recorded: Recorded, scene: Scene, tmp_path: Path) -> None:
+    then, now = of_the_folder(recorded, scene.frame(), tmp_path)
+    assert [found["label"] for found in then] == [found["label"] for found in now]
 
 
 def test_a_bundle_is_a_folder_that_knows_its_depth_camera(
@@ -106,15 +111,8 @@ def test_a_bundle_is_a_folder_that_knows_its_depth_camera(
         depth_intrinsics=fovea.CameraIntrinsics(131.25, 131.25, 79.75, 59.75),
         color_from_depth=np.eye(4),
     )
-    number = recorded.record("arm", frame)[0]
-    with zipfile.ZipFile(save(recorded, "arm", number, tmp_path)) as file:
-        file.extractall(tmp_path / "saved")
-    finished = replay(tmp_path / "saved", recorded.robots.address, tmp_path / "again")
-    assert finished.returncode == 0, finished.stderr
-    one = json.loads((tmp_path / "saved" / "frame_0001_answer.json").read_text())
-    other = json.loads((tmp_path / "again" / "frame_0001.json").read_text())
-    poses = [[found["oriented_box"] for found in each["objects"]] for each in (one, other)]
-    assert poses[0] == poses[1] and poses[0]
+    then, now = of_the_folder(recorded, frame, tmp_path)
+    assert [found["oriented_box"] for found in then] == [found["oriented_box"] for found in now]
 
 
 def test_options_are_changed_by_flags(recorded: Recorded, scene: Scene, tmp_path: Path) -> None:
