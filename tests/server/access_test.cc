@@ -27,14 +27,7 @@ ClientOptions With(const std::string& token) {
   return options;
 }
 
-grpc::StatusCode CodeOf(const Client& client) {
-  try {
-    client.Detect(TestRequest());
-    return grpc::StatusCode::OK;
-  } catch (const client::RpcError& error) {
-    return error.code();
-  }
-}
+grpc::StatusCode CodeOf(const Client& client) { return StatusOfDetecting(client).error_code(); }
 
 class Tls : public ::testing::Test {
  protected:

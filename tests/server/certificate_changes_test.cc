@@ -23,15 +23,6 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-grpc::Status StatusOfDetecting(const Client& client) {
-  try {
-    client.Detect(TestRequest());
-    return grpc::Status::OK;
-  } catch (const client::RpcError& error) {
-    return {error.code(), error.message()};
-  }
-}
-
 std::chrono::sys_seconds ExpiryOf(const PemPair& pair) {
   return server::ExpiryOf(*server::CertificatesOf(pair.certificate).front());
 }

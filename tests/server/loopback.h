@@ -44,6 +44,16 @@ inline std::unique_ptr<client::DetectStream> AnsweredStream(const client::Client
   return stream;
 }
 
+// Of a call of this client, OK where it is answered.
+inline grpc::Status StatusOfDetecting(const client::Client& client) {
+  try {
+    client.Detect(TestRequest());
+    return grpc::Status::OK;
+  } catch (const client::RpcError& error) {
+    return {error.code(), error.message()};
+  }
+}
+
 // Runs `call`, which must throw RpcError, and returns that as a status.
 template <typename Call>
 grpc::Status StatusOf(Call&& call) {
