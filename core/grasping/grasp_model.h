@@ -33,6 +33,8 @@ struct GraspModel {
   std::array<GraspFunction, kNumGraspFamilies> families;
 
   float Probability(const ScoredGrasp& grasp) const;
+  // The same of each, a few nanoseconds a tree and grasp sooner.
+  void SetProbabilities(std::vector<ScoredGrasp>& grasps) const;
 };
 
 // Fitted to generated scenes by `fovea-eval grasp-model`; docs/fitted_models.md says to which.

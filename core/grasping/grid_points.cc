@@ -1,10 +1,13 @@
 #include "core/grasping/grid_points.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "core/types/interruption.h"
 #include "core/types/projection.h"
+#include "core/types/widest_registers.h"
 
 namespace fovea {
 namespace {
@@ -50,54 +53,163 @@ bool IsAtMask(const GraspScene& scene, int row, int column, int label) {
          is_label(row - kAway_px, column) || is_label(row + kAway_px, column);
 }
 
-// How far outside of the solid its points count beside it: parts that it does not have.
-bool IsBeside(const CompletedSolid& solid, const Eigen::Vector3f& point, float noise_m) {
-  const Eigen::Vector3f from = point - solid.Center();
-  const Eigen::Vector3f direction = from.normalized();
-  const auto span = solid.Along(solid.Center(), direction);
-  return !span || from.norm() - span->high > 0.01F + 2 * noise_m;
+// Points of the object that may lie well outside of its solid: parts that it does not have.
+class BesideSolid {
+ public:
+  explicit BesideSolid(const CompletedSolid& solid) : solid_(solid) {}
+
+  void Ask(const Eigen::Vector3f& point, std::size_t cell, float noise_m) {
+    const Eigen::Vector3f from = point - solid_.Center();
+    lines_.Add(solid_.Center(), from.normalized());
+    asked_.push_back({cell, point.z(), from.norm(), 0.01F + 2 * noise_m});
+  }
+
+  // Adds those that do; then none is asked for any more.
+  void AddTo(std::vector<TwoHighest>& cells) {
+    solid_.Along(lines_, spans_);
+    for (std::size_t i = 0; i < asked_.size(); ++i) {
+      const Asked& asked = asked_[i];
+      const Span& span = spans_[i];
+      if (span.IsEmpty() || asked.distance_m - span.high > asked.tolerance_m) {
+        cells[asked.cell].Add(asked.height_m);
+      }
+    }
+    lines_.Clear();
+    asked_.clear();
+  }
+
+ private:
+  struct Asked {
+    std::size_t cell;
+    float height_m, distance_m, tolerance_m;
+  };
+
+  const CompletedSolid& solid_;
+  Lines lines_;
+  std::vector<Asked> asked_;
+  std::vector<Span> spans_;
+};
+
+// Points of a row of the image, some at once.
+struct SomePoints {
+  static constexpr int kNum = 64;
+  template <typename T>
+  using Each = std::array<T, kNum>;
+
+  Each<float> x, y, z;  // in the camera's frame, then in the grid's
+  Each<float> noise_m;
+  Each<int> label;
+  Each<int> cell;  // -1 outside of the grid, not measured, or on what the object stands on
+};
+
+void PlaceIn(const HandGrid& grid, SomePoints& all) {
+  constexpr float kOnFloor_m = 0.008F, kNoisePer_m = 0.003F;  // metres, of the distance squared
+  const Eigen::Matrix3f grid_axes = grid.frame.rotation.transpose();
+  RunInWidestRegisters([&] {
+    SomePoints points = all;  // of its own, as all that the loop reads is
+    const Eigen::Matrix3f axes = grid_axes;
+    const Eigen::Vector3f origin = axes * grid.frame.origin, normal = grid.floor_normal;
+    const float half_m = grid.Half(), cell_m = grid.cell_m, offset_m = grid.floor_offset_m;
+    const int size = grid.size;
+    for (int i = 0; i < SomePoints::kNum; ++i) {
+      const float x = points.x[i], y = points.y[i], z = points.z[i];
+      const bool is_seen = z == z;
+      const float u = axes(0, 0) * x + (axes(0, 1) * y + axes(0, 2) * z) - origin[0];
+      const float v = axes(1, 0) * x + (axes(1, 1) * y + axes(1, 2) * z) - origin[1];
+      const float w = axes(2, 0) * x + (axes(2, 1) * y + axes(2, 2) * z) - origin[2];
+      const int column = HandGrid::CellAt(is_seen ? u : 0, half_m, cell_m);
+      const int row = HandGrid::CellAt(is_seen ? v : 0, half_m, cell_m);
+      const float noise = kNoisePer_m * z * z;
+      const float above = normal[0] * u + (normal[1] * v + normal[2] * w) + offset_m;
+      const bool is_floor = (points.label[i] == 0) & (above < kOnFloor_m + noise);
+      const bool is_in = is_seen & (column >= 0) & (row >= 0) & (column < size) & (row < size);
+      points.cell[i] = is_in & !is_floor ? row * size + column : -1;
+      points.noise_m[i] = noise;
+      points.x[i] = u, points.y[i] = v, points.z[i] = w;
+    }
+    all = points;
+  });
 }
+
+class PointCollector {
+ public:
+  PointCollector(const GraspScene& scene, const DetectedObject& object, const CompletedSolid& solid,
+                 HandGrid& grid)
+      : scene_(scene),
+        object_(object),
+        solid_(solid),
+        grid_(grid),
+        is_whole_(solid.IsKnown() && object.shape.kind == Shape::Kind::kBox),
+        beside_(solid),
+        of_target_(grid.columns.size()),
+        of_others_(grid.columns.size()) {}
+
+  // `columns`: those of the image, every `step`th.
+  void AddRow(int row, const cv::Range& columns, int step) {
+    SomePoints some;
+    for (int first = columns.start; first < columns.end; first += SomePoints::kNum * step) {
+      const int num = std::min(SomePoints::kNum, (columns.end - first + step - 1) / step);
+      Load(row, first, step, num, some);
+      PlaceIn(grid_, some);
+      for (int i = 0; i < num; ++i) {
+        if (some.cell[i] >= 0) Add(some, i, row, first + i * step);
+      }
+    }
+    beside_.AddTo(of_target_);
+  }
+
+  void SetColumns() const {
+    for (std::size_t i = 0; i < grid_.columns.size(); ++i) {
+      grid_.columns[i] = {of_target_[i].second, of_others_[i].second};
+    }
+  }
+
+ private:
+  // The last fills up what is left.
+  void Load(int row, int first, int step, int num, SomePoints& some) const {
+    const auto* points = scene_.points.ptr<Eigen::Vector3f>(row);
+    const auto* labels = scene_.labels.ptr<std::uint16_t>(row);
+    for (int i = 0; i < SomePoints::kNum; ++i) {
+      const int column = first + std::min(i, num - 1) * step;
+      some.x[i] = points[column].x(), some.y[i] = points[column].y(),
+      some.z[i] = points[column].z();
+      some.label[i] = labels[column];
+    }
+  }
+
+  void Add(const SomePoints& some, int i, int row, int column) {
+    const auto cell = static_cast<std::size_t>(some.cell[i]);
+    if (some.label[i] == object_.label) {
+      if (is_whole_) return;
+      if (!solid_.IsKnown()) return of_target_[cell].Add(some.z[i]);
+      return beside_.Ask({some.x[i], some.y[i], some.z[i]}, cell, some.noise_m[i]);
+    }
+    if (some.label[i] == 0 && IsAtMask(scene_, row, column, object_.label)) return;
+    of_others_[cell].Add(some.z[i]);
+  }
+
+  const GraspScene& scene_;
+  const DetectedObject& object_;
+  const CompletedSolid& solid_;
+  HandGrid& grid_;
+  bool is_whole_;  // a box: all of its points are of it
+  BesideSolid beside_;
+  std::vector<TwoHighest> of_target_, of_others_;  // for each cell
+};
 
 }  // namespace
 
 void AddPoints(const GraspScene& scene, const DetectedObject& object, const CompletedSolid& solid,
                const Eigen::Vector3f& half_extents, HandGrid& grid) {
   constexpr int kMostPixels = 60000;
-  constexpr float kOnFloor_m = 0.008F, kNoisePer_m = 0.003F;  // metres, of the distance squared
   const cv::Rect part = SeenPart(scene, half_extents.z(), grid);
   const int step = std::max(1, cvCeil(std::sqrt(part.area() / static_cast<double>(kMostPixels))));
-  const Eigen::Matrix3f axes = grid.frame.rotation.transpose();
-  const Eigen::Vector3f origin = axes * grid.frame.origin;
-  std::vector<TwoHighest> of_target(grid.columns.size()), of_others(grid.columns.size());
+  PointCollector points(scene, object, solid, grid);
   for (int row = part.y; row < part.br().y; row += step) {
     InterruptionPoint();
-    const auto* points = scene.points.ptr<Eigen::Vector3f>(row);
-    const auto* labels = scene.labels.ptr<std::uint16_t>(row);
-    for (int column = part.x; column < part.br().x; column += step) {
-      const Eigen::Vector3f& seen = points[column];
-      if (std::isnan(seen.z())) continue;
-      const int label = labels[column];
-      const bool is_target = label == object.label;
-      if (is_target && solid.IsKnown() && object.shape.kind == Shape::Kind::kBox) continue;
-      const Eigen::Vector3f at = axes * seen - origin;
-      const int x = grid.CellAt(at.x()), y = grid.CellAt(at.y());
-      if (x < 0 || y < 0 || x >= grid.size || y >= grid.size) continue;
-      const auto cell = static_cast<std::size_t>(y * grid.size + x);
-      const float noise = kNoisePer_m * seen.z() * seen.z();
-      if (is_target) {
-        if (!solid.IsKnown() || IsBeside(solid, at, noise)) of_target[cell].Add(at.z());
-        continue;
-      }
-      if (label == 0) {
-        const float above = grid.floor_normal.dot(at) + grid.floor_offset_m;
-        if (above < kOnFloor_m + noise || IsAtMask(scene, row, column, object.label)) continue;
-      }
-      of_others[cell].Add(at.z());
-    }
+    points.AddRow(row, {part.x, part.br().x}, step);
   }
-  for (std::size_t i = 0; i < grid.columns.size(); ++i) {
-    grid.columns[i] = {of_target[i].second, of_others[i].second};
-  }
+  points.SetColumns();
 }
 
 }  // namespace fovea

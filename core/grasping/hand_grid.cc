@@ -51,11 +51,18 @@ CellRange CellsUnder(const HandGrid& grid, const CompletedSolid& solid) {
 template <typename Fill>
 void ForEachColumn(HandGrid& grid, const CompletedSolid& solid, const Fill& fill) {
   const CellRange range = CellsUnder(grid, solid);
+  Lines lines;
   for (int row = range.first_row; row <= range.last_row; ++row) {
     for (int column = range.first_column; column <= range.last_column; ++column) {
-      const auto span =
-          solid.Along({grid.MiddleOf(column), grid.MiddleOf(row), 0}, Eigen::Vector3f::UnitZ());
-      if (span) fill(grid.At(row, column), span->high);
+      lines.Add({grid.MiddleOf(column), grid.MiddleOf(row), 0}, Eigen::Vector3f::UnitZ());
+    }
+  }
+  std::vector<Span> spans;
+  solid.Along(lines, spans);
+  auto span = spans.begin();
+  for (int row = range.first_row; row <= range.last_row; ++row) {
+    for (int column = range.first_column; column <= range.last_column; ++column, ++span) {
+      if (!span->IsEmpty()) fill(grid.At(row, column), span->high);
     }
   }
 }

@@ -36,8 +36,9 @@ struct HandGrid {
   // Coordinate of the middle of cell i along either axis.
   float MiddleOf(int i) const { return (static_cast<float>(i) + 0.5F) * cell_m - Half(); }
   // The cell of a coordinate; may lie outside.
-  int CellAt(float coordinate) const {
-    return static_cast<int>((coordinate + Half()) / cell_m + 1e4F) - 10000;
+  int CellAt(float coordinate) const { return CellAt(coordinate, Half(), cell_m); }
+  static int CellAt(float coordinate, float half_m, float cell_m) {
+    return static_cast<int>((coordinate + half_m) / cell_m + 1e4F) - 10000;
   }
   Column& At(int row, int column) { return columns[static_cast<std::size_t>(row * size + column)]; }
   const Column& At(int row, int column) const {

@@ -1,7 +1,6 @@
 #include "core/grasping/hidden_border.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace fovea {
@@ -13,34 +12,46 @@ constexpr int kBeyond_px = 4;  // depth next to an edge may be of either side
 // more than this is something else.
 constexpr float kNearerPerM = 0.015F;
 
+struct Border {
+  int hidden = 0, all = 0;
+
+  // One pixel of it, and the way out.
+  void Add(const cv::Mat& points, int row, int column, int down, int right) {
+    ++all;
+    const cv::Point beyond(column + kBeyond_px * right, row + kBeyond_px * down);
+    if (!cv::Rect({}, points.size()).contains(beyond)) {
+      ++hidden;
+      return;
+    }
+    const float depth = points.ptr<cv::Vec3f>(row)[column][2];
+    const float depth_beyond = points.ptr<cv::Vec3f>(beyond.y)[beyond.x][2];
+    hidden += depth_beyond < depth - kNearerPerM * std::max(0.5F, depth * depth) ? 1 : 0;
+  }
+};
+
 }  // namespace
 
 float HiddenShareOfBorder(const GraspScene& scene, const DetectedObject& object) {
-  constexpr std::array<std::array<int, 2>, 4> kWays = {{{0, 1}, {0, -1}, {1, 0}, {-1, 0}}};
-  const cv::Rect image({}, scene.labels.size());
-  const cv::Rect bounds = object.bounds_px & image;
-  const auto label_at = [&](int row, int column) {
-    return image.contains({column, row}) ? scene.labels.ptr<std::uint16_t>(row)[column] : -1;
+  const cv::Mat& labels = scene.labels;
+  const cv::Rect bounds = object.bounds_px & cv::Rect({}, labels.size());
+  const auto row_at = [&](int row) {
+    return row < 0 || row >= labels.rows ? nullptr : labels.ptr<std::uint16_t>(row);
   };
-  int hidden = 0, all = 0;
+  const auto is_of_it = [&](const std::uint16_t* row, int column) {
+    return row != nullptr && column >= 0 && column < labels.cols && row[column] == object.label;
+  };
+  Border border;
   for (int row = bounds.y; row < bounds.br().y; ++row) {
+    const std::uint16_t *above = row_at(row - 1), *here = row_at(row), *below = row_at(row + 1);
     for (int column = bounds.x; column < bounds.br().x; ++column) {
-      if (label_at(row, column) != object.label) continue;
-      const float depth = scene.points.ptr<cv::Vec3f>(row)[column][2];
-      for (const auto& [down, right] : kWays) {
-        if (label_at(row + down, column + right) == object.label) continue;
-        ++all;
-        const cv::Point beyond(column + kBeyond_px * right, row + kBeyond_px * down);
-        if (!image.contains(beyond)) {
-          ++hidden;
-          continue;
-        }
-        const float depth_beyond = scene.points.at<cv::Vec3f>(beyond)[2];
-        hidden += depth_beyond < depth - kNearerPerM * std::max(0.5F, depth * depth) ? 1 : 0;
-      }
+      if (here[column] != object.label) continue;
+      if (!is_of_it(here, column + 1)) border.Add(scene.points, row, column, 0, 1);
+      if (!is_of_it(here, column - 1)) border.Add(scene.points, row, column, 0, -1);
+      if (!is_of_it(below, column)) border.Add(scene.points, row, column, 1, 0);
+      if (!is_of_it(above, column)) border.Add(scene.points, row, column, -1, 0);
     }
   }
-  return all > 0 ? static_cast<float>(hidden) / static_cast<float>(all) : 1;
+  return border.all > 0 ? static_cast<float>(border.hidden) / static_cast<float>(border.all) : 1;
 }
 
 }  // namespace fovea

@@ -26,9 +26,39 @@ struct JawContact {
 // at the same place. `width_m`: between them, above 0.
 Eigen::Vector2f LineBetween(const std::array<JawContact, 2>& contacts, float width_m);
 
-// Of the fingers that close towards +closing and -closing. From the completed solid where it is
-// known and the place is around the whole object, else from the columns of the grid.
-std::array<JawContact, 2> CloseOn(const TurnedGrid& turned, const CompletedSolid& solid,
-                                  const JawPlace& place, const JawGripper& gripper);
+// How far out the object reaches before one place of a pad, along the way towards the finger.
+struct PadReach {
+  float across_m, height_m, outwards_m;
+};
+
+// Closes a jaw on places of one turn of the hand. From the completed solid where it is known and
+// the place is around the whole object, else from the columns of the grid. What it is made from
+// must outlive it.
+class JawCloser {
+ public:
+  JawCloser(const TurnedGrid& turned, const CompletedSolid& solid, const JawGripper& gripper);
+
+  // Of the fingers that close towards +closing and -closing; until it is asked for the next.
+  const std::array<JawContact, 2>& CloseOn(const JawPlace& place);
+
+ private:
+  using Reaches = std::vector<PadReach>;  // of one pad
+
+  void ReachThroughSolid(const JawPlace& place);
+  void ReachThroughColumns(const JawPlace& place);
+  bool AgreeWithColumns() const;
+  void SetContact(const Reaches& reaches, const JawPlace& place, float sign, float patch_m,
+                  bool is_exact, JawContact& contact);
+
+  const TurnedGrid& turned_;
+  const CompletedSolid& solid_;
+  const JawGripper& gripper_;
+  std::array<JawContact, 2> contacts_;
+  // Kept for the next place.
+  std::array<Reaches, 2> of_columns_, of_solid_;
+  Reaches pad_, near_;
+  Lines lines_;
+  std::vector<Span> spans_;
+};
 
 }  // namespace fovea

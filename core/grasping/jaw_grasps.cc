@@ -111,14 +111,13 @@ struct Turn {
   const GraspScene& scene;
   const DetectedObject& object;
   const HandGrid& grid;
-  const CompletedSolid& solid;
   const TurnedGrid& turned;
   float extent_m;
 };
 
-void AddGrasp(const Turn& turn, const JawPlace& place, const GraspTerms& of_object, JawHand& hand) {
+void AddGrasp(const Turn& turn, const JawPlace& place, const std::array<JawContact, 2>& contacts,
+              const GraspTerms& of_object, JawHand& hand) {
   constexpr float kTooSteep = 1.5F;  // times the friction coefficient
-  const std::array<JawContact, 2> contacts = CloseOn(turn.turned, turn.solid, place, hand.jaw);
   const float width = contacts[1].along_m - contacts[0].along_m;
   const float middle = (contacts[1].along_m + contacts[0].along_m) / 2;
   if (contacts[0].places.empty() || contacts[1].places.empty() || width <= 0) return;
@@ -183,13 +182,14 @@ void FindJawGrasps(const GraspScene& scene, const DetectedObject& object,
     InterruptionPoint();
     // The object's box is narrowest along its y axis, which is the grid's.
     const TurnedGrid turned = Turned(grid, ClosingOf(turn), half_across);
-    const Turn at = {scene, object, grid, solid, turned, ExtentAlong(turned)};
+    const Turn at = {scene, object, grid, turned, ExtentAlong(turned)};
     for (JawHand& hand : hands) {
+      JawCloser closer(turned, solid, hand.jaw);
       places.clear();
       FindJawPlaces(grid, turned, hand.jaw, hand.failures, places);
       for (const JawPlace& place : places) {
         if (hand.grasps.size() >= kMostPlaces) break;
-        AddGrasp(at, place, of_object, hand);
+        AddGrasp(at, place, closer.CloseOn(place), of_object, hand);
       }
     }
   }

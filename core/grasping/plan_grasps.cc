@@ -70,9 +70,7 @@ class Planner {
       FindWithCups(at, grippers, grid, found);
     }
     const GraspModel& model = FittedGraspModel();
-    for (Found& own : found) {
-      for (ScoredGrasp& scored : own.grasps) scored.grasp.probability = model.Probability(scored);
-    }
+    for (Found& own : found) model.SetProbabilities(own.grasps);
     return found;
   }
 

@@ -16,20 +16,19 @@ bool AreAlike(const Grasp& a, const Grasp& b) {
 
 }  // namespace
 
-std::vector<Grasp> RankGrasps(std::vector<ScoredGrasp> grasps, const Gripper& gripper) {
-  std::stable_sort(grasps.begin(), grasps.end(), [](const ScoredGrasp& a, const ScoredGrasp& b) {
-    return a.grasp.probability > b.grasp.probability;
-  });
-  std::vector<Grasp> ranked;
+std::vector<Grasp> RankGrasps(const std::vector<ScoredGrasp>& grasps, const Gripper& gripper) {
+  std::vector<const Grasp*> likely;
   for (const ScoredGrasp& scored : grasps) {
-    const Grasp& grasp = scored.grasp;
-    if (grasp.probability < gripper.min_probability ||
-        ranked.size() >= static_cast<std::size_t>(gripper.max_grasps)) {
-      break;
-    }
+    if (scored.grasp.probability >= gripper.min_probability) likely.push_back(&scored.grasp);
+  }
+  std::stable_sort(likely.begin(), likely.end(),
+                   [](const Grasp* a, const Grasp* b) { return a->probability > b->probability; });
+  std::vector<Grasp> ranked;
+  for (const Grasp* grasp : likely) {
+    if (ranked.size() >= static_cast<std::size_t>(gripper.max_grasps)) break;
     const bool is_known = std::any_of(ranked.begin(), ranked.end(),
-                                      [&](const Grasp& other) { return AreAlike(grasp, other); });
-    if (!is_known) ranked.push_back(grasp);
+                                      [&](const Grasp& other) { return AreAlike(*grasp, other); });
+    if (!is_known) ranked.push_back(*grasp);
   }
   return ranked;
 }

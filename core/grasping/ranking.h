@@ -11,6 +11,6 @@ namespace fovea {
 
 // The likeliest first, no two nearly alike, at most as many as the gripper wants, none less likely
 // than it allows. `grasps` have their probability.
-std::vector<Grasp> RankGrasps(std::vector<ScoredGrasp> grasps, const Gripper& gripper);
+std::vector<Grasp> RankGrasps(const std::vector<ScoredGrasp>& grasps, const Gripper& gripper);
 
 }  // namespace fovea

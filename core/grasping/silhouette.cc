@@ -28,17 +28,27 @@ Silhouette SilhouetteOf(const GraspScene& scene, const DetectedObject& object) {
   const cv::Rect looked_at = Around(object.bounds_px) & cv::Rect({}, scene.labels.size());
   const int step =
       std::max(1, std::max(object.bounds_px.width, object.bounds_px.height) / kRaysAcross);
+  Lines rays;
+  std::vector<float> lengths;
+  std::vector<Span> spans;
   int on = 0, through = 0, beside = 0;
   for (int row = looked_at.y; row < looked_at.br().y; row += step) {
     const auto* labels = scene.labels.ptr<std::uint16_t>(row);
     const auto* points = scene.points.ptr<Eigen::Vector3f>(row);
+    rays.Clear();
+    lengths.clear();
     for (int column = looked_at.x; column < looked_at.br().x; column += step) {
       const Eigen::Vector3f ray = RayOf({column, row}, scene.intrinsics);
-      const float length = ray.norm();
-      const auto span = solid.Along(Eigen::Vector3f::Zero(), ray / length);
+      lengths.push_back(ray.norm());
+      rays.Add(Eigen::Vector3f::Zero(), ray / lengths.back());
+    }
+    solid.Along(rays, spans);
+    for (std::size_t i = 0; i < spans.size(); ++i) {
+      const int column = looked_at.x + static_cast<int>(i) * step;
+      const bool is_in = !spans[i].IsEmpty();
       if (labels[column] == object.label) {
-        (span ? on : beside) += 1;
-      } else if (span && points[column].z() * length > span->low + kFarther_m) {  // not NaN
+        (is_in ? on : beside) += 1;
+      } else if (is_in && points[column].z() * lengths[i] > spans[i].low + kFarther_m) {  // not NaN
         ++through;
       }
     }

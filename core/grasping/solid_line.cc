@@ -4,134 +4,130 @@
 #include <cmath>
 #include <limits>
 
+#include "core/types/widest_registers.h"
+
 namespace fovea {
 namespace {
 
 constexpr float kParallel = 1e-5F;
 constexpr float kEndless = std::numeric_limits<float>::max();
+constexpr std::size_t kLanes = 32;
 
-// Between two planes across an axis.
-bool Clip(float origin, float direction, float low_m, float high_m, Span& span) {
-  if (std::abs(direction) < kParallel) return origin >= low_m && origin <= high_m;
-  const float a = (low_m - origin) / direction, b = (high_m - origin) / direction;
-  span.low = std::max(span.low, std::min(a, b));
-  span.high = std::min(span.high, std::max(a, b));
-  return span.low < span.high;
+using Lanes = std::array<float, kLanes>;
+using Lanes3 = std::array<Lanes, 3>;
+
+// Lines in the axes of the box, from the middle of the solid, and where they are in it.
+struct Bundle {
+  Lanes3 from, along;
+  Lanes low, high;
+};
+
+// Always in the same order: the last bit depends on it.
+FOVEA_INLINE float Sum(float a, float b, float c) { return a + (b + c); }
+
+FOVEA_INLINE void Narrow(float low, float high, Span& span) {
+  span.low = std::max(span.low, low);
+  span.high = std::min(span.high, high);
 }
 
-// Where |origin + t · direction| < radius.
-bool ClipRound(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float radius_m,
-               Span& span) {
-  const float a = direction.squaredNorm(), c = origin.squaredNorm() - radius_m * radius_m;
-  if (a < kParallel) return c <= 0;
-  const float b = origin.dot(direction), root = b * b - a * c;
-  if (root <= 0) return false;
-  span.low = std::max(span.low, (-b - std::sqrt(root)) / a);
-  span.high = std::min(span.high, (-b + std::sqrt(root)) / a);
-  return span.low < span.high;
+FOVEA_INLINE void EmptyUnless(bool stays, Span& span) { span.high = stays ? span.high : -kEndless; }
+
+// Between two planes across an axis, as far on both sides.
+FOVEA_INLINE void Clip(float origin, float direction, float half_m, Span& span) {
+  const bool is_parallel = std::abs(direction) < kParallel;
+  const bool is_inside = std::abs(origin) <= half_m;
+  const float a = (-half_m - origin) / direction, b = (half_m - origin) / direction;
+  const float low = std::min(a, b), high = std::max(a, b);
+  Narrow(is_parallel ? -kEndless : low, is_parallel ? kEndless : high, span);
+  EmptyUnless(!is_parallel || is_inside, span);
 }
 
-bool ClipPiece(const SolidPiece& piece, const Eigen::Vector3f& origin,
-               const Eigen::Vector3f& direction, Span& span) {
-  const Eigen::Vector3f from = origin - piece.center;
+// Where |origin + t · direction| < radius; `a`, `b`, `c`: of the square, a t² + 2 b t + c.
+FOVEA_INLINE void ClipRound(float a, float b, float c, Span& span) {
+  const bool is_parallel = a < kParallel;
+  const float square = b * b - a * c;
+  const float root = std::sqrt(std::max(square, 0.0F));
+  Narrow(is_parallel ? -kEndless : (-b - root) / a, is_parallel ? kEndless : (-b + root) / a, span);
+  EmptyUnless(is_parallel ? c <= 0 : square > 0, span);
+}
+
+FOVEA_INLINE void Join(const Span& span, std::size_t i, Bundle& bundle) {
+  const bool is_empty = span.IsEmpty();
+  bundle.low[i] = std::min(bundle.low[i], is_empty ? kEndless : span.low);
+  bundle.high[i] = std::max(bundle.high[i], is_empty ? -kEndless : span.high);
+}
+
+FOVEA_INLINE void JoinBox(const SolidPiece& piece, Bundle& bundle) {
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    Span span = {-kEndless, kEndless};
+    for (int axis = 0; axis < 3; ++axis) {
+      Clip(bundle.from[axis][i] - piece.center[axis], bundle.along[axis][i], piece.half[axis],
+           span);
+    }
+    Join(span, i, bundle);
+  }
+}
+
+FOVEA_INLINE void JoinBall(const SolidPiece& piece, Bundle& bundle) {
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const float x = bundle.from[0][i] - piece.center[0], y = bundle.from[1][i] - piece.center[1],
+                z = bundle.from[2][i] - piece.center[2];
+    const float u = bundle.along[0][i], v = bundle.along[1][i], w = bundle.along[2][i];
+    Span span = {-kEndless, kEndless};
+    ClipRound(Sum(u * u, v * v, w * w), Sum(x * u, y * v, z * w),
+              Sum(x * x, y * y, z * z) - piece.radius_m * piece.radius_m, span);
+    Join(span, i, bundle);
+  }
+}
+
+FOVEA_INLINE void JoinRod(const SolidPiece& piece, Bundle& bundle) {
+  const float p = piece.axis[0], q = piece.axis[1], r = piece.axis[2];
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    float x = bundle.from[0][i] - piece.center[0], y = bundle.from[1][i] - piece.center[1],
+          z = bundle.from[2][i] - piece.center[2];
+    float u = bundle.along[0][i], v = bundle.along[1][i], w = bundle.along[2][i];
+    const float from_along = Sum(p * x, q * y, r * z), along = Sum(p * u, q * v, r * w);
+    Span span = {-kEndless, kEndless};
+    Clip(from_along, along, piece.half_length_m, span);
+    x -= from_along * p, y -= from_along * q, z -= from_along * r;
+    u -= along * p, v -= along * q, w -= along * r;
+    ClipRound(Sum(u * u, v * v, w * w), Sum(x * u, y * v, z * w),
+              Sum(x * x, y * y, z * z) - piece.radius_m * piece.radius_m, span);
+    Join(span, i, bundle);
+  }
+}
+
+FOVEA_INLINE void JoinPiece(const SolidPiece& piece, Bundle& bundle) {
   switch (piece.kind) {
     case SolidPiece::Kind::kBox:
-      for (int i = 0; i < 3; ++i) {
-        if (!Clip(from[i], direction[i], -piece.half[i], piece.half[i], span)) return false;
-      }
-      return true;
+      return JoinBox(piece, bundle);
     case SolidPiece::Kind::kSphere:
-      return ClipRound(from, direction, piece.radius_m, span);
-    case SolidPiece::Kind::kCylinder: {
-      const float from_along = piece.axis.dot(from), along = piece.axis.dot(direction);
-      return Clip(from_along, along, -piece.half_length_m, piece.half_length_m, span) &&
-             ClipRound(from - from_along * piece.axis, direction - along * piece.axis,
-                       piece.radius_m, span);
+      return JoinBall(piece, bundle);
+    case SolidPiece::Kind::kCylinder:
+      return JoinRod(piece, bundle);
+  }
+}
+
+// Lines from `first` on, seen along the columns of `axes`; lanes without one repeat the last.
+FOVEA_INLINE void Load(const Lines& lines, std::size_t first, const Eigen::Vector3f& center,
+                       const Eigen::Matrix3f& axes, Bundle& bundle) {
+  Lanes3 origins, directions;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      const std::size_t line = std::min(first + i, lines.Size() - 1);
+      origins[axis][i] = lines.Origins(axis)[line] - center[axis];
+      directions[axis][i] = lines.Directions(axis)[line];
     }
   }
-  return false;
-}
-
-SolidPiece BoxPiece(const Eigen::Vector3f& half) {
-  SolidPiece piece;
-  piece.half = half;
-  return piece;
-}
-
-SolidPiece BallPiece(const Eigen::Vector3f& center, float radius_m) {
-  SolidPiece piece;
-  piece.kind = SolidPiece::Kind::kSphere;
-  piece.center = center;
-  piece.radius_m = radius_m;
-  return piece;
-}
-
-SolidPiece RodPiece(const Eigen::Vector3f& from, const Eigen::Vector3f& to, float radius_m) {
-  SolidPiece piece;
-  piece.kind = SolidPiece::Kind::kCylinder;
-  piece.center = (from + to) / 2;
-  piece.half_length_m = (to - from).norm() / 2;
-  piece.axis = (to - from).normalized();
-  piece.radius_m = radius_m;
-  return piece;
-}
-
-// `axis`: in the axes of the box.
-std::vector<SolidPiece> PiecesOfRevolution(const Shape& shape, const Eigen::Vector3f& axis) {
-  std::vector<float> radii = shape.radii_m;
-  if (radii.empty()) radii = {shape.radius_m};
-  const float step = shape.length_m / static_cast<float>(radii.size());
-  std::vector<SolidPiece> pieces;
-  for (std::size_t i = 0; i < radii.size(); ++i) {
-    const float low = static_cast<float>(i) * step - shape.length_m / 2;
-    pieces.push_back(RodPiece(low * axis, (low + step) * axis, radii[i]));
+  for (int axis = 0; axis < 3; ++axis) {
+    const float x = axes(0, axis), y = axes(1, axis), z = axes(2, axis);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      bundle.from[axis][i] = Sum(x * origins[0][i], y * origins[1][i], z * origins[2][i]);
+      bundle.along[axis][i] = Sum(x * directions[0][i], y * directions[1][i], z * directions[2][i]);
+    }
   }
-  return pieces;
-}
-
-std::vector<SolidPiece> PiecesOfOblong(const Eigen::Vector3f& half) {
-  const float straight = half.x() - half.y();
-  std::vector<SolidPiece> pieces = {BoxPiece({straight, half.y(), half.z()})};
-  for (const float x : {-straight, straight}) {
-    pieces.push_back(RodPiece({x, 0, -half.z()}, {x, 0, half.z()}, half.y()));
-  }
-  return pieces;
-}
-
-std::vector<SolidPiece> PiecesOfBent(const Shape& shape, const Eigen::Vector3f& half) {
-  constexpr int kRods = 6;
-  const float reach = half.x() - half.z();
-  const auto at = [&](int i) {
-    const float share = 2.0F * static_cast<float>(i) / kRods - 1;
-    return Eigen::Vector3f(share * reach, shape.bend_m * (share * share - 0.5F), 0);
-  };
-  std::vector<SolidPiece> pieces = {BallPiece(at(0), half.z())};
-  for (int i = 1; i <= kRods; ++i) {
-    pieces.push_back(RodPiece(at(i - 1), at(i), half.z()));
-    pieces.push_back(BallPiece(at(i), half.z()));
-  }
-  return pieces;
-}
-
-std::vector<SolidPiece> PiecesOf(const DetectedObject& object) {
-  const Shape& shape = object.shape;
-  const Eigen::Vector3f half = object.box.size_m / 2;
-  const Eigen::Vector3f axis = object.box.rotation.transpose() * shape.axis;
-  switch (shape.kind) {
-    case Shape::Kind::kSphere:
-      return {BallPiece({0, 0, 0}, shape.radius_m)};
-    case Shape::Kind::kCylinder:
-      return {RodPiece(-shape.length_m / 2 * axis, shape.length_m / 2 * axis, shape.radius_m)};
-    case Shape::Kind::kRevolution:
-      return PiecesOfRevolution(shape, axis);
-    case Shape::Kind::kBox:
-    case Shape::Kind::kFlat:
-      break;
-    case Shape::Kind::kOther:
-      if (shape.form == Shape::Form::kOblong) return PiecesOfOblong(half);
-      if (shape.form == Shape::Form::kBent) return PiecesOfBent(shape, half);
-  }
-  return {BoxPiece(half)};
+  bundle.low.fill(kEndless);
+  bundle.high.fill(-kEndless);
 }
 
 }  // namespace
@@ -145,7 +141,8 @@ CompletedSolid::CompletedSolid(const DetectedObject& object, const LevelFrame& f
   half_extents_ = frame_from_box_.cwiseAbs() * object.box.size_m / 2;
   if (has_axis && shape.axis.squaredNorm() < 0.5F) {
     is_known_ = false;
-    pieces_ = {BoxPiece(object.box.size_m / 2)};
+    pieces_.resize(1);
+    pieces_[0].half = object.box.size_m / 2;
     return;
   }
   if (has_axis || shape.kind == Shape::Kind::kSphere) center_ = frame.FromCamera(shape.center);
@@ -153,17 +150,17 @@ CompletedSolid::CompletedSolid(const DetectedObject& object, const LevelFrame& f
   pieces_ = PiecesOf(object);
 }
 
-std::optional<Span> CompletedSolid::Along(const Eigen::Vector3f& origin,
-                                          const Eigen::Vector3f& direction) const {
-  const Eigen::Vector3f from = frame_from_box_.transpose() * (origin - center_);
-  const Eigen::Vector3f along = frame_from_box_.transpose() * direction;
-  Span all = {kEndless, -kEndless};
-  for (const SolidPiece& piece : pieces_) {
-    Span part = {-kEndless, kEndless};
-    if (!ClipPiece(piece, from, along, part)) continue;
-    all = {std::min(all.low, part.low), std::max(all.high, part.high)};
+void CompletedSolid::Along(const Lines& lines, std::vector<Span>& spans) const {
+  spans.resize(lines.Size());
+  Bundle bundle;
+  for (std::size_t first = 0; first < lines.Size(); first += kLanes) {
+    RunInWidestRegisters([&] {
+      Load(lines, first, center_, frame_from_box_, bundle);
+      for (const SolidPiece& piece : pieces_) JoinPiece(piece, bundle);
+    });
+    const std::size_t count = std::min(kLanes, lines.Size() - first);
+    for (std::size_t i = 0; i < count; ++i) spans[first + i] = {bundle.low[i], bundle.high[i]};
   }
-  return all.low < all.high ? std::optional(all) : std::nullopt;
 }
 
 }  // namespace fovea

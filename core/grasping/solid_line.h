@@ -1,10 +1,11 @@
-// Where a line runs inside of the solid that an object is taken for.
+// Where lines run inside of the solid that an object is taken for.
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
+#include <array>
 #include <vector>
 
+#include "core/grasping/solid_pieces.h"
 #include "core/shape/level_frame.h"
 #include "core/types/detections.h"
 
@@ -13,16 +14,29 @@ namespace fovea {
 // Part of a line, in lengths of its direction from its origin.
 struct Span {
   float low = 0, high = 0;
+
+  bool IsEmpty() const { return !(low < high); }
 };
 
-// A box, sphere or cylinder, in the axes of an object's box, from the middle of the solid.
-struct SolidPiece {
-  enum class Kind { kBox, kSphere, kCylinder };
-  Kind kind = Kind::kBox;
-  Eigen::Vector3f center = Eigen::Vector3f::Zero();
-  Eigen::Vector3f half = Eigen::Vector3f::Zero();   // of boxes
-  Eigen::Vector3f axis = Eigen::Vector3f::UnitZ();  // of cylinders: unit vector
-  float radius_m = 0, half_length_m = 0;
+// Directions are unit vectors.
+class Lines {
+ public:
+  void Clear() {
+    for (std::vector<float>& axis : origins_) axis.clear();
+    for (std::vector<float>& axis : directions_) axis.clear();
+  }
+  void Add(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction) {
+    for (int axis = 0; axis < 3; ++axis) {
+      origins_[axis].push_back(origin[axis]);
+      directions_[axis].push_back(direction[axis]);
+    }
+  }
+  std::size_t Size() const { return origins_[0].size(); }
+  const float* Origins(int axis) const { return origins_[axis].data(); }
+  const float* Directions(int axis) const { return directions_[axis].data(); }
+
+ private:
+  std::array<std::vector<float>, 3> origins_, directions_;
 };
 
 // The completed solid of an object, in a level frame: all that is in some piece, and what is
@@ -32,8 +46,9 @@ class CompletedSolid {
   CompletedSolid(const DetectedObject& object, const LevelFrame& frame);
 
   bool IsKnown() const { return is_known_; }
-  // Hollow ones count as filled. `direction`: unit vector. Takes some 10 ns for each piece.
-  std::optional<Span> Along(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction) const;
+  // Sets `spans` to that of each line, empty where it misses. Hollow solids count as filled. Takes
+  // some 2 ns a line for each piece, with 32 lines at once.
+  void Along(const Lines& lines, std::vector<Span>& spans) const;
 
   // Half of the solid's extents along the axes of the frame, and its middle.
   const Eigen::Vector3f& HalfExtents() const { return half_extents_; }

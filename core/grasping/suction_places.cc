@@ -131,17 +131,22 @@ bool IsEvenAt(const CompletedSolid& solid, const Eigen::Vector3f& center,
               const Eigen::Vector3f& normal, float radius_m, const SuctionGripper& cup) {
   constexpr float kAbove_m = 0.05F;
   const Eigen::Vector3f u = normal.unitOrthogonal(), v = normal.cross(u);
-  float low = 1, high = -1;
+  Lines lines;
   for (const auto& [c, s] : kAroundLip) {
-    const Eigen::Vector3f from = center + radius_m * (c * u + s * v) + kAbove_m * normal;
-    const auto span = solid.Along(from, -normal);
-    if (!span) return false;
-    low = std::min(low, kAbove_m - span->low);
-    high = std::max(high, kAbove_m - span->low);
+    lines.Add(center + radius_m * (c * u + s * v) + kAbove_m * normal, -normal);
   }
-  const auto middle = solid.Along(center + kAbove_m * normal, -normal);
-  if (!middle || high - low > 2 * cup.max_unevenness_m) return false;
-  const float rise = kAbove_m - middle->low - (low + high) / 2;
+  lines.Add(center + kAbove_m * normal, -normal);
+  std::vector<Span> spans;
+  solid.Along(lines, spans);
+  float low = 1, high = -1;
+  for (const Span& span : spans) {
+    if (span.IsEmpty()) return false;
+    if (&span == &spans.back()) break;
+    low = std::min(low, kAbove_m - span.low);
+    high = std::max(high, kAbove_m - span.low);
+  }
+  if (high - low > 2 * cup.max_unevenness_m) return false;
+  const float rise = kAbove_m - spans.back().low - (low + high) / 2;
   return std::abs(rise) <= cup.max_unevenness_m + cup.max_curvature_per_m * radius_m * radius_m / 2;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace fovea {
 namespace {
@@ -39,6 +40,22 @@ TEST(GraspFunction, AddsThousandthsOfLogOdds) {
   EXPECT_FLOAT_EQ(model.Probability(grasp), 0.5F);
   grasp.family = GraspFamily::kRim;
   EXPECT_FLOAT_EQ(model.Probability(grasp), static_cast<float>(1 / (1 + std::exp(-0.5))));
+}
+
+TEST(GraspModel, JudgesManyAsItJudgesEach) {
+  constexpr std::uint32_t kSeed = 1;
+  std::mt19937 random(kSeed);
+  SCOPED_TRACE(testing::Message() << "seed " << kSeed);
+  std::vector<ScoredGrasp> grasps(150);  // more than at once of each family, and some left
+  for (ScoredGrasp& grasp : grasps) {
+    grasp.family = static_cast<GraspFamily>(random() % kNumGraspFamilies);
+    for (float& term : grasp.terms) term = static_cast<float>(random() % 1000) / 400;
+  }
+  const GraspModel& model = FittedGraspModel();
+  model.SetProbabilities(grasps);
+  for (const ScoredGrasp& grasp : grasps) {
+    EXPECT_EQ(grasp.grasp.probability, model.Probability(grasp));
+  }
 }
 
 // What everybody knows of grasps, summed over the other terms of one that is good.

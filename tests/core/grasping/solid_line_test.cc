@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace fovea {
 namespace {
 
@@ -22,8 +24,11 @@ DetectedObject ObjectOf(Shape::Kind kind, const Vector3f& size_m) {
 
 // Along z through (x, y), in the camera frame; 0 if it misses.
 Span Through(const DetectedObject& object, float x, float y) {
-  const CompletedSolid solid(object, LevelFrame());
-  return solid.Along({x, y, 0}, Vector3f::UnitZ()).value_or(Span());
+  Lines lines;
+  lines.Add({x, y, 0}, Vector3f::UnitZ());
+  std::vector<Span> spans;
+  CompletedSolid(object, LevelFrame()).Along(lines, spans);
+  return spans.at(0).IsEmpty() ? Span() : spans[0];
 }
 
 TEST(CompletedSolid, OfABoxIsItsBox) {
@@ -72,6 +77,35 @@ TEST(CompletedSolid, OfABentRodGoesToWhereItIsBent) {
   EXPECT_NEAR(Through(object, 0.1F, 0).high, 1.05F, kPieces_m);
   object.shape.bend_m = -0.06F;
   EXPECT_NEAR(Through(object, 0, 0).high, 1.05F, kPieces_m);
+}
+
+// More than are looked at at once, and a number of them that fills no whole part.
+TEST(CompletedSolid, TellsOfManyLinesWhatItTellsOfEach) {
+  DetectedObject object = ObjectOf(Shape::Kind::kCylinder, {0.1F, 0.1F, 0.2F});
+  object.shape.axis = -Vector3f::UnitY();
+  object.shape.radius_m = 0.05F;
+  object.shape.length_m = 0.2F;
+  Lines lines;
+  const auto x_of = [](int i) { return 0.001F * static_cast<float>(i - 60); };
+  for (int i = 0; i < 121; ++i) lines.Add({x_of(i), 0, 0}, Vector3f::UnitZ());
+  std::vector<Span> spans;
+  CompletedSolid(object, LevelFrame()).Along(lines, spans);
+  ASSERT_EQ(spans.size(), 121);
+  for (int i = 0; i < 121; ++i) {
+    const Span one = Through(object, x_of(i), 0);
+    EXPECT_EQ(spans[i].IsEmpty(), std::abs(x_of(i)) >= 0.05F) << x_of(i);
+    if (spans[i].IsEmpty()) continue;
+    EXPECT_EQ(spans[i].low, one.low);
+    EXPECT_EQ(spans[i].high, one.high);
+    EXPECT_NEAR((spans[i].high - spans[i].low) / 2, std::sqrt(0.05F * 0.05F - x_of(i) * x_of(i)),
+                1e-5F);
+  }
+}
+
+TEST(CompletedSolid, LinesBesideAFaceStayOutsideAndOnesInItInside) {
+  const DetectedObject object = ObjectOf(Shape::Kind::kBox, {0.2F, 0.1F, 0.1F});
+  EXPECT_EQ(Through(object, 0.1001F, 0).high, 0);
+  EXPECT_GT(Through(object, 0.0999F, 0).high, 0);
 }
 
 }  // namespace
