@@ -66,7 +66,9 @@ GraspRun CheckScene(const GeneratedScene& scene, const std::vector<Gripper>& gri
   GraspRun run;
   for (const GeneratedFrame& frame : scene.frames) {
     for (const StageTime& time : frame.detections.stage_times) {
-      if (time.stage == "grasps") run.grasps_ms.push_back(time.duration_ms);
+      if (time.stage != "grasps") continue;
+      run.num_objects.push_back(static_cast<double>(frame.detections.objects.size()));
+      run.grasps_ms.push_back(time.duration_ms);
     }
     for (const scenes::ObjectTruth& truth : frame.labelled.objects) {
       run.num_truth += truth.num_pixels > 0;
@@ -129,6 +131,7 @@ GraspRun RunGrasps(const GeneratedFlags& flags, const GraspQuestions& questions)
   for (GraspRun& run : runs) {
     std::move(run.objects.begin(), run.objects.end(), std::back_inserter(all.objects));
     all.num_truth += run.num_truth;
+    all.num_objects.insert(all.num_objects.end(), run.num_objects.begin(), run.num_objects.end());
     all.grasps_ms.insert(all.grasps_ms.end(), run.grasps_ms.begin(), run.grasps_ms.end());
   }
   return all;

@@ -40,7 +40,8 @@ std::vector<Gripper> EvaluationGrippers();
 struct GraspRun {
   std::vector<GraspedObject> objects;  // matched ones, in the order of scenes, sensors and labels
   std::size_t num_truth = 0;           // that show at least one pixel
-  std::vector<double> grasps_ms;       // of stage "grasps", one for each frame
+  std::vector<double> num_objects;     // of each frame
+  std::vector<double> grasps_ms;       // and its stage "grasps"
 };
 
 struct GraspQuestions {
