@@ -1,6 +1,7 @@
 // fovea-load: many simulated robots against a running server; what it prints is what
 // docs/operations.md reports.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <cstdlib>
@@ -8,6 +9,7 @@
 #include <iostream>
 #include <map>
 #include <mutex>
+#include <stdexcept>
 #include <thread>
 
 #include "client/cli/progress.h"
@@ -18,6 +20,7 @@
 #include "tests/load/report.h"
 #include "tests/load/robot.h"
 #include "tests/load/saboteur.h"
+#include "tests/load/stop_signals.h"
 #include "tests/support/labelled_frame.h"
 #include "tests/support/random_scene.h"
 
@@ -100,8 +103,9 @@ void Print(const std::map<std::string, std::uint64_t>& deeds) {
   for (const auto& [name, count] : deeds) std::cout << count << ' ' << name << '\n';
 }
 
-// Lets the time pass, with a bar and, where a process is watched, a line a minute.
-void Wait(const Flags& flags) {
+// Lets the time pass, with a bar and, where a process is watched, a line a minute. Returns how many
+// seconds it were, fewer where it is told to stop.
+int Wait(const Flags& flags, const fovea::load::StopSignals& stop_signals) {
   constexpr int kSecondsPerMinute = 60;
   const int seconds = flags.warm_up + flags.seconds;
   fovea::cli::Progress progress(static_cast<std::size_t>(seconds),
@@ -112,10 +116,15 @@ void Wait(const Flags& flags) {
       std::cout << second / kSecondsPerMinute
                 << " min: " << fovea::load::SizeOfProcess(flags.pid).Text() << std::endl;
     }
-    std::this_thread::sleep_until(start + std::chrono::seconds(second + 1));
+    if (stop_signals.ComeUntil(start + std::chrono::seconds(second + 1))) {
+      progress.Finish();
+      std::cerr << "stopped after " << second << " of " << seconds << " s\n";
+      return second;
+    }
     progress.Advance(std::to_string(flags.robots) + " robots");
   }
   progress.Finish();
+  return seconds;
 }
 
 using Deeds = std::map<std::string, std::uint64_t>;
@@ -156,7 +165,13 @@ std::jthread CutLater(const Flags& flags, Links* links) {
   });
 }
 
-std::vector<Outcome> RunAll(const Flags& flags) {
+struct Run {
+  std::vector<Outcome> outcomes;
+  int seconds = 0;  // of which is told, without the warm-up
+};
+
+Run RunAll(const Flags& flags) {
+  const fovea::load::StopSignals stop_signals;
   const fovea::v1::Frame frame = MakeFrame(flags.kind, {flags.size_px[0], flags.size_px[1]});
   Links links;
   const std::vector<RobotPlan> plans = fovea::load::MakePlans(flags, frame, &links);
@@ -165,18 +180,18 @@ std::vector<Outcome> RunAll(const Flags& flags) {
   const std::jthread cutting = CutLater(flags, &links);
   auto saboteurs = StartSaboteurs(flags, frame, stop.get_token());
   auto robots = StartRobots(plans, stop.get_token());
+  Run run;
   try {
-    Wait(flags);
+    run.seconds = std::max(0, Wait(flags, stop_signals) - flags.warm_up);
   } catch (...) {  // the futures wait for their robots, whatever happens
     stop.request_stop();
     throw;
   }
   stop.request_stop();
-  std::vector<Outcome> outcomes;
-  outcomes.reserve(robots.size());
-  for (auto& robot : robots) outcomes.push_back(robot.get());
+  run.outcomes.reserve(robots.size());
+  for (auto& robot : robots) run.outcomes.push_back(robot.get());
   for (auto& saboteur : saboteurs) Print(saboteur.get());
-  return outcomes;
+  return run;
 }
 
 }  // namespace
@@ -187,8 +202,9 @@ int main(int argc, char** argv) try {
   AddFlags(app, flags);
   fovea::flags::NameMisspellings(app, argc, argv);
   CLI11_PARSE(app, argc, argv);
-  const auto outcomes = RunAll(flags);
-  std::cout << fovea::load::Report(outcomes, flags.seconds);
+  const Run run = RunAll(flags);
+  if (run.seconds == 0) throw std::runtime_error("stopped before anything was counted");
+  std::cout << fovea::load::Report(run.outcomes, run.seconds);
   return EXIT_SUCCESS;
 } catch (const std::exception& error) {
   std::cerr << "fovea-load: " << error.what() << '\n';
