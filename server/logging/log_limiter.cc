@@ -20,13 +20,17 @@ void LogLeftOut(const std::string& kind, std::uint64_t count, spdlog::level::lev
 }  // namespace
 
 bool LogLimiter::Admit(const std::string& kind, spdlog::level::level_enum level,
-                       Clock::time_point now) {
+                       const std::string& robot, Clock::time_point now) {
   Summarize(now);
   const std::lock_guard lock(mutex_);
-  Kind& of_kind = kinds_.try_emplace(kind, Kind{.since = now}).first->second;
+  const auto [found, is_new] = kinds_.try_emplace(kind);
+  Kind& of_kind = found->second;
+  if (is_new) of_kind.since = now;
   of_kind.level = level;
-  if (of_kind.written < kLines) {
+  const bool is_first = !robot.empty() && !of_kind.robots.contains(robot);
+  if (of_kind.written < kLines + (is_first ? kMostRobots : 0)) {
     ++of_kind.written;
+    if (is_first) of_kind.robots.insert(robot);
     return true;
   }
   ++of_kind.left_out;

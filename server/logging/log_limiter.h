@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <set>
 #include <string>
 
 namespace fovea::server {
@@ -17,12 +18,15 @@ class LogLimiter {
  public:
   using Clock = std::chrono::steady_clock;
 
-  static constexpr int kLines = 20;
+  static constexpr int kLines = 20;       // of a kind in a period, and
+  static constexpr int kMostRobots = 80;  // whose first line is written beyond these
   static constexpr std::chrono::seconds kPeriod{10};
 
-  // Whether a line of this kind is to be written; else it is counted. `kind` is one of few.
+  // Whether a line of this kind is to be written; else it is counted. `kind` is one of few. The
+  // first line of a robot is, or one that fails often would hide what others fail for. `robot`:
+  // empty where it is about none.
   bool Admit(const std::string& kind, spdlog::level::level_enum level,
-             Clock::time_point now = Clock::now());
+             const std::string& robot = "", Clock::time_point now = Clock::now());
 
   // Logs for each kind whose period has passed how many lines were left out.
   void Summarize(Clock::time_point now = Clock::now());
@@ -34,6 +38,7 @@ class LogLimiter {
   struct Kind {
     Clock::time_point since;
     int written = 0;
+    std::set<std::string> robots;  // of the lines written
     std::uint64_t left_out = 0;
     spdlog::level::level_enum level = spdlog::level::warn;
   };

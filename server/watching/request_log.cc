@@ -19,8 +19,10 @@ double Milliseconds(std::chrono::steady_clock::duration duration) {
 }
 
 // What a caller did wrong, or that he left, he can do as often as he likes.
-void LogFault(const LogRecord& record, const std::string& kind) {
-  if (LogLimiter::Global().Admit(kind, spdlog::level::warn)) record.Log(spdlog::level::warn);
+void LogFault(const LogRecord& record, const std::string& kind, const std::string& robot) {
+  if (LogLimiter::Global().Admit(kind, spdlog::level::warn, robot)) {
+    record.Log(spdlog::level::warn);
+  }
 }
 
 std::string ProfileOf(const v1::DetectOptions& options) {
@@ -61,7 +63,7 @@ void LogSlow(const FrameRecord& record) {
   for (const StageTime& time : record.detections.stage_times) {
     line.Milliseconds(time.stage + "_ms", time.duration_ms);
   }
-  LogFault(line, "slow " + code);
+  LogFault(line, "slow " + code, record.robot);
 }
 
 }  // namespace
@@ -74,7 +76,7 @@ void LogFrame(const FrameRecord& record, std::chrono::milliseconds slow) {
     line.Milliseconds("total_ms", total_ms).Log(spdlog::level::info);
   } else {
     line.Milliseconds("total_ms", total_ms).Text("error", record.status.error_message());
-    LogFault(line, std::string("frame ") + NameOf(record.status.error_code()));
+    LogFault(line, std::string("frame ") + NameOf(record.status.error_code()), record.robot);
   }
   if (slow.count() > 0 && record.took > slow) LogSlow(record);
 }
@@ -84,7 +86,7 @@ void LogRefusedStream(const std::string& request_id, const std::string& robot,
   const std::string code = NameOf(status.error_code());
   LogRecord line("stream");
   line.Text("request", request_id).Text("robot", robot).Word("code", code);
-  LogFault(line.Text("error", status.error_message()), "stream " + code);
+  LogFault(line.Text("error", status.error_message()), "stream " + code, robot);
 }
 
 }  // namespace fovea::server

@@ -139,7 +139,7 @@ TEST(LogLimiter, LeavesOutWhatIsTooMuchAndSaysHowMuch) {
   const auto admitted = [&](const std::string& kind, int lines, std::chrono::seconds at) {
     int number = 0;
     for (int i = 0; i < lines; ++i) {
-      if (limiter.Admit(kind, spdlog::level::warn, start + at)) ++number;
+      if (limiter.Admit(kind, spdlog::level::warn, "", start + at)) ++number;
     }
     return number;
   };
@@ -153,6 +153,22 @@ TEST(LogLimiter, LeavesOutWhatIsTooMuchAndSaysHowMuch) {
   EXPECT_EQ(admitted("frame CANCELLED", 5, seconds(11)), 5);
   limiter.Summarize(start + seconds(60));
   EXPECT_THAT(log.text(), Not(HasSubstr("kind=\"other\"")));
+}
+
+TEST(LogLimiter, ARobotThatFloodsHidesNoOther) {
+  LogLimiter limiter;
+  const LogLimiter::Clock::time_point start;
+  const auto admits = [&](const std::string& robot) {
+    return limiter.Admit("frame INVALID_ARGUMENT", spdlog::level::warn, robot, start);
+  };
+  for (int i = 0; i < 1000; ++i) EXPECT_EQ(admits("flood"), i < LogLimiter::kLines);
+  EXPECT_TRUE(admits("arm"));
+  EXPECT_FALSE(admits("arm"));
+  EXPECT_FALSE(admits(""));
+  // Nor do names by the thousand fill the log.
+  int written = 0;
+  for (int i = 0; i < 1000; ++i) written += admits("name" + std::to_string(i)) ? 1 : 0;
+  EXPECT_EQ(written, LogLimiter::kMostRobots - 1);
 }
 
 TEST(LogRecord, TakesTextFromOutsideThatIsHarmless) {
