@@ -33,7 +33,7 @@ struct GraspModel {
   std::array<GraspFunction, kNumGraspFamilies> families;
 
   float Probability(const ScoredGrasp& grasp) const;
-  // The same of each, a few nanoseconds a tree and grasp sooner.
+  // The same of each, many at once.
   void SetProbabilities(std::vector<ScoredGrasp>& grasps) const;
 };
 

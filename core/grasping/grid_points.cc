@@ -1,13 +1,12 @@
 #include "core/grasping/grid_points.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
+#include "core/grasping/placed_points.h"
 #include "core/types/interruption.h"
 #include "core/types/projection.h"
-#include "core/types/widest_registers.h"
 
 namespace fovea {
 namespace {
@@ -90,47 +89,6 @@ class BesideSolid {
   std::vector<Span> spans_;
 };
 
-// Points of a row of the image, some at once.
-struct SomePoints {
-  static constexpr int kNum = 64;
-  template <typename T>
-  using Each = std::array<T, kNum>;
-
-  Each<float> x, y, z;  // in the camera's frame, then in the grid's
-  Each<float> noise_m;
-  Each<int> label;
-  Each<int> cell;  // -1 outside of the grid, not measured, or on what the object stands on
-};
-
-void PlaceIn(const HandGrid& grid, SomePoints& all) {
-  constexpr float kOnFloor_m = 0.008F, kNoisePer_m = 0.003F;  // metres, of the distance squared
-  const Eigen::Matrix3f grid_axes = grid.frame.rotation.transpose();
-  RunInWidestRegisters([&] {
-    SomePoints points = all;  // of its own, as all that the loop reads is
-    const Eigen::Matrix3f axes = grid_axes;
-    const Eigen::Vector3f origin = axes * grid.frame.origin, normal = grid.floor_normal;
-    const float half_m = grid.Half(), cell_m = grid.cell_m, offset_m = grid.floor_offset_m;
-    const int size = grid.size;
-    for (int i = 0; i < SomePoints::kNum; ++i) {
-      const float x = points.x[i], y = points.y[i], z = points.z[i];
-      const bool is_seen = z == z;
-      const float u = axes(0, 0) * x + (axes(0, 1) * y + axes(0, 2) * z) - origin[0];
-      const float v = axes(1, 0) * x + (axes(1, 1) * y + axes(1, 2) * z) - origin[1];
-      const float w = axes(2, 0) * x + (axes(2, 1) * y + axes(2, 2) * z) - origin[2];
-      const int column = HandGrid::CellAt(is_seen ? u : 0, half_m, cell_m);
-      const int row = HandGrid::CellAt(is_seen ? v : 0, half_m, cell_m);
-      const float noise = kNoisePer_m * z * z;
-      const float above = normal[0] * u + (normal[1] * v + normal[2] * w) + offset_m;
-      const bool is_floor = (points.label[i] == 0) & (above < kOnFloor_m + noise);
-      const bool is_in = is_seen & (column >= 0) & (row >= 0) & (column < size) & (row < size);
-      points.cell[i] = is_in & !is_floor ? row * size + column : -1;
-      points.noise_m[i] = noise;
-      points.x[i] = u, points.y[i] = v, points.z[i] = w;
-    }
-    all = points;
-  });
-}
-
 class PointCollector {
  public:
   PointCollector(const GraspScene& scene, const DetectedObject& object, const CompletedSolid& solid,
@@ -146,9 +104,9 @@ class PointCollector {
 
   // `columns`: those of the image, every `step`th.
   void AddRow(int row, const cv::Range& columns, int step) {
-    SomePoints some;
-    for (int first = columns.start; first < columns.end; first += SomePoints::kNum * step) {
-      const int num = std::min(SomePoints::kNum, (columns.end - first + step - 1) / step);
+    PlacedPoints some;
+    for (int first = columns.start; first < columns.end; first += PlacedPoints::kNum * step) {
+      const int num = std::min(PlacedPoints::kNum, (columns.end - first + step - 1) / step);
       Load(row, first, step, num, some);
       PlaceIn(grid_, some);
       for (int i = 0; i < num; ++i) {
@@ -166,10 +124,10 @@ class PointCollector {
 
  private:
   // The last fills up what is left.
-  void Load(int row, int first, int step, int num, SomePoints& some) const {
+  void Load(int row, int first, int step, int num, PlacedPoints& some) const {
     const auto* points = scene_.points.ptr<Eigen::Vector3f>(row);
     const auto* labels = scene_.labels.ptr<std::uint16_t>(row);
-    for (int i = 0; i < SomePoints::kNum; ++i) {
+    for (int i = 0; i < PlacedPoints::kNum; ++i) {
       const int column = first + std::min(i, num - 1) * step;
       some.x[i] = points[column].x(), some.y[i] = points[column].y(),
       some.z[i] = points[column].z();
@@ -177,7 +135,7 @@ class PointCollector {
     }
   }
 
-  void Add(const SomePoints& some, int i, int row, int column) {
+  void Add(const PlacedPoints& some, int i, int row, int column) {
     const auto cell = static_cast<std::size_t>(some.cell[i]);
     if (some.label[i] == object_.label) {
       if (is_whole_) return;

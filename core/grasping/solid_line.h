@@ -46,8 +46,8 @@ class CompletedSolid {
   CompletedSolid(const DetectedObject& object, const LevelFrame& frame);
 
   bool IsKnown() const { return is_known_; }
-  // Sets `spans` to that of each line, empty where it misses. Hollow solids count as filled. Takes
-  // some 2 ns a line for each piece, with 32 lines at once.
+  // Sets `spans` to that of each line, empty where it misses. Hollow solids count as filled. Cost:
+  // lines times pieces, 32 lines at once.
   void Along(const Lines& lines, std::vector<Span>& spans) const;
 
   // Half of the solid's extents along the axes of the frame, and its middle.
