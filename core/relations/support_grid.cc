@@ -11,6 +11,7 @@ namespace fovea {
 namespace {
 
 constexpr float kMaxCells = 400;  // along a side
+constexpr int kGapCells = 2;      // that are closed; around the grid, too, so that its rim stays
 
 bool IsSet(const cv::Vec3f& p) { return !std::isnan(p[2]); }
 
@@ -39,8 +40,8 @@ SupportGrid::SupportGrid(const cv::Mat& points, const Support& support,
   }
   if (on.empty()) low = high = Eigen::Vector2f::Zero();
   cell_m_ = std::max(cell_m_, (high - low).maxCoeff() / kMaxCells);
-  origin_ = low;
-  const Eigen::Vector2i extent = ((high - low) / cell_m_).cast<int>().array() + 1;
+  origin_ = low - Eigen::Vector2f::Constant(kGapCells * cell_m_);
+  const Eigen::Vector2i extent = ((high - low) / cell_m_).cast<int>().array() + 2 * kGapCells + 1;
   free_ = cv::Mat::zeros(extent.y(), extent.x(), CV_8UC1);
   const cv::Rect grid({0, 0}, free_.size());
   for (const Eigen::Vector3f& point : on) {

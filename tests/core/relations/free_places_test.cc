@@ -118,6 +118,9 @@ TEST(FindFreePlaces, AThingThatHangsAboveIsNotInTheWayEither) {
   shelf.box.size_m = {1, 0.6F, 0.1F};
   EXPECT_FALSE(Table().Places({.size_m = {0.2F, 0.2F, 0.3F}}, {shelf}).empty());
   EXPECT_TRUE(Table().Places({.size_m = {0.2F, 0.2F, 0.6F}}, {shelf}).empty());
+  // Its underside is 0.55 m above the table: the margin is kept there, too.
+  EXPECT_FALSE(Table().Places({.size_m = {0.2F, 0.2F, 0.52F}}, {shelf}).empty());
+  EXPECT_TRUE(Table().Places({.size_m = {0.2F, 0.2F, 0.54F}}, {shelf}).empty());
 }
 
 // A strip of 0.16 m across the table, at 45 degrees.
@@ -159,6 +162,30 @@ TEST(FindFreePlaces, ClearanceCountsFromTheThing) {
   EXPECT_NEAR(with(0.02F).at(0).clearance_m, 0.19F, 0.015F);
   EXPECT_NEAR(with(0.15F).at(0).clearance_m, 0.19F, 0.015F);
   EXPECT_TRUE(with(0.21F).empty());
+}
+
+// A point every 24 mm: two cells of 1 cm in three have none.
+TEST(FindFreePlaces, WhatIsSampledThinlyIsFreeBetweenItsPoints) {
+  Table thin;
+  for (int row = 0; row < thin.points.rows; ++row) {
+    for (int col = 0; col < thin.points.cols; ++col) {
+      if (row % 12 != 0 || col % 12 != 0)
+        thin.points.at<cv::Vec3f>(row, col) = cv::Vec3f::all(kNone);
+    }
+  }
+  const PlaceOptions options{.size_m = {0.3F, 0.2F, 0.1F}, .max_places = 1};
+  const auto places = thin.Places(options);
+  ASSERT_EQ(places.size(), 1U);
+  EXPECT_NEAR(places[0].clearance_m, Table().Places(options).at(0).clearance_m, 0.03F);
+}
+
+// A strip of 15.2 cm: 16 cells of 1 cm.
+TEST(FindFreePlaces, OnANarrowShelfStandsWhatFitsWithItsMargins) {
+  Table strip;
+  strip.Put({-0.5F, -0.3F}, {0.5F, -0.077F}, kNone);
+  strip.Put({-0.5F, 0.077F}, {0.5F, 0.3F}, kNone);
+  EXPECT_FALSE(strip.Places({.size_m = {0.2F, 0.105F, 0.1F}, .margin_m = 0.02F}).empty());
+  EXPECT_TRUE(strip.Places({.size_m = {0.2F, 0.119F, 0.1F}, .margin_m = 0.02F}).empty());
 }
 
 TEST(FindFreePlaces, OfWhatIsTooLargeThereIsNone) {
