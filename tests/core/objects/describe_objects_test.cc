@@ -160,16 +160,41 @@ TEST(DescribeObjects, TakesConfidencesAsGiven) {
   EXPECT_EQ(scene.detections.objects[1].confidence, 0.4F);
 }
 
-TEST(DescribeObjects, StandsOnTheHighestSupportBelow) {
+// Of an object whose highest row is 80 mm above the optical axis and whose lowest is 2 mm above it.
+float HeightAbove(const std::vector<Support>& supports) {
   LabelledObjects scene;
-  scene.Label({300, 200, 40, 40}, 1);  // its lowest row is 2 mm above the optical axis
-  const Eigen::Vector3f up = -Eigen::Vector3f::UnitY();
-  const std::vector<Support> supports{{{up, 0.8F, 1}, Footprint()}, {{up, 0.1F, 1}, Footprint()}};
+  scene.Label({300, 200, 40, 40}, 1);
   const PixelPoints points(scene.frame.depth_m, scene.frame.intrinsics);
   DescribeObjects(scene.frame, points, {scene.saliency}, scene.confidences, supports, {},
                   scene.detections);
-  ASSERT_EQ(scene.detections.objects.size(), 1U);
-  EXPECT_NEAR(*scene.detections.objects[0].height_above_support_m, 0.102, 1e-3);
+  return scene.detections.objects.at(0).height_above_support_m.value();
+}
+
+// So far below the camera, everywhere.
+Support Level(float below_m) { return {{-Eigen::Vector3f::UnitY(), below_m, 1}, Footprint()}; }
+
+TEST(DescribeObjects, StandsOnTheHighestSupportBelow) {
+  EXPECT_NEAR(HeightAbove({Level(0.8F), Level(0.1F)}), 0.102, 1e-3);
+  EXPECT_NEAR(HeightAbove({Level(0.1F), Level(0.8F)}), 0.102, 1e-3);
+}
+
+TEST(DescribeObjects, StandsOnNothingThatIsHigherThanMostOfIt) {
+  EXPECT_NEAR(HeightAbove({Level(0.8F), Level(-0.5F)}), 0.802, 1e-3);
+  EXPECT_NEAR(HeightAbove({Level(0.8F), Level(-0.06F)}), 0.802, 1e-3);  // a quarter is above it
+  EXPECT_NEAR(HeightAbove({Level(-0.5F), Level(-0.6F)}), -0.498, 1e-3);
+}
+
+TEST(DescribeObjects, StandsOnNothingThatIsBesideIt) {
+  std::vector<Eigen::Vector3f> beside;
+  for (int i = 0; i < 30; ++i) {
+    for (int j = 0; j < 30; ++j) {
+      const float along = 0.02F * static_cast<float>(i), away = 0.02F * static_cast<float>(j);
+      beside.emplace_back(0.3F + along, 0.1F, 0.7F + away);
+    }
+  }
+  Support table = Level(0.1F);
+  table.footprint = Footprint(beside, {}, table.surface, 0.1, 0.02);
+  EXPECT_NEAR(HeightAbove({Level(0.8F), table}), 0.802, 1e-3);
 }
 
 }  // namespace

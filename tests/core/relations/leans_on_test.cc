@@ -71,6 +71,21 @@ TEST(LeansOn, NothingThatStandsUprightOrLies) {
 TEST(LeansOn, NothingFarBehindOrTooLow) {
   EXPECT_TRUE(Find({Face(25), Box(1.0F)})[0].leans_on.empty());
   EXPECT_TRUE(Find({Face(25), Box(0.87F, 0.02F)})[0].leans_on.empty());
+  // Behind all of the lower half, and next to nothing of the upper one.
+  EXPECT_TRUE(Find({Face(25), Box(0.8F, 0.045F)})[0].leans_on.empty());
+  // Its top is hardly above the lower end of what lies over it.
+  EXPECT_TRUE(Find({Face(55), Box(0.86F, 0.025F)})[0].leans_on.empty());
+}
+
+TEST(LeansOn, OnlyOnWhatHoldsItBest) {
+  EXPECT_EQ(Find({Face(25), Box(0.87F), Box(0.87F, 0.08F)})[0].leans_on, std::vector<int>{2});
+  EXPECT_EQ(Find({Face(25), Box(0.87F, 0.08F), Box(0.87F)})[0].leans_on, std::vector<int>{3});
+}
+
+TEST(LeansOn, NotOnWhatItStandsOn) {
+  DetectedObject face = Face(25);
+  face.stands_on = {2};
+  EXPECT_TRUE(Find({face, Box(0.87F)})[0].leans_on.empty());
 }
 
 TEST(LeansOn, NothingThatIsNotFlat) {
