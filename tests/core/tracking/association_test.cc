@@ -78,6 +78,16 @@ TEST(ReasonOf, TellsWhyAThingIsNotSeen) {
   View unmeasured;
   unmeasured.Cover({100, 60, 120, 120}, std::nanf(""));
   EXPECT_EQ(ReasonOf(expected, unmeasured.frame), HiddenReason::kNotDetected);
+  // What holds for less than half of it is not why, nor what depth may be wrong by.
+  for (const float depth_m : {0.5F, 1.5F}) {
+    View in_part;
+    in_part.Add({0, 0, 0.8F}).Cover({100, 60, 52, 120}, depth_m);
+    EXPECT_EQ(ReasonOf(expected, in_part.frame), HiddenReason::kNotDetected) << depth_m;
+  }
+  for (const float off_m : {-0.02F, 0.02F}) {
+    const auto off = Moved(expected, Eigen::Isometry3f(Eigen::Translation3f(0, 0, off_m)));
+    EXPECT_EQ(ReasonOf(off, with.frame), HiddenReason::kNotDetected);
+  }
   const auto beside = Moved(expected, Eigen::Isometry3f(Eigen::Translation3f(1, 0, 0)));
   EXPECT_EQ(ReasonOf(beside, with.frame), HiddenReason::kOutOfView);
   const auto behind = Moved(expected, Eigen::Isometry3f(Eigen::Translation3f(0, 0, -2)));
