@@ -33,9 +33,9 @@ class Camera {
   // unplugged or fell silent, CameraError where it never delivered.
   virtual std::optional<Picture> Next(std::chrono::milliseconds patience) = 0;
 
-  // Lets go of images that wait to be taken: what was seen while nobody looked. Recordings have
-  // none. Throws CameraLost.
-  virtual void SkipWaiting() {}
+  // For whoever has not called Next() for a while: lets go of images that wait to be taken, of
+  // which recordings have none, and does not take that time for silence. Throws CameraLost.
+  virtual void SkipWaiting() = 0;
 
   // Of a recording: all its frames were delivered.
   virtual bool AtEnd() const = 0;

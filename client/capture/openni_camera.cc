@@ -64,14 +64,14 @@ std::optional<Picture> OpenNiCamera::Read(std::size_t index) {
     return std::nullopt;
   }
   delivered_ = true;
-  last_arrival_ = steady_clock::now();
+  silent_since_ = steady_clock::now();
   Picture picture;
   picture.color = std::move(pair->color);
   picture.depth = std::move(pair->depth);
   picture.depth_unit_m = depth_unit_m_;
   picture.device_time_us = pair->depth_time_us;
   picture.captured_at = std::chrono::system_clock::now();
-  picture.arrived = last_arrival_;
+  picture.arrived = silent_since_;
   return picture;
 }
 
@@ -83,7 +83,7 @@ bool OpenNiCamera::AtEnd() const {
 }
 
 void OpenNiCamera::CheckSilence() const {
-  const std::chrono::duration<double> silence = steady_clock::now() - last_arrival_;
+  const std::chrono::duration<double> silence = steady_clock::now() - silent_since_;
   if (AtEnd() || silence.count() < options_.frame_timeout_s) return;
   const std::string since = " for " + Seconds(options_.frame_timeout_s);
   if (losses_.wrong_size > 0) {

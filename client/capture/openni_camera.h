@@ -19,6 +19,7 @@ class OpenNiCamera : public Camera {
   OpenNiCamera(const CameraOptions& options, std::ostream& notes);
 
   std::optional<Picture> Next(std::chrono::milliseconds patience) override;
+  void SkipWaiting() override { silent_since_ = std::chrono::steady_clock::now(); }
   bool AtEnd() const override;
   std::string Name() const override { return KindOf(uri_); }
   const std::string& Uri() const override { return uri_; }
@@ -65,7 +66,7 @@ class OpenNiCamera : public Camera {
   double depth_unit_m_ = 0.001;
   std::uint64_t period_us_ = 0;
   bool read_ = false, delivered_ = false;
-  std::chrono::steady_clock::time_point last_arrival_;
+  std::chrono::steady_clock::time_point silent_since_;
 };
 
 }  // namespace fovea::capture

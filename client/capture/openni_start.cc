@@ -27,7 +27,7 @@ OpenNiCamera::OpenNiCamera(const CameraOptions& options, std::ostream& notes)
   depth_unit_m_ = mode.getPixelFormat() == openni::PIXEL_FORMAT_DEPTH_100_UM ? 1e-4 : 1e-3;
   period_us_ = static_cast<std::uint64_t>(1'000'000 / std::max(mode.getFps(), 1));
   pairing_.emplace(period_us_ / 2);
-  last_arrival_ = steady_clock::now();
+  silent_since_ = steady_clock::now();
 }
 
 // The player of OpenNI2 goes through its streams in a thread of its own, without a lock, until its

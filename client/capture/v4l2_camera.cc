@@ -46,7 +46,7 @@ V4l2Camera::V4l2Camera(const CameraOptions& options)
       depth_(NodesOf(options.device).first, V4l2Format::kDepth, DepthSize(options), options.fps),
       color_(NodesOf(options.device).second, V4l2Format::kColor, options.size, options.fps),
       pairing_(static_cast<std::uint64_t>(500'000 / options.fps)),  // half the time between frames
-      last_arrival_(steady_clock::now()) {}
+      silent_since_(steady_clock::now()) {}
 
 std::optional<Picture> V4l2Camera::Next(std::chrono::milliseconds patience) {
   std::array<pollfd, 2> both{pollfd{depth_.fd(), POLLIN, 0}, pollfd{color_.fd(), POLLIN, 0}};
@@ -65,6 +65,7 @@ std::optional<Picture> V4l2Camera::Next(std::chrono::milliseconds patience) {
 void V4l2Camera::SkipWaiting() {
   depth_.Skip();
   color_.Skip();
+  silent_since_ = steady_clock::now();
 }
 
 std::optional<Picture> V4l2Camera::Read(V4l2Node& node, bool is_depth) {
@@ -83,19 +84,19 @@ std::optional<Picture> V4l2Camera::Read(V4l2Node& node, bool is_depth) {
                        : pairing_.AddColor(image->time_us, image->pixels);
   if (!pair) return std::nullopt;
   delivered_ = true;
-  last_arrival_ = steady_clock::now();
+  silent_since_ = steady_clock::now();
   Picture picture;
   picture.color = RgbOf(pair->color);
   picture.depth = std::move(pair->depth);
   picture.depth_unit_m = options_.depth_unit_m;
   picture.device_time_us = pair->depth_time_us;
   picture.captured_at = std::chrono::system_clock::now();
-  picture.arrived = last_arrival_;
+  picture.arrived = silent_since_;
   return picture;
 }
 
 void V4l2Camera::CheckSilence() const {
-  const std::chrono::duration<double> silence = steady_clock::now() - last_arrival_;
+  const std::chrono::duration<double> silence = steady_clock::now() - silent_since_;
   if (silence.count() < options_.frame_timeout_s) return;
   const std::string text = fmt::format("no pair of images arrives from {} for {:g} s",
                                        options_.device, options_.frame_timeout_s);

@@ -37,7 +37,7 @@ class V4l2Camera : public Camera {
   CameraLosses losses_;
   std::optional<std::uint32_t> last_sequence_;  // of depth
   bool delivered_ = false;
-  std::chrono::steady_clock::time_point last_arrival_;
+  std::chrono::steady_clock::time_point silent_since_;
 };
 
 }  // namespace fovea::capture

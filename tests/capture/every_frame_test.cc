@@ -1,0 +1,70 @@
+// Servers that keep whoever wants an answer to every frame waiting.
+#include <gmock/gmock.h>
+#include <grpcpp/server.h>
+#include <grpcpp/server_builder.h>
+
+#include <atomic>
+
+#include "fovea/v1/detection_service.grpc.pb.h"
+#include "tests/capture/capture_process.h"
+
+namespace fovea::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+// Has no room for the second frame until it came so many times.
+class BusyService : public v1::DetectionService::Service {
+ public:
+  BusyService(int num_refusals, std::string retry_after_ms)
+      : num_refusals_(num_refusals), retry_after_ms_(std::move(retry_after_ms)) {}
+
+  grpc::Status Detect(grpc::ServerContext* context, const v1::DetectRequest*,
+                      v1::DetectResponse* response) override {
+    const int call = num_calls_++;
+    if (call == 0 || call > num_refusals_) {
+      response->mutable_detections();
+      return grpc::Status::OK;
+    }
+    context->AddTrailingMetadata("retry-after-ms", retry_after_ms_);
+    return {grpc::StatusCode::RESOURCE_EXHAUSTED, "no room"};
+  }
+
+ private:
+  const int num_refusals_;
+  const std::string retry_after_ms_;
+  std::atomic<int> num_calls_ = 0;
+};
+
+class EveryFrameTest : public CaptureTest {
+ protected:
+  Finished CaptureFrom(BusyService& service, std::vector<std::string> flags) const {
+    int port = 0;
+    const auto server =
+        grpc::ServerBuilder()
+            .AddListeningPort("127.0.0.1:0", grpc::InsecureServerCredentials(), &port)
+            .RegisterService(&service)
+            .BuildAndStart();
+    flags.insert(flags.end(), {"--any-version", "--server", "127.0.0.1:" + std::to_string(port)});
+    return Capture(flags);
+  }
+};
+
+TEST_F(EveryFrameTest, TheWaitForAnAnswerIsNoSilenceOfTheCamera) {
+  BusyService busy_live(/*num_refusals=*/3, "200");
+  const Finished live = CaptureFrom(busy_live, {"--resolution", "320x240", "--every-frame",
+                                                "--frames", "3", "--frame-timeout", "0.3"});
+  EXPECT_THAT(live.err, Not(HasSubstr("no frames arrive"))) << live.out;
+
+  ASSERT_EQ(Capture(Record(At("a.oni"), {"--frames", "7"})).exit_code, 0);
+  BusyService busy_replay(/*num_refusals=*/3, "200");
+  const Finished replay =
+      CaptureFrom(busy_replay, {"replay", At("a.oni"), "--frame-timeout", "0.3"});
+  EXPECT_EQ(replay.exit_code, 0) << replay.err;
+  EXPECT_THAT(replay.out, HasSubstr("end of the recording\n"));
+  EXPECT_GE(CountOf(replay.out, "answered"), 7) << replay.out;
+}
+
+}  // namespace
+}  // namespace fovea::testing
