@@ -1,4 +1,5 @@
 #include <ostream>
+#include <thread>
 #include <utility>
 
 #include "client/capture/outage_watch.h"
@@ -10,20 +11,26 @@ namespace {
 
 using std::chrono::steady_clock;
 
-// Asks again while the server is away.
+// Asks again while the server is away, or has no room and says when to come again.
 v1::DetectResponse Ask(const SessionOptions& options, const Session& session,
                        const v1::DetectRequest& request) {
   constexpr std::chrono::minutes kLongestAnswer{1};
-  const steady_clock::time_point start = steady_clock::now();
-  for (bool said = false;; said = true) {
+  const steady_clock::time_point end = steady_clock::now() + options.patience;
+  bool is_away = false;
+  while (true) {
     try {
       v1::DetectResponse response = session.client.Detect(request, kLongestAnswer);
-      if (said) session.notes << BackNote(options.server) << std::flush;
+      if (is_away) session.notes << BackNote(options.server) << std::flush;
       return response;
     } catch (const client::RpcError& error) {
-      const bool too_late = steady_clock::now() - start >= options.patience;
-      if (error.code() != grpc::StatusCode::UNAVAILABLE || too_late || StopAsked()) throw;
-      if (!said) session.notes << AwayNote(options.server) << std::flush;
+      const auto wait = error.retry_after().value_or(std::chrono::milliseconds(0));
+      const bool unavailable = error.code() == grpc::StatusCode::UNAVAILABLE;
+      const bool too_late = steady_clock::now() + wait >= end;
+      if ((!unavailable && !error.retry_after()) || too_late || StopAsked()) throw;
+      if (unavailable && !std::exchange(is_away, true)) {
+        session.notes << AwayNote(options.server) << std::flush;
+      }
+      std::this_thread::sleep_for(wait);
     }
   }
 }

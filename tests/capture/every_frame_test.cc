@@ -51,6 +51,15 @@ class EveryFrameTest : public CaptureTest {
   }
 };
 
+TEST_F(EveryFrameTest, WaitsForRoomForLongerThanACall) {
+  BusyService service(/*num_refusals=*/7, "1");
+  const Finished finished =
+      CaptureFrom(service, {"--resolution", "320x240", "--every-frame", "--frames", "3"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_EQ(CountOf(finished.out, "answered"), 3) << finished.out;
+  EXPECT_EQ(CountOf(finished.out, "failed;"), 0) << finished.out;
+}
+
 TEST_F(EveryFrameTest, TheWaitForAnAnswerIsNoSilenceOfTheCamera) {
   BusyService busy_live(/*num_refusals=*/3, "200");
   const Finished live = CaptureFrom(busy_live, {"--resolution", "320x240", "--every-frame",
