@@ -20,7 +20,7 @@ from fovea.errors import Cancelled, error_of_call
 from fovea.frame import CameraIntrinsics, Frame
 from fovea.frame_feed import FrameFeed
 from fovea.options import DetectOptions, RetryOptions, TlsOptions, options_to_proto
-from fovea.readiness import is_serving, wait_until_ready
+from fovea.readiness import is_serving, wait_until_connected, wait_until_ready
 from fovea.retry import call_with_retries
 from fovea.server_info import (
     Option,
@@ -203,6 +203,7 @@ class Client:
             self._open_stream,
             self._get_statistics,
             self._wait,
+            self._wait_until_connected,
             self._retry,
             seconds,
         ).run()
@@ -243,6 +244,16 @@ class Client:
             server.channel.unsubscribe(watcher)
         elif not server:
             self._closed.wait(seconds)
+        self._require_open()
+
+    def _wait_until_connected(self, seconds: float, patience: float) -> Server | None:
+        """Raises Cancelled when the client is closed."""
+        self._require_open()
+        server = wait_until_connected(self._servers, self._closed, seconds, patience)
+        self._require_open()
+        return server
+
+    def _require_open(self) -> None:
         if self._closed.is_set():
             raise Cancelled("CANCELLED", "the client is closed")
 

@@ -1,17 +1,21 @@
-"""Whether any of the servers serves, and waiting until one does."""
+"""Whether any of the servers serves, and waiting until one does or is connected."""
 
 from __future__ import annotations
 
 import math
+import threading
 import time
 from collections.abc import Callable
 from contextlib import AbstractContextManager
+
+import grpc
 
 from fovea.errors import Cancelled, DeadlineExceeded, FoveaError, Unavailable
 from fovea.servers import Server, Servers
 
 _LONGEST_LOOK = 1.0  # seconds for one server to answer, where it is asked again
 _BETWEEN = 0.05  # seconds
+_LOOK = 0.02  # seconds
 
 Errors = Callable[[], AbstractContextManager[None]]  # turns exceptions of gRPC into ours
 
@@ -73,3 +77,33 @@ def wait_until_ready(
         wait(known[0] if looks_on else None, min(_BETWEEN, max(0, rest)))
     text = f"the server at {servers.address} is not ready: {problem}"
     raise DeadlineExceeded("DEADLINE_EXCEEDED", text)
+
+
+def wait_until_connected(
+    servers: Servers, closed: threading.Event, seconds: float, patience: float
+) -> Server | None:
+    """Waits `seconds`, and then up to a second for whichever server is connected first; where
+    `patience` is over none is waited for.
+
+    Calls to one that was away fail at once until gRPC has connected again, for which somebody has
+    to look on: who calls one of them after the other can miss each while it is there.
+    """
+    connected: set[str] = set()
+
+    def watcher_of(server: Server) -> Callable[[grpc.ChannelConnectivity], None]:
+        def on_change(state: grpc.ChannelConnectivity) -> None:
+            is_connected = state is grpc.ChannelConnectivity.READY
+            (connected.add if is_connected else connected.discard)(server.name)
+
+        return on_change
+
+    watchers = [(each.channel, watcher_of(each)) for each in servers.all(patience)]
+    for channel, watcher in watchers:
+        channel.subscribe(watcher, try_to_connect=True)
+    closed.wait(seconds)
+    end = time.monotonic() + min(patience - seconds, _LONGEST_LOOK)
+    while not connected and time.monotonic() < end and not closed.is_set():
+        closed.wait(_LOOK)
+    for channel, watcher in watchers:
+        channel.unsubscribe(watcher)
+    return servers.back_soonest(connected)

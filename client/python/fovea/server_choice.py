@@ -52,11 +52,14 @@ class ServerChoice:
     def home(self, now: float) -> str:
         """Chosen where there is none or it is away; whoever is back soonest where all are."""
         if self.are_all_away(now):
-            self._home = min(self._servers, key=lambda name: self._servers[name].away_until)
+            self._home = self.back_soonest(self._servers)
         elif not self._home or self.is_away(self._home, now):
             self._home = self.another(set(), now, only_there=True)
             self._num_elsewhere = 0
         return self._home
+
+    def back_soonest(self, names: Iterable[str]) -> str:
+        return min(names, key=lambda name: self._servers[name].away_until)
 
     def move(self, name: str) -> None:
         self._home = name

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import grpc
@@ -123,6 +123,16 @@ class Servers:
     def are_all_away(self) -> bool:
         with self._lock:
             return self._choice.are_all_away(time.monotonic())
+
+    def back_soonest(self, names: Iterable[str]) -> Server | None:
+        """Of these, which is the one to ask first then."""
+        with self._lock:
+            if not (known := [name for name in names if name in self._servers]):
+                return None
+            name = self._choice.back_soonest(known)
+            self._choice.move(name)
+            self._watch(self._servers[name])
+            return self._servers[name]
 
     def round(self, asks_others: bool, timeout: float) -> Round:
         self.all(timeout)

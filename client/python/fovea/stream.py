@@ -60,14 +60,18 @@ class ResumingStream:
         open_call: Callable[[Server, Iterator[Any]], Any],
         get_statistics: Callable[[Server, float], Statistics],
         wait: Callable[[Server | None, float], None],
+        wait_until_connected: Callable[[float, float], Server | None],
         retry: RetryOptions,
         timeout: float,
     ) -> None:
-        """get_statistics(server, timeout); wait(server, seconds) waits before the stream is opened again, or raises."""
+        """get_statistics(server, timeout); wait(server, seconds) waits before the stream is opened
+        again, or raises, and so does wait_until_connected(seconds, patience), where all are away.
+        """
         self._feed = feed
         self._servers = servers
         self._open_call = open_call
         self._wait = wait
+        self._wait_until_connected = wait_until_connected
         self._retry = retry
         self._timeout = timeout
         self._better_server = BetterServer(lambda: servers.all(timeout), get_statistics)
@@ -93,11 +97,11 @@ class ResumingStream:
         if self._num_lost and self._broken_by:  # no answer is left that could say so
             raise self._broken_by
 
-    def _open(self) -> None:
+    def _open(self, server: Server | None = None) -> None:
         num_sent, requests = self._feed.connect()
         self._num_lost += num_sent - self._next_expected
         self._next_expected = self._first_of_call = num_sent
-        self._server = self._servers.home(self._timeout)
+        self._server = server or self._servers.home(self._timeout)
         self._reader = AnswerReader(self._open_call(self._server, requests))
 
     def _receive(self) -> StreamAnswer | None:
@@ -149,8 +153,12 @@ class ResumingStream:
         elsewhere = not self._servers.are_all_away()
         retry_after = None if elsewhere else error_retry_after(error)
         seconds = backoff_after(1 if elsewhere else self._failures, self._retry, retry_after)
-        self._wait(self._servers.home(self._timeout), seconds)
-        self._open()
+        if elsewhere:
+            self._wait(self._servers.home(self._timeout), seconds)
+            self._open()
+        else:
+            patience = self._broken_since + self._timeout - time.monotonic()
+            self._open(self._wait_until_connected(seconds, patience))
 
     def _move_if_better(self) -> None:
         """To a server with less to do, if there is one; what was sent and not answered is lost."""

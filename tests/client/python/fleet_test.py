@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from threading import Event
 
 import pytest
 from conftest import Scene
@@ -10,7 +11,9 @@ from server_process import PATIENCE, ServerProcess
 
 import fovea
 from fovea.addresses import find_targets, parse_addresses
+from fovea.readiness import wait_until_connected
 from fovea.server_choice import Ask, ServerChoice, ServerRound
+from fovea.servers import Servers
 
 NOW = 3600.0
 ONCE = fovea.RetryOptions(max_attempts=1)
@@ -155,6 +158,18 @@ def test_calls_and_streams_go_on_elsewhere(scene: Scene) -> None:
         answers.close()
     one.kill()
     two.kill()
+
+
+def test_streams_wait_for_whoever_is_connected_first() -> None:
+    with ServerProcess() as gone:
+        pass
+    with ServerProcess() as server:
+        servers = Servers(f"{gone.address},{server.address}", None, 1, [])
+        for each, seconds in zip(servers.all(PATIENCE), (0.1, PATIENCE)):
+            servers.on_away(each, seconds)
+        assert servers.home(PATIENCE).name == "ipv4:" + gone.address  # by the times alone
+        found = wait_until_connected(servers, Event(), 0, PATIENCE)
+        assert found and found.name == "ipv4:" + server.address
 
 
 def test_one_server_that_is_ready_is_enough() -> None:
