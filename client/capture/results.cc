@@ -52,6 +52,23 @@ void EndIfHopeless(const v1::FrameError& error) {
   throw std::runtime_error(error.message());
 }
 
+void SaveFrame(const std::string& prefix, const Picture& picture, const v1::Detections& detections,
+               const v1::Frame& frame, const cv::Mat& color, const cv::Mat& overlay) {
+  cli::WriteImage(prefix + "_color.png", color);
+  cli::WriteImage(prefix + "_depth.png", picture.depth);
+  cli::WriteImage(prefix + "_overlay.jpg", overlay);
+  cli::WriteImage(prefix + ".png", cli::LabelImage(detections));
+  cli::WriteFile(prefix + ".json", cli::ToJson(detections, frame));
+}
+
+// Half a frame, as a full disk leaves it, is none to whoever reads the folder.
+void RemoveFrame(const std::string& prefix) {
+  std::error_code ignored;
+  for (const char* ending : {"_color.png", "_depth.png", "_overlay.jpg", ".png", ".json"}) {
+    std::filesystem::remove(prefix + ending, ignored);
+  }
+}
+
 }  // namespace
 
 Results::Results(std::string save_folder, v1::Frame cameras, Viewer* viewer, std::ostream& out)
@@ -112,11 +129,12 @@ void Results::Save(const Picture& picture, const v1::Detections& detections, con
     cli::WriteCaptureFile(save_folder_, frame);
   }
   const std::string prefix = save_folder_ + "/" + FrameName(picture.number);
-  cli::WriteImage(prefix + "_color.png", color);
-  cli::WriteImage(prefix + "_depth.png", picture.depth);
-  cli::WriteImage(prefix + "_overlay.jpg", overlay);
-  cli::WriteImage(prefix + ".png", cli::LabelImage(detections));
-  cli::WriteFile(prefix + ".json", cli::ToJson(detections, frame));
+  try {
+    SaveFrame(prefix, picture, detections, frame, color, overlay);
+  } catch (const std::exception&) {
+    RemoveFrame(prefix);
+    throw;
+  }
 }
 
 }  // namespace fovea::capture

@@ -4,6 +4,7 @@
 #include <grpcpp/support/status_code_enum.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <sstream>
 
 #include "tests/support/temporary_folder.h"
@@ -86,6 +87,24 @@ TEST(Results, SayWhichAnswersComeTooLateToBeDrawn) {
   results.Take(result, tally);
   EXPECT_THAT(out.str(), HasSubstr(", too late to be drawn\n"));
   EXPECT_EQ(tally.Snapshot().answered, 1U);
+}
+
+TEST(Results, SaveAFrameWholeOrNotAtAll) {
+  const testing::TemporaryFolder folder;
+  std::filesystem::create_directories(folder.At("000001.png/in_the_way"));
+  std::ostringstream out;
+  Tally tally;
+  Results results(folder.Path(), {}, nullptr, out);
+  Result result;
+  result.picture.number = 1;
+  result.picture.color = cv::Mat::zeros(2, 2, CV_8UC3);
+  result.picture.depth = cv::Mat::zeros(2, 2, CV_16UC1);
+  result.response.mutable_detections();
+  EXPECT_THROW(results.Take(result, tally), std::runtime_error);
+  EXPECT_TRUE(std::filesystem::exists(folder.At("intrinsics.json")));
+  for (const char* name : {"000001_color.png", "000001_depth.png", "000001_overlay.jpg"}) {
+    EXPECT_FALSE(std::filesystem::exists(folder.At(name))) << name;
+  }
 }
 
 TEST(Panels, FillAWindowOf1280Pixels) {
