@@ -73,6 +73,15 @@ TEST_F(ObserverHistory, IsThereAgain) {
   EXPECT_FALSE(history.Read("hall/..\x7f", ids[1] + 1));
 }
 
+TEST_F(ObserverHistory, AFolderThatWasMovedAwayIsMadeAnewForItsUserAlone) {
+  const fs::path folder = folder_.At("history");
+  History history(folder, {});
+  fs::rename(folder, folder_.At("away"));
+  history.Add(Record("arm"), kStart);
+  EXPECT_EQ(fs::status(folder).permissions(), fs::perms::owner_all);
+  EXPECT_EQ(Files().size(), 1U);
+}
+
 TEST_F(ObserverHistory, NumbersGoUpWhateverTheClockDoes) {
   History history(folder_.Path(), {});
   for (const int at : {0, 0, -100, 5}) history.Add(Record("a"), kStart + seconds(at));

@@ -183,6 +183,7 @@ void History::Write(const HistoryRecord& record, std::uint64_t id, std::uint64_t
   const std::uint64_t before = bytes_;
   while (true) {
     try {
+      MakeFolder(folder_);  // it may have been moved away
       MakeFolder(FolderOf(record.header.robot));
       WriteHistoryFile(PathOf(record.header.robot, id), record);
       return;
