@@ -39,7 +39,7 @@ struct CellRange {
 
 CellRange CellsUnder(const HandGrid& grid, const CompletedSolid& solid) {
   const Eigen::Vector3f& c = solid.Center();
-  const Eigen::Vector3f half = solid.HalfExtents();
+  const Eigen::Vector3f& half = solid.HalfExtents();
   const auto cell = [&](float coordinate) {
     return std::clamp(grid.CellAt(coordinate), 0, grid.size - 1);
   };

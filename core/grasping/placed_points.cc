@@ -6,10 +6,9 @@ namespace fovea {
 
 void PlaceIn(const HandGrid& grid, PlacedPoints& all) {
   constexpr float kOnFloor_m = 0.008F, kNoisePer_m = 0.003F;  // metres, of the distance squared
-  const Eigen::Matrix3f grid_axes = grid.frame.rotation.transpose();
   RunInWidestRegisters([&] {
     PlacedPoints points = all;  // of its own, as all that the loop reads is
-    const Eigen::Matrix3f axes = grid_axes;
+    const Eigen::Matrix3f axes = grid.frame.rotation.transpose();
     const Eigen::Vector3f origin = axes * grid.frame.origin, normal = grid.floor_normal;
     const float half_m = grid.Half(), cell_m = grid.cell_m, offset_m = grid.floor_offset_m;
     const int size = grid.size;
@@ -25,7 +24,7 @@ void PlaceIn(const HandGrid& grid, PlacedPoints& all) {
       const float above = normal[0] * u + (normal[1] * v + normal[2] * w) + offset_m;
       const bool is_floor = (points.label[i] == 0) & (above < kOnFloor_m + noise);
       const bool is_in = is_seen & (column >= 0) & (row >= 0) & (column < size) & (row < size);
-      points.cell[i] = is_in & !is_floor ? row * size + column : -1;
+      points.cell[i] = (is_in & !is_floor) ? row * size + column : -1;
       points.noise_m[i] = noise;
       points.x[i] = u, points.y[i] = v, points.z[i] = w;
     }

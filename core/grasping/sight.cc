@@ -15,8 +15,7 @@ Sight SightOf(const GraspScene& scene, int label, const Eigen::Vector3f& place) 
         at.y < scene.points.rows - 0.5)) {
     return Sight::kOutsideOfImage;
   }
-  // Rounded: neither is below -0.5.
-  const int row = static_cast<int>(at.y + 0.5), column = static_cast<int>(at.x + 0.5);
+  const int row = static_cast<int>(std::lround(at.y)), column = static_cast<int>(std::lround(at.x));
   const float seen_m = scene.points.ptr<cv::Vec3f>(row)[column][2];
   if (std::isnan(seen_m)) return Sight::kUnmeasured;
   const bool is_target = scene.labels.ptr<std::uint16_t>(row)[column] == label;
