@@ -168,16 +168,6 @@ float OpenedAround(float width_m, const JawGripper& gripper) {
   return std::min(gripper.max_opening_m, width_m + 2 * kBeside_m);
 }
 
-Eigen::Vector3f PalmOf(const JawGripper& gripper) {
-  constexpr float kUsual_m = 0.04F;
-  Eigen::Vector3f palm = gripper.palm_m;
-  if (palm.x() <= 0) palm.x() = gripper.max_opening_m + 2 * gripper.finger_thickness_m;
-  for (const int i : {1, 2}) {
-    if (palm[i] <= 0) palm[i] = kUsual_m;
-  }
-  return palm;
-}
-
 void FindJawPlaces(const HandGrid& grid, const TurnedGrid& turned, const JawGripper& gripper,
                    Failures& failures, std::vector<JawPlace>& places) {
   constexpr int kMostStrips = 9;

@@ -25,9 +25,6 @@ struct JawPlace {
 // How wide the hand opens around something: 10 mm more on each side where it can.
 float OpenedAround(float width_m, const JawGripper& gripper);
 
-// The size of the box behind the fingers, defaults filled in.
-Eigen::Vector3f PalmOf(const JawGripper& gripper);
-
 // Appends the places of one turn of the hand: up to nine strips across the object, five depths,
 // five parts each. What does not work is counted in `failures`.
 void FindJawPlaces(const HandGrid& grid, const TurnedGrid& turned, const JawGripper& gripper,

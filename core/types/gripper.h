@@ -15,11 +15,22 @@ struct JawGripper {
   float finger_length_m = 0.04F;     // from the palm to the tips, along z
   float finger_width_m = 0.02F;      // along y
   float finger_thickness_m = 0.01F;  // along x
-  Eigen::Vector3f palm_m{0, 0,
-                         0};  // its box behind the fingers; 0 = as wide along x as the
-                              // fingers at their widest with their thickness, 0.04 along y and z
-  float friction = 0.5F;      // coefficient between finger and object
+  // Its box behind the fingers; 0 = as PalmOf says.
+  Eigen::Vector3f palm_m{0, 0, 0};
+  float friction = 0.5F;  // coefficient between finger and object
 };
+
+// The size of the box behind the fingers: where none is given as wide along x as the fingers at
+// their widest with their thickness, 0.04 along y and z.
+inline Eigen::Vector3f PalmOf(const JawGripper& gripper) {
+  constexpr float kUsual_m = 0.04F;
+  Eigen::Vector3f palm = gripper.palm_m;
+  if (palm.x() <= 0) palm.x() = gripper.max_opening_m + 2 * gripper.finger_thickness_m;
+  for (const int i : {1, 2}) {
+    if (palm[i] <= 0) palm[i] = kUsual_m;
+  }
+  return palm;
+}
 
 // One cup at the end of a straight tube. The tool centre point is the middle of its lip.
 struct SuctionGripper {

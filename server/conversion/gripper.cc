@@ -35,8 +35,10 @@ void SetLength(double given, double most, const std::string& path, float* length
 
 Eigen::Vector3f PalmFromProto(const v1::Vector3& palm, const std::string& path) {
   const Eigen::Vector3d size = FromProto(palm);
-  RequireField(size.allFinite() && size.minCoeff() >= 0 && size.maxCoeff() <= 1, path,
-               "must be from 0 to 1 m each");
+  // More than the widest hand has where none is given, which comes back and can be sent again.
+  constexpr double kMost_m = 1.5;
+  RequireField(size.allFinite() && size.minCoeff() >= 0 && size.maxCoeff() <= kMost_m, path,
+               "must be from 0 to 1.5 m each");
   return size.cast<float>();
 }
 
@@ -106,7 +108,7 @@ v1::Gripper ToProto(const Gripper& gripper) {
     hand.set_finger_length_m(jaw->finger_length_m);
     hand.set_finger_width_m(jaw->finger_width_m);
     hand.set_finger_thickness_m(jaw->finger_thickness_m);
-    *hand.mutable_palm_size() = ToProto(jaw->palm_m);
+    *hand.mutable_palm_size() = ToProto(PalmOf(*jaw));
     hand.set_friction(jaw->friction);
   } else {
     const auto& cup = std::get<SuctionGripper>(gripper.hand);

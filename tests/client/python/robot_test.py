@@ -88,7 +88,7 @@ def test_answers_have_the_grippers_with_every_length(client: fovea.Client, scene
     lengths = one.max_opening_m, one.finger_length_m, one.finger_width_m, one.finger_thickness_m
     assert lengths == pytest.approx((0.14, 0.04, 0.02, 0.01))
     assert (one.friction, one.max_tilt_rad, one.min_probability) == pytest.approx((0.5, 0.35, 0.5))
-    assert one.palm_size_m == pytest.approx((0.1, 0, 0.05))
+    assert one.palm_size_m == pytest.approx((0.1, 0.04, 0.05))  # 0: what stands for it
     assert one.approach == pytest.approx((0, 0, 1))
     assert (one.suction_diameter_m, one.max_curvature_per_m) == (None, None)
     assert (other.suction_diameter_m, other.max_curvature_per_m) == pytest.approx((0.03, 12))

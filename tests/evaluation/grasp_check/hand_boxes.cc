@@ -1,18 +1,6 @@
 #include "tests/evaluation/grasp_check/hand_boxes.h"
 
 namespace fovea::evaluation {
-namespace {
-
-// x, y and z of the palm: each its own or, where it is 0, the usual one.
-Eigen::Vector3d PalmOf(const JawGripper& gripper) {
-  constexpr double kDepth_m = 0.04;
-  const double width_m = gripper.max_opening_m + 2 * gripper.finger_thickness_m;
-  const Eigen::Array3d usual(width_m, kDepth_m, kDepth_m);
-  const Eigen::Array3d own = gripper.palm_m.cast<double>().array();
-  return (own > 0).select(own, usual);
-}
-
-}  // namespace
 
 Eigen::Matrix3d HandAxes(const Eigen::Vector3d& approach, const Eigen::Vector3d& closing) {
   Eigen::Matrix3d axes;
@@ -40,7 +28,7 @@ std::array<SolidBox, 3> SweptHand(const JawGripper& gripper, const JawPose& pose
   };
   const double inner = opening_m / 2, outer = inner + gripper.finger_thickness_m;
   const double side = gripper.finger_width_m / 2, length = gripper.finger_length_m;
-  const Eigen::Vector3d palm = PalmOf(gripper);
+  const Eigen::Vector3d palm = PalmOf(gripper).cast<double>();
   return {box({-outer, -side, -length - sweep_m}, {-inner, side, 0}),
           box({inner, -side, -length - sweep_m}, {outer, side, 0}),
           box({-palm.x() / 2, -palm.y() / 2, -length - palm.z() - sweep_m},

@@ -60,6 +60,18 @@ TEST(Grippers, AreTakenAgainAsTheyCameBackAtEachLimit) {
   EXPECT_NEAR(SentTwice({}).jaw().max_opening_m(), 0.085, 1e-7);
 }
 
+TEST(Grippers, ComeBackWithTheWholePalm) {
+  const v1::Vector3 usual = SentTwice({}).jaw().palm_size();
+  EXPECT_NEAR(usual.x(), 0.085 + 2 * 0.01, 1e-7);
+  EXPECT_NEAR(usual.y(), 0.04, 1e-7);
+  EXPECT_NEAR(usual.z(), 0.04, 1e-7);
+  v1::Gripper wide = Jaw(0.14, 0.02, 0.015, 0.5);
+  EXPECT_NEAR(SentTwice(wide).jaw().palm_size().x(), 0.14 + 2 * 0.015, 1e-7);
+  wide.mutable_jaw()->mutable_palm_size()->set_x(0.06);
+  EXPECT_NEAR(SentTwice(wide).jaw().palm_size().x(), 0.06, 1e-7);
+  EXPECT_NEAR(SentTwice(wide).jaw().palm_size().y(), 0.14, 1e-7);
+}
+
 TEST(Grippers, AreRefusedBeyondTheirLimits) {
   v1::Gripper tilted;
   tilted.set_max_tilt_rad(kPi / 2 + 1e-6);
