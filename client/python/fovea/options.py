@@ -139,4 +139,6 @@ def _place_size_to_proto(place_size: Any) -> geometry_pb2.Vector3:
     except InvalidArgument as error:
         problem = error.message.removeprefix(f"{field}: ")
         raise InvalidArgument(field, f"place_size {problem}: length, width and height") from None
+    for each in size:
+        positive(each, field, "place_size")
     return geometry_pb2.Vector3(x=size[0], y=size[1], z=size[2])

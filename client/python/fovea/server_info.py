@@ -34,6 +34,7 @@ class Option:
     integral: bool  # whole numbers only; switches are 0 or 1
     defaults: dict[str, float]  # by profile
     description: str
+    fixed: bool = False  # by the server's operator: requests that set it are refused
 
 
 @dataclass(frozen=True)
@@ -82,6 +83,7 @@ def options_from_proto(proto: detection_service_pb2.ListOptionsResponse) -> list
             integral=each.integral,
             defaults=dict(each.defaults),
             description=each.description,
+            fixed=each.fixed,
         )
         for each in proto.options
     ]

@@ -45,6 +45,13 @@ def test_lists_the_options(client: fovea.Client) -> None:
     assert gamma.description.startswith("Eq. 5")
 
 
+def test_says_which_options_the_operator_has_fixed() -> None:
+    with ServerProcess("--option", "mrf.lambda=7") as server:
+        with fovea.Client(server.address, timeout=PATIENCE) as client:
+            fixed = [each.name for each in client.list_options() if each.fixed]
+    assert fixed == ["mrf.lambda"]
+
+
 def test_asks_for_health(server: ServerProcess) -> None:
     with fovea.Client(server.address) as client:
         client.wait_until_ready(PATIENCE)

@@ -20,6 +20,7 @@ LOCAL_OPTIONS: list[tuple[dict[str, Any], str, str]] = [
         "options.places.size",
         "place_size has the shape (2,), not (3,)",
     ),
+    ({"place_size": (0.1, 0, 0.1)}, "options.places.size", "is not a finite number above 0"),
     ({"place_size": 0.05}, "options.places.size", "place_size has the shape ()"),
     ({"place_size": "big"}, "options.places.size", "place_size is not made of numbers"),
     ({"height_map_cell_m": 0}, "options.planning.height_map.cell_m", "height_map_cell_m=0 is"),
