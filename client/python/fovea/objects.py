@@ -27,7 +27,8 @@ class BoundingBox2D:
 
 @dataclass(frozen=True, eq=False)
 class OrientedBox:
-    """A box with its z axis up (against gravity), x along the longer side of its footprint."""
+    """A box with its z axis up, the normal of the support surface that it is above (against gravity
+    where there is none), x along the longer side of its footprint."""
 
     pose: FloatArray  # 4x4, of the box's centre and axes
     size: FloatArray  # full extents along the box axes
