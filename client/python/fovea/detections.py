@@ -91,19 +91,21 @@ class RejectedObject:
 
 @dataclass(frozen=True)
 class Diagnostics:
-    """How much was left after each step: says why there are few objects, or none."""
+    """How much there was at each step: says why there are few objects, or none."""
 
-    num_pixels: int
-    num_measured: int
-    num_points: int
+    num_pixels: int  # of the colour image
+    num_measured: int  # with depth
+    num_points: int  # within max_depth_m, without flying pixels
+    # Salient positions, and those that became no seed; 0 where "default" finds a support surface,
+    # all of what stands on which it looks at.
     seeds_from_color: int
     seeds_from_depth: int
     seeds_without_depth: int
     seeds_on_support: int
-    num_seeds: int
+    num_seeds: int  # all that objects were looked for at
     num_voxels: int
-    num_segments: int
-    num_merged: int
+    num_segments: int  # after the graph cut
+    num_merged: int  # by how many these became fewer as they were joined to others
     segments_too_small: int
     segments_implausible: int  # considered, and not likely enough an object
     messages: list[str]  # for people: what limited the result, most telling first
