@@ -92,7 +92,7 @@ class Cancelled(FoveaError):
 
 
 class ResourceExhausted(FoveaError):
-    """Larger than the server or this client takes."""
+    """Larger than the server or this client takes, or more to compute than the server gives one."""
 
 
 class Overloaded(ResourceExhausted):
