@@ -36,6 +36,22 @@ std::vector<std::size_t> LinesOf(const std::string& key, const std::string& text
   return found;
 }
 
+// Number of the first line whose list goes on in the next one, which CLI11 takes for part of the
+// list or for a key as it comes; 0 = none.
+std::size_t LineOfOpenList(const std::string& text) {
+  std::istringstream lines(text);
+  std::size_t number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    line.resize(std::min(line.find('#'), line.size()));
+    const std::size_t equals = std::min(line.find('='), line.size());
+    const std::size_t first = line.find_first_not_of("= \t", equals);
+    const std::size_t last = line.find_last_not_of(" \t\r");
+    if (first < line.size() && line[first] == '[' && line[last] != ']') return number;
+  }
+  return 0;
+}
+
 std::string TextOf(std::istream& input) {
   constexpr std::size_t kLargest = 1 << 20;
   std::string text(kLargest + 1, '\0');
@@ -63,13 +79,17 @@ std::string ConfigFile::Remedy(const std::string& key) const {
   return "--help lists the flags, which are the keys";
 }
 
+void ConfigFile::Fail(std::size_t line, const std::string& what) const {
+  throw std::invalid_argument("--config: " + app_.get_config_ptr()->as<std::string>() + ":" +
+                              std::to_string(line) + ": " + what);
+}
+
 void ConfigFile::Check(const CLI::ConfigItem& item, const std::string& text) const {
   const bool is_section = item.name == "++" || item.name == "--";
   const std::string key = is_section ? CLI::detail::join(item.parents, ".") : item.fullname();
   const CLI::Option* option = is_section ? nullptr : app_.get_option_no_throw("--" + key);
   const auto fail = [&](std::size_t line, const std::string& what) {
-    throw std::invalid_argument("--config: " + app_.get_config_ptr()->as<std::string>() + ":" +
-                                std::to_string(line) + ": \"" + key + "\" " + what);
+    Fail(line, "\"" + key + "\" " + what);
   };
   const std::vector<std::size_t> lines = LinesOf(key, text);
   if (option != nullptr && lines.size() > 1) {  // CLI11 would make one list of both
@@ -94,6 +114,9 @@ std::string ConfigFile::Problem(const CLI::Option* option, const CLI::ConfigItem
 
 std::vector<CLI::ConfigItem> ConfigFile::from_config(std::istream& input) const {
   const std::string text = TextOf(input);
+  if (const std::size_t line = LineOfOpenList(text)) {
+    Fail(line, "a list must end in the line that it begins in");
+  }
   std::istringstream copy(text);
   std::vector<CLI::ConfigItem> found = CLI::ConfigTOML::from_config(copy);
   for (const CLI::ConfigItem& item : found) Check(item, text);

@@ -2,6 +2,7 @@
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
+#include <cstddef>
 #include <istream>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@ class ConfigFile : public CLI::ConfigTOML {
   std::vector<CLI::ConfigItem> from_config(std::istream& input) const override;
 
  private:
+  [[noreturn]] void Fail(std::size_t line, const std::string& what) const;
   void Check(const CLI::ConfigItem& item, const std::string& text) const;
   // What is wrong with it; empty where nothing is. `option`: null where there is none of this name.
   std::string Problem(const CLI::Option* option, const CLI::ConfigItem& item,

@@ -138,6 +138,8 @@ TEST(ServerProcess, ChecksItsConfiguration) {
       {"[mrf]\nlambda = 3\n", ":1: \"mrf\" is no key; options of the method come"},
       {"listen = \"[::1]:0\"\n# more\nlisten = \"127.0.0.1:0\"\n", ":3: \"listen\" is there twice"},
       {"insecure = true\ninsecure = false\n", ":2: \"insecure\" is there twice"},
+      {"hold-s = 1\noption = [\n  \"mrf.lambda=7\",\n]\n", ":2: a list must end in the line"},
+      {"option = [\"mrf.lambda=7\", # ]\n  \"mrf.alpha=1\"]\n", ":1: a list must end in the line"},
       {"check-config = true\n", ":1: \"check-config\" is for the command line only"}};
   for (const auto& [text, error] : cases) {
     const ConfigFile bad(text);
