@@ -40,14 +40,19 @@ void AddFlags(CLI::App& app, Flags& flags) {
       ->delimiter(',');
   app.add_flag("--turns", flags.turns,
                "Robots ask the servers in turns, call by call or, with --stream, one by one");
-  app.add_option("--robots", flags.robots, "How many")->check(CLI::Range(1, 1000));
-  app.add_option("--seconds", flags.seconds, "How long")->check(CLI::Range(1, 86'400));
+  app.add_option("--robots", flags.robots, "How many")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_option("--seconds", flags.seconds, "How long")
+      ->check(CLI::Range(1, 86'400))
+      ->capture_default_str();
   app.add_option("--warm-up", flags.warm_up, "Seconds before that, of which nothing is counted")
       ->check(CLI::Range(0, 3600))
       ->capture_default_str();
   app.add_option("--rate", flags.rate_hz,
                  "Frames per second of each robot; 0: the next as soon as the last is answered")
-      ->check(CLI::Range(0.0, 1000.0));
+      ->check(CLI::Range(0.0, 1000.0))
+      ->capture_default_str();
   app.add_option("--greedy", flags.greedy, "The first robot sends this many times as often")
       ->check(CLI::Range(1.0, 1000.0));
   app.add_option("--greedy-calls", flags.greedy_calls,
@@ -73,11 +78,10 @@ void AddFlags(CLI::App& app, Flags& flags) {
       "open files every minute");
   app.add_option("--kind", flags.kind, "Kind of the generated scene, as for fovea-scenes")
       ->capture_default_str();
-  app.add_option("--size", flags.size_px, "Pixels of a frame, as WIDTHxHEIGHT")
+  app.add_option("--size", flags.size_px, "Pixels of a frame, as WIDTHxHEIGHT; else 640x480")
       ->delimiter('x')
       ->expected(2)
-      ->check(CLI::Range(16, 4096))
-      ->capture_default_str();
+      ->check(CLI::Range(16, 4096));
 }
 
 // Raw; 640x480 are 1.5 MB.

@@ -129,7 +129,7 @@ int Run(int argc, char** argv) {
       ->transform(CLI::CheckedTransformer(sensors));
   app.add_option("--size", flags.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
   app.add_option("--roll", flags.roll_deg, "Turns the camera about its optical axis; degrees")
-      ->check(CLI::Range(-180, 180));
+      ->check(CLI::Range(-180.0, 180.0));
   CLI::Option* preview =
       app.add_flag("--preview", flags.preview,
                    "Also write <name>_preview.png: colour, depth and labels side by side");
