@@ -48,6 +48,44 @@ TEST(Kinship, SaysWhatIsMeasured) {
   EXPECT_NEAR(kinship.rise, 0.25, 1e-9);
 }
 
+// Heights of 20 and 2.5 cm.
+TEST(Kinship, TheLowerAndTheSmallerOfBothCount) {
+  TwoFaces faces;
+  faces.right.extent.max().z() = 0.025F;
+  faces.right.num_voxels = 25;
+  faces.boundary.convexity_sum_deg = 40 * faces.boundary.num_pairs;
+  const Kinship kinship = faces.Of();
+  EXPECT_NEAR(kinship.flatness, std::exp(-1), 1e-6);
+  EXPECT_NEAR(kinship.convexity_deg, 40 * (1 - std::exp(-1)), 1e-4);
+  EXPECT_NEAR(kinship.contact, std::log(20 / 5), 1e-9);
+}
+
+TEST(Kinship, WhatIsApartHasNoExtentInCommon) {
+  TwoFaces faces;
+  faces.right.extent.translate(Eigen::Vector3f(0, 0.1F, 0.3F));
+  EXPECT_EQ(faces.Of().depth_overlap, 0);
+  EXPECT_EQ(faces.Of().height_overlap, 0);
+}
+
+// A few millimetres are noise: shares of a small extent would say much where there is nothing.
+TEST(Kinship, MillimetersOfSmallThingsSayLittle) {
+  TwoFaces crumbs;
+  crumbs.left.extent = {Eigen::Vector3f(0, 1, 0), Eigen::Vector3f(0.003F, 1.002F, 0.01F)};
+  crumbs.right.extent = {Eigen::Vector3f(0.001F, 1, 0), Eigen::Vector3f(0.005F, 1.001F, 0.005F)};
+  const Kinship kinship = crumbs.Of();
+  EXPECT_NEAR(kinship.side_step, 0.001 / 0.01, 1e-5);
+  EXPECT_NEAR(kinship.depth_overlap, 0.001 / 0.01, 1e-4);
+  EXPECT_NEAR(kinship.top_step, 0.005 / 0.05, 1e-6);
+  EXPECT_NEAR(kinship.height_overlap, 0.005 / 0.05, 1e-6);
+}
+
+// The scenes of the fit end there.
+TEST(Kinship, BeyondThreeMetersDistanceSaysNoMore) {
+  TwoFaces far;
+  far.left.z_sum_m = far.right.z_sum_m = 5 * 200;
+  EXPECT_EQ(far.Of().distance_m, 3);
+}
+
 TEST(Kinship, GroovesAndStepsSpeakAgainstOneObject) {
   TwoFaces groove;
   groove.boundary.convexity_sum_deg = -40 * groove.boundary.num_pairs;
