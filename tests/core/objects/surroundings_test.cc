@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "tests/core/objects/test_scene.h"
@@ -23,6 +24,21 @@ TEST(Surroundings, InTheOpenEverythingIsFartherAway) {
   EXPECT_EQ(counts.Of(BorderSide::kBeside), 60);
 }
 
+TEST(Surroundings, SidesGoByGravity) {
+  TestScene scene(2);
+  scene.Put(kThing, 1, 1);
+  LabelledScene labelled = scene.Labelled();
+  const auto count = [&](const Eigen::Vector3f& up, BorderSide side) {
+    labelled.up = up;
+    return FindSurroundings(labelled, scene.labels).at(1).counts.Of(side);
+  };
+  const Eigen::Vector3f askew(-std::sqrt(0.5F), -std::sqrt(0.5F), 0);  // up and to the left
+  EXPECT_EQ(count(askew, BorderSide::kAbove), 20 + 30);
+  EXPECT_EQ(count(askew, BorderSide::kBelow), 20 + 30);
+  const Eigen::Vector3f into_the_image(0, 0, -1);  // it looks straight down
+  EXPECT_EQ(count(into_the_image, BorderSide::kBeside), 100);
+}
+
 TEST(Surroundings, BackgroundAtTheSameDistanceIsLevelOrRisesOrIsWall) {
   TestScene scene(1);
   scene.Put(kThing, 1, 1);
@@ -37,6 +53,18 @@ TEST(Surroundings, BackgroundAtTheSameDistanceIsLevelOrRisesOrIsWall) {
   EXPECT_EQ(counts.At(BorderSide::kAbove, Beyond::kWall), 20);
 }
 
+// Depth is no more exact than that.
+TEST(Surroundings, SomeMillimetersAreNoRise) {
+  TestScene scene(1);
+  scene.Put(kThing, 1, 1);
+  cv::Mat(scene.points, {100, 40, 60, 30}) -= cv::Scalar(0, 0.003, 0);
+  cv::Mat(scene.points, {20, 40, 60, 30}) -= cv::Scalar(0, 0.005, 0);
+  const LabelledScene labelled = scene.Labelled();
+  const BorderCounts counts = FindSurroundings(labelled, scene.labels).at(1).counts;
+  EXPECT_EQ(counts.At(BorderSide::kBeside, Beyond::kLevel), 30);
+  EXPECT_EQ(counts.At(BorderSide::kBeside, Beyond::kRising), 30);
+}
+
 TEST(Surroundings, WhatIsInFrontAndWhatIsNotMeasured) {
   TestScene scene(2);
   scene.Put(kThing, 1, 1);
@@ -48,12 +76,36 @@ TEST(Surroundings, WhatIsInFrontAndWhatIsNotMeasured) {
   EXPECT_EQ(counts.At(BorderSide::kBeside, Beyond::kUnmeasured), 30);
 }
 
-TEST(Surroundings, TheEndOfTheImage) {
+// 40 pixels of 640 are 12 of 200.
+TEST(Surroundings, LooksAcrossWhatIsNotMeasuredWithinReach) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
   TestScene scene(2);
-  scene.Put({0, 40, 20, 30}, 1, 1);
+  scene.Put(kThing, 1, 1);
+  scene.Put({100, 40, 11, 30}, nan, 0);
+  scene.Put({68, 40, 12, 30}, nan, 0);
   const LabelledScene labelled = scene.Labelled();
   const BorderCounts counts = FindSurroundings(labelled, scene.labels).at(1).counts;
-  EXPECT_EQ(counts.At(BorderSide::kBeside, Beyond::kEnd), 30);
+  EXPECT_EQ(counts.At(BorderSide::kBeside, Beyond::kFarther), 30);
+  EXPECT_EQ(counts.At(BorderSide::kBeside, Beyond::kUnmeasured), 30);
+}
+
+TEST(Surroundings, AGapInAThingIsNoBorder) {
+  TestScene scene(2);
+  scene.Put(kThing, 1, 1);
+  scene.Put({85, 50, 5, 5}, std::numeric_limits<float>::quiet_NaN(), 0);
+  const LabelledScene labelled = scene.Labelled();
+  EXPECT_EQ(FindSurroundings(labelled, scene.labels).at(1).counts.Total(), 100);
+}
+
+// Or a pixel before it, where sensors mix.
+TEST(Surroundings, TheEndOfTheImage) {
+  for (const int left : {0, 1}) {
+    TestScene scene(2);
+    scene.Put({left, 40, 20, 30}, 1, 1);
+    const LabelledScene labelled = scene.Labelled();
+    const BorderCounts counts = FindSurroundings(labelled, scene.labels).at(1).counts;
+    EXPECT_EQ(counts.At(BorderSide::kBeside, Beyond::kEnd), 30);
+  }
 }
 
 TEST(Surroundings, WhereTheCameraDoesNotLook) {
@@ -82,6 +134,15 @@ TEST(Surroundings, OtherSegmentsAreCountedByLabel) {
   EXPECT_EQ(surroundings.at(3).counts.Of(Beyond::kFarther), 100);
 }
 
+// Only background may be what sensors mix at an edge.
+TEST(Surroundings, SeesSegmentsOfOnePixel) {
+  TestScene scene(2);
+  scene.Put(kThing, 1, 1);
+  scene.Put({100, 40, 1, 30}, 1, 2);
+  const LabelledScene labelled = scene.Labelled();
+  EXPECT_EQ(FindSurroundings(labelled, scene.labels).at(1).towards.at(2).Total(), 30);
+}
+
 TEST(Surroundings, ContrastIsToBackgroundAtTheSameDistance) {
   TestScene alike(1), other(1);
   alike.Put(kThing, 1, 1);
@@ -90,6 +151,17 @@ TEST(Surroundings, ContrastIsToBackgroundAtTheSameDistance) {
   const LabelledScene first = alike.Labelled(), second = other.Labelled();
   EXPECT_EQ(FindSurroundings(first, alike.labels).at(1).counts.contrast, 0);
   EXPECT_GT(FindSurroundings(second, other.labels).at(1).counts.contrast, 100 * 30);
+}
+
+// A thing of one pixel of the colour of the background, beside another that is 100 units lighter:
+// as colours are blurred over 5 pixels, it gets 2/5 of that, and none the background 2 pixels on.
+TEST(Surroundings, ContrastIsFromTheThingItself) {
+  TestScene scene(1);
+  scene.Put({100, 40, 1, 30}, 1, 1);
+  scene.Put({80, 40, 20, 30}, 1, 2);
+  scene.lab(cv::Rect(80, 0, 20, 120)).setTo(cv::Scalar(208, 128, 128));
+  const LabelledScene labelled = scene.Labelled();
+  EXPECT_EQ(FindSurroundings(labelled, scene.labels).at(1).counts.contrast, 40 * 30);
 }
 
 }  // namespace
