@@ -42,6 +42,35 @@ TEST(CollectEvidence, AddsUpWithoutInnerBorders) {
   EXPECT_NEAR(evidence[2].part.extent.sizes().x(), 0.39, 1e-4);
 }
 
+// Four segments, two over two: each pair is joined, then the pairs.
+TEST(CollectEvidence, AddsUpPairsOfPairs) {
+  TestScene scene(2);
+  scene.Put({80, 40, 20, 30}, 1, 1);
+  scene.Put({100, 40, 20, 30}, 1, 2);
+  scene.Put({80, 70, 20, 30}, 1, 3);
+  scene.Put({100, 70, 20, 30}, 1, 4);
+  scene.standing = cv::Mat::zeros(scene.labels.size(), CV_8UC1);
+  scene.standing(cv::Rect(90, 65, 20, 10)).setTo(255);
+  MergeTree tree;
+  tree.num_segments = 4;
+  tree.num_likely = 7;
+  tree.nodes = {{.parent = 4},
+                {.parent = 4},
+                {.parent = 5},
+                {.parent = 5},
+                {.left = 0, .right = 1, .parent = 6},
+                {.left = 2, .right = 3, .parent = 6},
+                {.left = 4, .right = 5}};
+  const LabelledScene labelled = scene.Labelled();
+  const auto evidence = CollectEvidence(LookAtSegments(labelled, scene.segments, {}), tree);
+  EXPECT_EQ(evidence[4].borders.Total(), 140);
+  EXPECT_EQ(evidence[4].borders.Of(Beyond::kLevelSegment), 40);
+  EXPECT_EQ(evidence[4].num_missing, 100);
+  EXPECT_EQ(evidence[6].borders.Total(), 200);
+  EXPECT_EQ(evidence[6].borders.Of(Beyond::kLevelSegment), 0);
+  EXPECT_EQ(evidence[6].num_missing, 200);
+}
+
 TEST(CollectEvidence, KnowsTheJoinsWithinAndAround) {
   TestScene scene(2);
   const auto evidence = EvidenceOfPair(scene);
@@ -53,12 +82,52 @@ TEST(CollectEvidence, KnowsTheJoinsWithinAndAround) {
   EXPECT_TRUE(evidence[2].is_likely);
 }
 
+TEST(CollectEvidence, AJoinAgainstTheOddsIsNotLikely) {
+  TestScene scene(2);
+  scene.Put({80, 40, 20, 30}, 1, 1);
+  scene.Put({100, 40, 20, 30}, 1, 2);
+  const LabelledScene labelled = scene.Labelled();
+  MergeTree tree = PairTree();
+  tree.nodes[2].log_odds = -1;
+  tree.num_likely = 2;
+  const auto evidence = CollectEvidence(LookAtSegments(labelled, scene.segments, {}), tree);
+  EXPECT_TRUE(evidence[0].is_likely);
+  EXPECT_TRUE(evidence[1].is_likely);
+  EXPECT_FALSE(evidence[2].is_likely);
+}
+
 TEST(CollectEvidence, KnowsWhatLiesUnderASupport) {
   TestScene scene(2);
   const SupportSurface above{-Eigen::Vector3f::UnitY(), -0.5F, 1};  // half a metre up
   scene.supports = {{above, Footprint()}};
   const auto evidence = EvidenceOfPair(scene);
   EXPECT_EQ(evidence[2].placement.num_covered, 1200);
+}
+
+// A support covers neither what its noise may have put below it nor what lies beside it.
+TEST(CollectEvidence, WhatIsCloselyUnderASupportOrBesideItIsNotCovered) {
+  TestScene scene(2);
+  const SupportSurface closely_above{-Eigen::Vector3f::UnitY(), -0.205F, 1};  // the top is at 0.2 m
+  scene.supports = {{closely_above, Footprint()}};
+  EXPECT_EQ(EvidenceOfPair(scene)[2].placement.num_covered, 1200 - 40) << "all but the upper row";
+  const SupportSurface above{-Eigen::Vector3f::UnitY(), -0.5F, 1};
+  const std::vector<Eigen::Vector3f> far_away(100, {3, -0.5F, 4});
+  scene.supports = {{above, Footprint(far_away, {}, above, 0, 0)}};
+  EXPECT_EQ(EvidenceOfPair(scene)[2].placement.num_covered, 0);
+}
+
+TEST(LookAtSegments, CountsWhatFacesUp) {
+  TestScene scene(2);
+  scene.Put({80, 40, 20, 30}, 1, 1);
+  const LabelledScene labelled = scene.Labelled();
+  std::vector<Voxel*> voxels;
+  for (std::size_t v = 0; v < scene.segments.size(); ++v) {
+    if (scene.segments[v] == 1) voxels.push_back(&scene.grid.voxels[v]);
+  }
+  voxels[0]->normal = labelled.up;
+  voxels[1]->normal = {0, -0.95F, -0.31F};  // 18° from up
+  voxels[2]->normal = {0, -0.8F, -0.6F};    // 37°
+  EXPECT_EQ(LookAtSegments(labelled, scene.segments, {}).of_segments[0].placement.num_level, 2);
 }
 
 double Of(const ObjectTerms& terms, ObjectTerm term) {
