@@ -7,43 +7,10 @@
 #include <optional>
 #include <vector>
 
+#include "tests/core/scene/cloud.h"
+
 namespace fovea {
 namespace {
-
-struct Cloud {
-  std::vector<cv::Vec3f> points;
-  std::vector<cv::Vec3f> normals;
-
-  // A level square of n × n points around (0, y, 1.5); y points down.
-  void AddLevel(float y, int n, float tilt = 0) {
-    for (int i = 0; i < n; ++i) {
-      for (int j = 0; j < n; ++j) {
-        const float x = static_cast<float>(i) / static_cast<float>(n) - 0.5F;
-        const float z = static_cast<float>(j) / static_cast<float>(n) + 1.0F;
-        points.emplace_back(x, y + tilt * (z - 1.5F), z);
-        normals.push_back(cv::normalize(cv::Vec3f(0, -1, tilt)));
-      }
-    }
-  }
-  // A level rectangle of one point a centimetre, its corner at (x, z).
-  void AddRectangle(float y, float x, float z, int width_cm, int depth_cm) {
-    for (int i = 0; i < width_cm; ++i) {
-      for (int j = 0; j < depth_cm; ++j) {
-        points.emplace_back(x + 0.01F * static_cast<float>(i), y,
-                            z + 0.01F * static_cast<float>(j));
-        normals.emplace_back(0, -1, 0);
-      }
-    }
-  }
-  void AddWall(int n) {
-    for (int i = 0; i < n; ++i) {
-      points.emplace_back(0.001F * static_cast<float>(i), 0.4F, 2.0F);
-      normals.emplace_back(0, 0, -1);
-    }
-  }
-  cv::Mat Points() const { return cv::Mat(points, true).reshape(3, 1); }
-  cv::Mat Normals() const { return cv::Mat(normals, true).reshape(3, 1); }
-};
 
 const Eigen::Vector3f kDown = Eigen::Vector3f::UnitY();
 
@@ -83,6 +50,9 @@ TEST(FindSupports, IsAbsentWhereNothingIsLevelOrTooLittle) {
   EXPECT_FALSE(Dominating(walls.Points(), walls.Normals(), kDown).has_value());
   walls.AddLevel(0.7F, 5);  // 25 of 1025 points
   EXPECT_FALSE(Dominating(walls.Points(), walls.Normals(), kDown).has_value());
+  Cloud ramp;
+  ramp.AddLevel(0.7F, 40, 0.5F);  // 27°
+  EXPECT_FALSE(Dominating(ramp.Points(), ramp.Normals(), kDown).has_value());
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const cv::Mat none(3, 3, CV_32FC3, cv::Scalar::all(nan));
   EXPECT_FALSE(Dominating(none, none, kDown).has_value());
@@ -102,51 +72,29 @@ TEST(FindSupports, FindsSeveralTheFullestFirst) {
   EXPECT_EQ(FindSupports(cloud.Points(), {cloud.Normals()}, kDown, {.max_surfaces = 2}).size(), 2U);
 }
 
+TEST(FindSupports, NoiseAroundASurfaceIsNoOther) {
+  Cloud cloud;
+  cloud.AddLevel(0.7F, 40);
+  cloud.AddLevel(0.685F, 20);  // one and a half tolerances above it
+  EXPECT_EQ(FindSupports(cloud.Points(), {cloud.Normals()}, kDown, {.max_surfaces = 2}).size(), 1U);
+}
+
+// Of 5° that gravity is off by, the first surface tells.
+TEST(FindSupports, TheFirstIsTheVerticalOfTheOthers) {
+  Cloud cloud;
+  cloud.AddLevel(0.7F, 60, 0.09F);
+  cloud.AddLevel(0.3F, 20, 0.09F);
+  cloud.AddLevel(0.1F, 12);  // as gravity has it, more of this is at one height
+  const auto supports = FindSupports(cloud.Points(), {cloud.Normals()}, kDown, {.max_surfaces = 2});
+  ASSERT_EQ(supports.size(), 2U);
+  EXPECT_EQ(supports[1].surface.num_points, 400U);
+}
+
 TEST(FindSupports, TheShareIsAskedOfTheFirstOnly) {
   Cloud cloud;
   cloud.AddLevel(0.7F, 40);
   cloud.AddLevel(0.4F, 5);  // 25 of 1625 points
   EXPECT_EQ(FindSupports(cloud.Points(), {cloud.Normals()}, kDown, {.max_surfaces = 2}).size(), 2U);
-}
-
-TEST(FindSupports, LeavesOutWhatIsTooSmallToCarry) {
-  Cloud cloud;
-  cloud.AddRectangle(0.7F, -0.5F, 1.0F, 100, 80);  // a table
-  cloud.AddRectangle(0.6F, 0.0F, 1.2F, 12, 12);    // the top of a box on it
-  cloud.AddRectangle(0.3F, -0.5F, 2.0F, 60, 30);   // a shelf
-  SupportOptions options{.max_surfaces = 3, .min_area_m2 = 0.05};
-  const auto supports = FindSupports(cloud.Points(), {cloud.Normals()}, kDown, options);
-  ASSERT_EQ(supports.size(), 2U);
-  EXPECT_NEAR(supports[0].surface.HeightOf({0, 0.7F, 1.5F}), 0.0F, 1e-4F);
-  EXPECT_NEAR(supports[1].surface.HeightOf({0, 0.3F, 2.1F}), 0.0F, 1e-4F);
-  EXPECT_TRUE(supports[1].footprint.Covers({3, 0.3F, 5}));  // no margin: everywhere above it
-  options.min_area_m2 = 0;
-  EXPECT_EQ(FindSupports(cloud.Points(), {cloud.Normals()}, kDown, options).size(), 3U);
-}
-
-// Side by side, boxes have tops as large as a small shelf.
-TEST(FindSupports, TopsInTheHeightOfObjectsMustBeLargerToCarry) {
-  const auto count = [](float height_m, int depth_cm) {
-    Cloud cloud;
-    cloud.AddRectangle(0.7F, -0.5F, 1, 100, 100);
-    cloud.AddRectangle(0.7F - height_m, -0.2F, 1.2F, 40, depth_cm);
-    return FindSupports(cloud.Points(), {cloud.Normals()}, kDown,
-                        {.max_surfaces = 2, .min_area_m2 = 0.05})
-        .size();
-  };
-  EXPECT_EQ(count(0.2F, 30), 1U) << "0.12 m² of 0.2 m² are a top";
-  EXPECT_EQ(count(0.2F, 70), 2U) << "0.28 m² are a shelf";
-  EXPECT_EQ(count(0.5F, 30), 2U) << "no object is that high";
-}
-
-TEST(FindSupports, AMarginBoundsTheFootprints) {
-  Cloud cloud;
-  cloud.AddRectangle(0.7F, -0.5F, 1.0F, 100, 80);
-  const auto supports =
-      FindSupports(cloud.Points(), {cloud.Normals()}, kDown, {.footprint_margin_m = 0.06});
-  ASSERT_EQ(supports.size(), 1U);
-  EXPECT_TRUE(supports[0].footprint.Covers({0.53F, 0.6F, 1.4F}));
-  EXPECT_FALSE(supports[0].footprint.Covers({0.65F, 0.6F, 1.4F}));
 }
 
 // A floor at y = 1, everywhere, and a table top at y = 0.3 over x -0.5 … 0.5, z 1 … 1.8.
