@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <opencv2/imgproc.hpp>
+#include <vector>
 
 #include "core/depth/back_projection.h"
 
@@ -29,10 +31,17 @@ class MissingDepth : public ::testing::Test {
     }
   }
 
-  cv::Mat StandIn() {
+  cv::Mat StandIn(double max_height_m = 0.5) {
     points_ = BackProject(depth_m_, intrinsics_, 10);
     normals_ = {cv::Mat(60, 80, CV_32FC3, cv::Scalar::all(kNone)), 2};
-    return StandInForMissing(depth_m_, {support_}, intrinsics_, 0.5, points_, normals_);
+    std::vector<Support> supports = others_;
+    supports.insert(supports.begin(), support_);
+    return StandInForMissing(depth_m_, supports, intrinsics_, max_height_m, points_, normals_);
+  }
+
+  float HeightAt(int row, int col) const {
+    const cv::Vec3f& p = points_.at<cv::Vec3f>(row, col);
+    return support_.surface.HeightOf({p[0], p[1], p[2]});
   }
 
   void ExpectNothing() { EXPECT_EQ(cv::countNonZero(StandIn()), 0); }
@@ -41,6 +50,7 @@ class MissingDepth : public ::testing::Test {
   const CameraIntrinsics intrinsics_{kFocal_px, kFocal_px, 80, 60};
   cv::Mat depth_m_ = cv::Mat(120, 160, CV_32FC1);
   Support support_;
+  std::vector<Support> others_;
   cv::Mat points_;
   NormalMap normals_;
 };
@@ -55,11 +65,7 @@ TEST_F(MissingDepth, StandsUprightWhereTheHoleEndsBelow) {
   EXPECT_GT(cv::countNonZero(standing.col(84)), cv::countNonZero(standing.col(70)));
   EXPECT_EQ(cv::countNonZero(standing), cv::countNonZero(standing(hole)));
 
-  const auto height_at = [&](int row) {
-    const cv::Vec3f& p = points_.at<cv::Vec3f>(row, 78);
-    return support_.surface.HeightOf({p[0], p[1], p[2]});
-  };
-  EXPECT_NEAR(height_at(hole.br().y - 1), 0, 0.005);  // of a corner, which is farther
+  EXPECT_NEAR(HeightAt(hole.br().y - 1, 78), 0, 0.005);  // of a corner, which is farther
   const Eigen::Vector3f up = support_.surface.normal;
   const cv::Vec3f normal = normals_.vectors.at<cv::Vec3f>(25, 39);
   EXPECT_NEAR(Eigen::Vector3f(normal[0], normal[1], normal[2]).dot(up), 0, 1e-5);
@@ -67,7 +73,7 @@ TEST_F(MissingDepth, StandsUprightWhereTheHoleEndsBelow) {
   const cv::Vec3f top = points_.at<cv::Vec3f>(42, 78);
   const cv::Vec3f bottom = points_.at<cv::Vec3f>(60, 72);
   EXPECT_NEAR((top - bottom).dot(normal), 0, 1e-5);
-  EXPECT_GT(height_at(42), 0.1);
+  EXPECT_GT(HeightAt(42, 78), 0.1);
 }
 
 TEST_F(MissingDepth, LeavesTheShadowOfWhatIsNearer) {
@@ -77,6 +83,69 @@ TEST_F(MissingDepth, LeavesTheShadowOfWhatIsNearer) {
   ExpectNothing();
   depth_m_(cv::Rect(86, 30, 30, 40)).setTo(0.6F);  // hides less
   EXPECT_GT(cv::countNonZero(StandIn()), 0);
+}
+
+// At 1 and 0.4 m: 140 px · 0.08 m · (1 / 0.4 - 1) are 16.8 pixels, and one is lost at an edge.
+TEST_F(MissingDepth, AHoleIsLongerThanTheShadowAndAnEdge) {
+  for (const int width_px : {17, 18}) {
+    LookDown(40);
+    depth_m_(cv::Rect(50, 30, 20, 40)).setTo(1.0F);
+    depth_m_(cv::Rect(70, 30, 50, 40)).setTo(0.4F);
+    depth_m_(cv::Rect(70, 30, width_px, 40)).setTo(kNone);
+    EXPECT_EQ(cv::countNonZero(StandIn()) > 0, width_px == 18);
+  }
+}
+
+// Its foot is 0.76 m away, what is behind it 3 m: 140 px · 0.05 m · (1 / 0.76 - 1 / 3) are 7
+// pixels.
+TEST_F(MissingDepth, LeavesTheShadowOfWhatStandsThere) {
+  LookDown(40);
+  depth_m_(cv::Rect(50, 30, 20, 40)).setTo(3.0F);
+  depth_m_(cv::Rect(70, 40, 16, 24)).setTo(kNone);
+  const cv::Mat standing = StandIn();
+  EXPECT_EQ(cv::countNonZero(standing.colRange(0, 77)), 0);
+  EXPECT_GT(cv::countNonZero(standing.col(77)), 20);
+}
+
+TEST_F(MissingDepth, StandsNoHigherThanObjectsDo) {
+  LookDown(40);
+  depth_m_(cv::Rect(70, 40, 16, 24)).setTo(kNone);
+  const cv::Mat standing = StandIn(0.05);
+  float highest_m = 0;
+  for (int row = 40; row < 64; ++row) {
+    if (standing.at<std::uint8_t>(row, 78) != 0) highest_m = std::max(highest_m, HeightAt(row, 78));
+  }
+  EXPECT_NEAR(highest_m, 0.045, 0.005);
+}
+
+TEST_F(MissingDepth, StandsOnTheNearestSupportBelowTheCamera) {
+  LookDown(40);
+  depth_m_(cv::Rect(70, 40, 16, 24)).setTo(kNone);
+  const int on_table = cv::countNonZero(StandIn());
+  const Eigen::Vector3f& up = support_.surface.normal;
+  others_ = {{{up, 1.0F, 1000}, {}},
+             {{up, -0.3F, 1000}, {}}};  // the floor, a shelf over the camera
+  EXPECT_EQ(cv::countNonZero(StandIn()), on_table);
+  EXPECT_NEAR(HeightAt(63, 78), 0, 0.005);
+}
+
+TEST_F(MissingDepth, NothingStandsBelowAShelf) {
+  LookDown(10);
+  support_.surface.offset_m = -0.3F;
+  depth_m_.setTo(1.5F);
+  depth_m_(cv::Rect(70, 5, 16, 24)).setTo(kNone);
+  ExpectNothing();
+}
+
+TEST_F(MissingDepth, LeavesThePointsOfOthersAsTheyAre) {
+  LookDown(40);
+  depth_m_(cv::Rect(70, 40, 16, 24)).setTo(kNone);
+  const cv::Mat points = BackProject(depth_m_, intrinsics_, 10);
+  cv::Mat own = points;
+  normals_ = {cv::Mat(60, 80, CV_32FC3, cv::Scalar::all(kNone)), 2};
+  StandInForMissing(depth_m_, {support_}, intrinsics_, 0.5, own, normals_);
+  EXPECT_TRUE(std::isnan(points.at<cv::Vec3f>(50, 78)[2]));
+  EXPECT_FALSE(std::isnan(own.at<cv::Vec3f>(50, 78)[2]));
 }
 
 TEST_F(MissingDepth, LeavesWhatIsSmallOrAtTheBorderOrBesideTheSupport) {
@@ -90,6 +159,24 @@ TEST_F(MissingDepth, LeavesWhatIsSmallOrAtTheBorderOrBesideTheSupport) {
   depth_m_ = cv::min(depth_m_, 3.0F);
   depth_m_.rowRange(0, 60).setTo(3.0F);
   depth_m_(cv::Rect(70, 10, 16, 34)).setTo(kNone);
+  ExpectNothing();
+}
+
+// Registered depth leaves some columns free.
+TEST_F(MissingDepth, LeavesWhatIsAtAMargin) {
+  LookDown(40);
+  depth_m_(cv::Rect(0, 0, 8, 120)).setTo(kNone);
+  depth_m_(cv::Rect(8, 40, 16, 24)).setTo(kNone);
+  depth_m_(cv::Rect(152, 0, 8, 120)).setTo(kNone);
+  depth_m_(cv::Rect(136, 40, 16, 24)).setTo(kNone);
+  ExpectNothing();
+}
+
+TEST_F(MissingDepth, LeavesWhatIsBesideTheFootprint) {
+  LookDown(40);
+  depth_m_(cv::Rect(70, 40, 16, 24)).setTo(kNone);
+  const std::vector<Eigen::Vector3f> far_aside(100, {3, 0, 1});
+  support_.footprint = Footprint(far_aside, {}, support_.surface, 0, 0);
   ExpectNothing();
 }
 
