@@ -115,7 +115,8 @@ std::string ConfigFile::Problem(const CLI::Option* option, const CLI::ConfigItem
 std::vector<CLI::ConfigItem> ConfigFile::from_config(std::istream& input) const {
   const std::string text = TextOf(input);
   if (const std::size_t line = LineOfOpenList(text)) {
-    Fail(line, "a list must end in the line that it begins in");
+    Fail(line,
+         "a list must end in the line that it begins in; an address with brackets needs quotes");
   }
   std::istringstream copy(text);
   std::vector<CLI::ConfigItem> found = CLI::ConfigTOML::from_config(copy);

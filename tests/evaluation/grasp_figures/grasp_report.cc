@@ -103,8 +103,8 @@ void PrintGrasps(std::ostream& out, const GraspRun& run) {
   fmt::print(out,
              "{} of {} objects matched; stage \"grasps\" {:.2f} ms (90 % below {:.2f}), for ten "
              "objects {:.2f} ms\n",
-             run.objects.size(), run.num_truth, Median(run.grasps_ms),
-             Quantile(run.grasps_ms, 0.9), LineAt(10, run.num_objects, run.grasps_ms));
+             run.objects.size(), run.num_truth, Median(run.grasps_ms), Quantile(run.grasps_ms, 0.9),
+             LineAt(10, run.num_objects, run.grasps_ms));
   const auto figures = FiguresOf(run);
   const std::vector<Gripper> grippers = EvaluationGrippers();
   for (std::size_t g = 0; g < grippers.size(); ++g) {
