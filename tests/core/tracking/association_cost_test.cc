@@ -74,6 +74,14 @@ TEST(AssociationCost, ReachGrowsWithTheErrorOfTheCameraAndWhileHidden) {
   EXPECT_FALSE(kOver.Matches(hidden, Thing(0.135F)));
 }
 
+TEST(AssociationCost, ReachGrowsForHalfASecondOnly) {
+  Track large(1, Thing(0, 4), std::nullopt);
+  large.OnMissed();
+  large.Advance(Eigen::Isometry3f::Identity(), 10);
+  EXPECT_TRUE(kOver.Matches(large, Thing(2.45F, 4))) << "reach 2 + 0.5";
+  EXPECT_FALSE(kOver.Matches(large, Thing(2.55F, 4)));
+}
+
 TEST(AssociationCost, OverlapIsOfBothAndOfTheSmallerOne) {
   const Sighting other_color = Thing(0.088F, kSize_m, 90);
   EXPECT_TRUE(kOver.Matches(other_color)) << "1 - 1 + 0.088 / 0.11 + 0.5";
