@@ -1,7 +1,10 @@
-// Whether two contacts are opposite each other.
+// Where fingers meet an object, and whether two contacts are opposite each other.
 #include "core/grasping/jaw_contacts.h"
 
 #include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
 
 namespace fovea {
 namespace {
@@ -28,6 +31,70 @@ TEST(LineBetween, LeansAsFarAsContactsAreApartOnAThinWall) {
     EXPECT_NEAR(line.x(), 0.4F, 1e-4F);
     EXPECT_NEAR(line.y(), 1.8F, 1e-4F);
   }
+}
+
+// A cylinder of 100 mm that stands in the middle, 60 mm high, in a grid of 4 mm.
+class AroundACylinder : public ::testing::Test {
+ protected:
+  AroundACylinder() {
+    object_.shape.kind = Shape::Kind::kCylinder;
+    object_.shape.axis = Eigen::Vector3f::UnitZ();
+    object_.shape.radius_m = 0.05F;
+    object_.shape.length_m = 0.06F;
+    object_.box.size_m = {0.1F, 0.1F, 0.06F};
+    grid_.size = 50;
+    grid_.columns.resize(50UL * 50);
+    for (int row = 0; row < grid_.size; ++row) {
+      for (int column = 0; column < grid_.size; ++column) {
+        const float away = std::hypot(grid_.MiddleOf(row), grid_.MiddleOf(column));
+        if (away < 0.05F) grid_.At(row, column).target = 0.03F;
+      }
+    }
+    turned_ = Turned(grid_, Eigen::Vector2f::UnitX(), 0.1F);
+  }
+
+  // Fingers of 20 mm, 12 mm deep, so far from the middle; of rows from `first` on.
+  std::array<JawContact, 2> CloseOn(float across_m, bool is_part) {
+    JawPlace place;
+    place.across_m = across_m;
+    place.first_row = static_cast<int>((across_m + 0.09F) / grid_.cell_m);
+    place.last_row = place.first_row + 4;
+    place.last_column = grid_.size - 1;
+    place.tip_m = 0.018F;
+    place.is_part = is_part;
+    return JawCloser(turned_, CompletedSolid(object_, LevelFrame()), JawGripper()).CloseOn(place);
+  }
+
+  DetectedObject object_;
+  HandGrid grid_;
+  TurnedGrid turned_;
+};
+
+TEST_F(AroundACylinder, FingersMeetTheSolidOnBothSides) {
+  const auto contacts = CloseOn(0, false);
+  EXPECT_NEAR(contacts[0].along_m, -0.05F, 1e-6F);
+  EXPECT_NEAR(contacts[1].along_m, 0.05F, 1e-6F);
+  for (const JawContact& contact : contacts) {
+    EXPECT_NEAR(contact.slope_across, 0, 1e-4F);
+    EXPECT_NEAR(contact.slope_down, 0, 1e-4F);
+    EXPECT_EQ(contact.share, 1);  // 1 mm behind the first to touch at its ends
+    EXPECT_NEAR(contact.above_tip_m.high, 0.01F, 1e-6F);
+  }
+}
+
+// 30 mm from the middle, between 20 and 40, what is in front of a pad falls back by 16 mm.
+TEST_F(AroundACylinder, WhatIsBesideTheMiddleSlopes) {
+  const auto contacts = CloseOn(0.03F, false);
+  EXPECT_NEAR(contacts[1].along_m, std::sqrt(0.05F * 0.05F - 0.02F * 0.02F), 1e-6F);
+  EXPECT_LT(contacts[1].slope_across, -0.4F);
+  EXPECT_NEAR(contacts[1].share, 0, 1e-6F);  // its edge alone touches
+}
+
+TEST_F(AroundACylinder, OfAPartTheColumnsTell) {
+  const auto contacts = CloseOn(0, true);
+  EXPECT_NEAR(contacts[0].along_m, -0.05F, grid_.cell_m);
+  EXPECT_NEAR(contacts[1].along_m, 0.05F, grid_.cell_m);
+  EXPECT_NE(contacts[1].along_m, CloseOn(0, false)[1].along_m);
 }
 
 }  // namespace
