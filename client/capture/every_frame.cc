@@ -1,5 +1,4 @@
 #include <ostream>
-#include <thread>
 #include <utility>
 
 #include "client/capture/outage_watch.h"
@@ -26,11 +25,11 @@ v1::DetectResponse Ask(const SessionOptions& options, const Session& session,
       const auto wait = error.retry_after().value_or(std::chrono::milliseconds(0));
       const bool unavailable = error.code() == grpc::StatusCode::UNAVAILABLE;
       const bool too_late = steady_clock::now() + wait >= end;
-      if ((!unavailable && !error.retry_after()) || too_late || StopAsked()) throw;
+      if ((!unavailable && !error.retry_after()) || too_late) throw;
       if (unavailable && !std::exchange(is_away, true)) {
         session.notes << AwayNote(options.server) << std::flush;
       }
-      std::this_thread::sleep_for(wait);
+      if (StopAskedWithin(wait)) throw;
     }
   }
 }

@@ -2,7 +2,9 @@
 
 #include <signal.h>
 
+#include <algorithm>
 #include <atomic>
+#include <thread>
 
 namespace fovea::capture {
 namespace {
@@ -27,5 +29,15 @@ void CatchStopSignals() {
 }
 
 bool StopAsked() { return stop_asked; }
+
+bool StopAskedWithin(std::chrono::milliseconds time) {
+  using std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds kMoment{20};  // a handler of signals can wake nobody
+  const steady_clock::time_point end = steady_clock::now() + time;
+  while (!StopAsked() && steady_clock::now() < end) {
+    std::this_thread::sleep_until(std::min(end, steady_clock::now() + kMoment));
+  }
+  return StopAsked();
+}
 
 }  // namespace fovea::capture

@@ -32,9 +32,7 @@ void AddTrees(const GraspFunction& function, SomeGrasps& grasps) {
   });
 }
 
-double OddsOf(int thousandths) { return thousandths / 1000.0; }
-
-float ProbabilityOf(double log_odds) { return static_cast<float>(1 / (1 + std::exp(-log_odds))); }
+double LogOddsOf(int thousandths) { return thousandths / 1000.0; }
 
 }  // namespace
 
@@ -50,12 +48,7 @@ int GraspTree::Of(const GraspTerms& of_grasp) const {
 double GraspFunction::LogOdds(const GraspTerms& terms) const {
   int sum = bias;
   for (const GraspTree& tree : trees) sum += tree.Of(terms);
-  return OddsOf(sum);
-}
-
-float GraspModel::Probability(const ScoredGrasp& grasp) const {
-  const auto family = static_cast<std::size_t>(grasp.family);
-  return ProbabilityOf(families[family].LogOdds(grasp.terms));
+  return LogOddsOf(sum);
 }
 
 void GraspModel::SetProbabilities(std::vector<ScoredGrasp>& grasps) const {
@@ -74,7 +67,8 @@ void GraspModel::SetProbabilities(std::vector<ScoredGrasp>& grasps) const {
       }
       AddTrees(families[family], some);
       for (std::size_t i = 0; i < num; ++i) {
-        own[first + i]->grasp.probability = ProbabilityOf(OddsOf(some.sums[i]));
+        own[first + i]->grasp.probability =
+            static_cast<float>(1 / (1 + std::exp(-LogOddsOf(some.sums[i]))));
       }
     }
   }

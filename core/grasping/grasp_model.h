@@ -32,8 +32,7 @@ struct GraspFunction {
 struct GraspModel {
   std::array<GraspFunction, kNumGraspFamilies> families;
 
-  float Probability(const ScoredGrasp& grasp) const;
-  // The same of each, many at once.
+  // Of each its grasp.probability, by the function of its family.
   void SetProbabilities(std::vector<ScoredGrasp>& grasps) const;
 };
 

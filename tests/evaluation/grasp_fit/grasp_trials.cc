@@ -20,16 +20,17 @@ constexpr std::array<const char*, kNumGraspFamilies> kFamilies = {"across", "rim
 constexpr std::size_t kSpread = 20, kLikeliest = 20;
 
 // Of the candidates of one gripper.
-std::vector<const ScoredGrasp*> Chosen(const std::vector<ScoredGrasp>& candidates,
-                                       std::size_t gripper, const GraspModel& model) {
-  std::vector<const ScoredGrasp*> own, chosen;
+std::vector<ScoredGrasp> Chosen(const std::vector<ScoredGrasp>& candidates, std::size_t gripper,
+                                const GraspModel& model) {
+  std::vector<ScoredGrasp> own, chosen;
   for (const ScoredGrasp& candidate : candidates) {
-    if (candidate.grasp.gripper == gripper) own.push_back(&candidate);
+    if (candidate.grasp.gripper == gripper) own.push_back(candidate);
   }
+  model.SetProbabilities(own);
   const std::size_t step = own.size() / kSpread + 1;
   for (std::size_t i = 0; i < own.size(); i += step) chosen.push_back(own[i]);
-  std::stable_sort(own.begin(), own.end(), [&](const auto* a, const auto* b) {
-    return model.Probability(*a) > model.Probability(*b);
+  std::stable_sort(own.begin(), own.end(), [](const ScoredGrasp& a, const ScoredGrasp& b) {
+    return a.grasp.probability > b.grasp.probability;
   });
   own.resize(std::min(own.size(), kLikeliest));
   chosen.insert(chosen.end(), own.begin(), own.end());
@@ -44,10 +45,10 @@ void TryIn(const GeneratedScene& scene, const std::vector<Gripper>& grippers,
       const int body = physical.BodyOf(frame.labelled.objects[match.truth].label);
       for (std::size_t g = 0; g < grippers.size(); ++g) {
         const auto chosen = Chosen(frame.grasp_candidates[match.answer], g, model);
-        for (const ScoredGrasp* grasp : chosen) {
-          const Outcome outcome = CheckGrasp(physical, body, grippers[g], grasp->grasp);
-          trials[static_cast<std::size_t>(grasp->family)].push_back(
-              {grasp->terms, 1.0 / static_cast<double>(chosen.size()),
+        for (const ScoredGrasp& grasp : chosen) {
+          const Outcome outcome = CheckGrasp(physical, body, grippers[g], grasp.grasp);
+          trials[static_cast<std::size_t>(grasp.family)].push_back(
+              {grasp.terms, 1.0 / static_cast<double>(chosen.size()),
                outcome == Outcome::kSuccess});
         }
       }
