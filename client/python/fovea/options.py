@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from fovea.checks import flag, positive, real, shown, text
+from fovea.checks import flag, positive, real, shown, text, whole
 from fovea.errors import InvalidArgument
 from fovea.geometry import numbers
 from fovea.grippers import Gripper, grippers_to_proto
@@ -75,10 +75,15 @@ class DetectOptions:
     grippers: Sequence[Gripper] | Gripper | None = None
     # Length, width and height in metres of what free places are looked for; None: none are.
     place_size: tuple[float, float, float] | None = None
+    # Metres kept free around it, and to edges and to what is unseen, up to 1; None: 0.02.
+    place_margin_m: float | None = None
+    max_places: int = 5  # up to 100
     # Object.collision and Detections.support_collisions.
     collision_primitives: bool = False
     # Metres: Detections.height_map in cells of this size; None: none.
     height_map_cell_m: float | None = None
+    # At most, up to 1048576: what is nearest to the camera, where that is not all.
+    height_map_max_cells: int = 65536
 
     def to_proto(self) -> detection_pb2.DetectOptions:
         """Raises InvalidArgument that names the field."""
@@ -89,13 +94,16 @@ class DetectOptions:
             proto.grasps.grippers.extend(grippers_to_proto(self.grippers))
             proto.grasps.none = not proto.grasps.grippers
         if self.place_size is not None:
-            proto.places.size.CopyFrom(_place_size_to_proto(self.place_size))
+            proto.places.CopyFrom(self._places_to_proto())
         proto.planning.collision_primitives = flag(
             self.collision_primitives, "options.planning.collision_primitives"
         )
         if self.height_map_cell_m is not None:
             proto.planning.height_map.cell_m = positive(
                 self.height_map_cell_m, "options.planning.height_map.cell_m", "height_map_cell_m"
+            )
+            proto.planning.height_map.max_cells = whole(
+                self.height_map_max_cells, "options.planning.height_map.max_cells"
             )
         if flag(self.tracking, "options.tracking.enabled"):
             proto.tracking.enabled = True
@@ -108,6 +116,15 @@ class DetectOptions:
             # Nothing on the wire stands for no limit.
             proto.time_budget.FromNanoseconds(max(1, round(self.time_budget * 1e9)))
         self._add_parameters(proto)
+        return proto
+
+    def _places_to_proto(self) -> detection_pb2.PlaceOptions:
+        proto = detection_pb2.PlaceOptions(
+            size=_place_size_to_proto(self.place_size),
+            max_places=whole(self.max_places, "options.places.max_places"),
+        )
+        if self.place_margin_m is not None:
+            proto.margin_m = real(self.place_margin_m, "options.places.margin_m")
         return proto
 
     def _add_parameters(self, proto: detection_pb2.DetectOptions) -> None:

@@ -24,6 +24,13 @@ LOCAL_OPTIONS: list[tuple[dict[str, Any], str, str]] = [
     ({"place_size": 0.05}, "options.places.size", "place_size has the shape ()"),
     ({"place_size": "big"}, "options.places.size", "place_size is not made of numbers"),
     ({"height_map_cell_m": 0}, "options.planning.height_map.cell_m", "height_map_cell_m=0 is"),
+    ({"place_size": (1, 1, 1), "place_margin_m": "1"}, "options.places.margin_m", "'1' is not"),
+    ({"place_size": (1, 1, 1), "max_places": 0}, "options.places.max_places", "0 is not a whole"),
+    (
+        {"height_map_cell_m": 1, "height_map_max_cells": 0},
+        "options.planning.height_map.max_cells",
+        "0 is not a whole number from 1",
+    ),
     ({"profile": 5}, "options.profile", "5 is not a str"),
     ({"parameters": [("mrf.gamma_per_m2", 80)]}, "options.parameters", "is list, not a dict"),
     ({"parameters": {5: 80}}, "options.parameters", "5 is not a str"),

@@ -62,6 +62,25 @@ def test_a_wrong_cell_is_refused(client: fovea.Client, scene: Scene) -> None:
         detect(client, scene, height_map_cell_m=5)
 
 
+def test_a_height_map_has_at_most_so_many_cells(client: fovea.Client, scene: Scene) -> None:
+    all_cells = detect(client, scene, height_map_cell_m=0.03).height_map.heights_m
+    few = detect(client, scene, height_map_cell_m=0.03, height_map_max_cells=100).height_map
+    assert 80 < few.heights_m.size <= 100 < all_cells.size
+
+
+def test_free_places_keep_the_margin_and_the_number(client: fovea.Client, scene: Scene) -> None:
+    small = {"place_size": (0.02, 0.02, 0.02)}
+    found = detect(client, scene, **small)
+    assert len(found.free_places) == 5
+    assert len(detect(client, scene, **small, max_places=7).free_places) == 7
+    least = found.free_places[0].clearance_m / 2
+    for margin, is_kept in ((None, False), (least, True)):
+        some = detect(client, scene, **small, place_margin_m=margin, max_places=100).free_places
+        assert some and all(each.clearance_m >= least for each in some) == is_kept
+    with pytest.raises(fovea.InvalidArgument, match="options.places.margin_m"):
+        detect(client, scene, **small, place_margin_m=2)
+
+
 def test_the_operator_knows_the_robots_grippers(scene: Scene) -> None:
     cup = '{"name": "cup", "suction": {"diameter_m": 0.02}}'
     with ServerProcess("--gripper", f"arm={cup}") as server:
