@@ -41,10 +41,11 @@ def _is_finite(value: Any) -> bool:
         return False
 
 
-def whole(value: Any, field: str, most: int = 2**32 - 1) -> int:
-    """From 1 to `most`, unless told to what 32 bits hold."""
-    if not (isinstance(value, (int, np.integer)) and 0 < value <= most):
-        raise InvalidArgument(field, f"{shown(value)} is not a whole number from 1 to {most}")
+def whole(value: Any, field: str, most: int = 2**32 - 1, least: int = 1) -> int:
+    """Unless told up to what 32 bits hold."""
+    if not (isinstance(value, (int, np.integer)) and least <= value <= most):
+        problem = f"{shown(value)} is not a whole number from {least} to {most}"
+        raise InvalidArgument(field, problem)
     return int(value)
 
 

@@ -18,7 +18,7 @@ from fovea.checks import timeout_of_call, timeout_of_client
 from fovea.detections import Detections, detections_from_proto
 from fovea.errors import Cancelled, error_of_call
 from fovea.frame import CameraIntrinsics, Frame
-from fovea.frame_feed import FrameFeed
+from fovea.frame_feed import FrameFeed, Item
 from fovea.options import DetectOptions, RetryOptions, TlsOptions, options_to_proto
 from fovea.readiness import is_serving, wait_until_connected, wait_until_ready
 from fovea.retry import call_with_retries
@@ -167,7 +167,7 @@ class Client:
 
     def stream(
         self,
-        frames: Iterable[Frame],
+        frames: Iterable[Item],
         options: DetectOptions = DetectOptions(),
         *,
         timeout: float | None = None,
@@ -181,6 +181,9 @@ class Client:
         `every_frame` the next frame is taken only when the last one has its answer, so that none
         is dropped. A frame that cannot be answered gets an error in its answer and the stream goes
         on. Raises whatever `frames` raises, after the answers to the frames before.
+
+        Instead of a Frame, `frames` may yield (Frame, DetectOptions): these options hold from that
+        frame on.
 
         A stream that breaks, for example because the server was killed and started again, is opened
         again as `retry` says, however often. Frames that were sent and have no answer are lost, and

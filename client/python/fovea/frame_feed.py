@@ -10,9 +10,11 @@ from typing import TypeAlias
 
 from fovea.errors import InvalidArgument
 from fovea.frame import Frame
+from fovea.options import DetectOptions, options_to_proto
 from fovea.v1 import detection_pb2, detection_service_pb2, frame_pb2
 
 Request: TypeAlias = detection_service_pb2.DetectStreamRequest
+Item: TypeAlias = Frame | tuple[Frame, DetectOptions]  # options hold for the frames after it, too
 Inbox: TypeAlias = "SimpleQueue[Request | None]"  # of one connection; None = no more will come
 
 
@@ -27,7 +29,7 @@ class FrameFeed:
 
     def __init__(
         self,
-        frames: Iterable[Frame],
+        frames: Iterable[Item],
         options: detection_pb2.DetectOptions,
         every_frame: bool,
         picks: bool,
@@ -42,8 +44,8 @@ class FrameFeed:
         self._lock = threading.Lock()
         self._num_sent = 0
         self._unfit: dict[int, InvalidArgument] = {}  # by sequence: what was not sent as it is
-        self._under_way: Frame | None = None  # with every_frame: sent, not answered yet
-        self._held: Frame | None = None  # for the next connection
+        self._under_way: Item | None = None  # with every_frame: sent, not answered yet
+        self._held: Item | None = None  # for the next connection
         self._inbox: Inbox | None = None  # of the connection there is
         self._wanting: SimpleQueue[Inbox | None] = SimpleQueue()  # None = nobody any more
         self._thread: threading.Thread | None = None
@@ -110,7 +112,7 @@ class FrameFeed:
         try:
             while inbox := self._wanting.get():
                 if inbox is self._inbox:  # else it broke meanwhile
-                    self._hand_over(self._next_frame(), inbox)
+                    self._hand_over(self._next_item(), inbox)
         except StopIteration:
             pass
         except BaseException as error:  # the caller's thread is to raise it, be it SystemExit
@@ -125,31 +127,34 @@ class FrameFeed:
         if self._inbox:
             self._inbox.put(None)
 
-    def _next_frame(self) -> Frame:
-        frame, self._held = self._held, None
-        return next(self._frames) if frame is None else frame
+    def _next_item(self) -> Item:
+        item, self._held = self._held, None
+        return next(self._frames) if item is None else item
 
-    def _hand_over(self, frame: Frame, inbox: Inbox) -> None:
-        request, error = self._request_of(frame)
+    def _hand_over(self, item: Item, inbox: Inbox) -> None:
+        request, error = self._request_of(item)
         with self._lock:
             if inbox is not self._inbox and (self._inbox or self._every_frame):
-                self._held = frame
+                self._held = item
                 return
             sequence, self._num_sent = self._num_sent, self._num_sent + 1
             if not self._inbox:
                 return  # lost
             if self._every_frame:
-                self._under_way = frame
+                self._under_way = item
             if error:
                 self._unfit[sequence] = error
             if self.waiting_since is None:
                 self.waiting_since = time.monotonic()
             inbox.put(request)
 
-    def _request_of(self, frame: Frame) -> tuple[Request, InvalidArgument | None]:
+    def _request_of(self, item: Item) -> tuple[Request, InvalidArgument | None]:
+        frame, options = item if isinstance(item, tuple) and len(item) == 2 else (item, None)
         if not isinstance(frame, Frame):
             raise TypeError(f"frames must be fovea.Frame, not {type(frame).__name__}")
         try:
+            if options is not None:
+                self._options = options_to_proto(options)
             return self._request_with(frame.to_proto()), None
         except InvalidArgument as error:
             # It keeps its place: the server refuses it, and its answer gets this error.

@@ -70,6 +70,8 @@ class DetectOptions:
     time_budget: float = 0
     # Only in streams: objects keep a track_id from frame to frame.
     tracking: bool = False
+    # The tracks start anew with the first frame whose number here is another one than before.
+    tracking_reset: int = 0
     # The robot's grippers, one or several; None: those that the server's operator has set for this
     # robot, else one with two fingers that opens 0.085 m; (): no grasps, sooner.
     grippers: Sequence[Gripper] | Gripper | None = None
@@ -107,6 +109,7 @@ class DetectOptions:
             )
         if flag(self.tracking, "options.tracking.enabled"):
             proto.tracking.enabled = True
+            proto.tracking.reset = whole(self.tracking_reset, "options.tracking.reset", least=0)
         if self.time_budget:
             if not 0 < real(self.time_budget, "options.time_budget") <= 3600:
                 raise InvalidArgument(

@@ -31,6 +31,7 @@ LOCAL_OPTIONS: list[tuple[dict[str, Any], str, str]] = [
         "options.planning.height_map.max_cells",
         "0 is not a whole number from 1",
     ),
+    ({"tracking": True, "tracking_reset": -1}, "options.tracking.reset", "-1 is not a whole"),
     ({"profile": 5}, "options.profile", "5 is not a str"),
     ({"parameters": [("mrf.gamma_per_m2", 80)]}, "options.parameters", "is list, not a dict"),
     ({"parameters": {5: 80}}, "options.parameters", "5 is not a str"),

@@ -51,6 +51,16 @@ def test_things_keep_their_ids_where_that_is_asked_for(client: fovea.Client, sce
     assert plain[0].track_epoch is None and plain[0].objects[0].track_id is None
 
 
+def test_tracks_start_anew_where_that_is_asked_for(client: fovea.Client, scene: Scene) -> None:
+    reset = fovea.DetectOptions(tracking=True, tracking_reset=1)
+    frames = [scene.frame(), scene.frame(), (scene.frame(), reset), scene.frame()]
+    tracking = fovea.DetectOptions(tracking=True)
+    answers = [answer.detections for answer in client.stream(frames, tracking, every_frame=True)]
+    before, same, anew, still = [answer.track_epoch for answer in answers]
+    assert before == same != anew == still
+    assert [answer.objects[0].times_seen for answer in answers] == [1, 2, 1, 2]
+
+
 def test_a_single_call_has_no_frames_to_track(client: fovea.Client, scene: Scene) -> None:
     with pytest.raises(fovea.InvalidArgument, match="DetectStream"):
         client.detect_frame(scene.frame(), fovea.DetectOptions(tracking=True))
@@ -109,6 +119,21 @@ def test_options_hold_for_all_frames(client: fovea.Client, scene: Scene) -> None
         assert answer.detections.objects[0].mask is None
     with pytest.raises(fovea.InvalidArgument):
         client.stream([], fovea.DetectOptions(parameters={"x": None}))  # type: ignore[dict-item]
+
+
+def test_options_of_a_frame_hold_from_there_on(client: fovea.Client, scene: Scene) -> None:
+    one = fovea.DetectOptions(parameters={"objects.max_objects": 1})
+    wrong = fovea.DetectOptions(profile=5)  # type: ignore[arg-type]
+    frames = [scene.frame(), (scene.frame(), one), (scene.frame(), wrong), scene.frame()]
+    answers = list(client.stream(frames, every_frame=True))
+    assert [answer.error and answer.error.field for answer in answers] == [
+        None,
+        None,
+        "options.profile",
+        None,
+    ]
+    assert len(answers[0].detections.objects) > 1
+    assert [len(answers[i].detections.objects) for i in (1, 3)] == [1, 1]
 
 
 def test_no_frames_no_answers(client: fovea.Client) -> None:
