@@ -55,6 +55,23 @@ std::chrono::milliseconds Capped(std::chrono::milliseconds timeout) {
   return std::clamp(timeout, -kLongest, kLongest);
 }
 
+// gRPC takes any text and fails at each call, without a word about it.
+void RequirePem(const std::string& name, const std::string& text, const std::string& kind) {
+  if (text.empty() || text.find(kind + "-----") != std::string::npos) return;
+  throw std::invalid_argument("tls." + name + ": holds no " + kind +
+                              " in PEM; it takes the text of a file, not its path");
+}
+
+void RequireTls(const TlsOptions& tls) {
+  // gRPC ends the program where one of them is missing.
+  if (tls.certificate_chain.empty() != tls.private_key.empty()) {
+    throw std::invalid_argument("tls: certificate_chain and private_key go together");
+  }
+  RequirePem("root_certificates", tls.root_certificates, "CERTIFICATE");
+  RequirePem("certificate_chain", tls.certificate_chain, "CERTIFICATE");
+  RequirePem("private_key", tls.private_key, "PRIVATE KEY");
+}
+
 ClientOptions Checked(ClientOptions options) {
   if (!IsPrintableAscii(options.robot)) {
     throw std::invalid_argument("robot: \"" + options.robot + "\" is not printable ASCII");
@@ -67,10 +84,7 @@ ClientOptions Checked(ClientOptions options) {
     throw std::invalid_argument("max_answer_mib: " + std::to_string(options.max_answer_mib) +
                                 " is not 1 to " + std::to_string(kMaxMib));
   }
-  // gRPC ends the program where one of them is missing.
-  if (options.tls && options.tls->certificate_chain.empty() != options.tls->private_key.empty()) {
-    throw std::invalid_argument("tls: certificate_chain and private_key go together");
-  }
+  if (options.tls) RequireTls(*options.tls);
   options.timeout = Capped(options.timeout);
   return options;
 }

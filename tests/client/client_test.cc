@@ -19,6 +19,7 @@ namespace fovea::client {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using testing::Loopback;
 using ::testing::StartsWith;
 using ::testing::ThrowsMessage;
@@ -46,6 +47,21 @@ TEST(Client, RefusesWhatMetadataCannotHold) {
     EXPECT_THROW(Client("localhost:1", robot), std::invalid_argument) << text;
     EXPECT_THROW(Client("localhost:1", token), std::invalid_argument) << text;
   }
+}
+
+TEST(Client, RefusesPathsInPlaceOfPem) {
+  const std::string certificate = "-----BEGIN CERTIFICATE-----";
+  const auto client_with = [](TlsOptions tls) {
+    ClientOptions options;
+    options.tls = std::move(tls);
+    return [options] { Client("localhost:1", options); };
+  };
+  EXPECT_THAT(client_with({"ca.pem", "", ""}),
+              ThrowsMessage<std::invalid_argument>(HasSubstr("tls.root_certificates: holds no")));
+  EXPECT_THAT(client_with({certificate, "robot.pem", "robot.key"}),
+              ThrowsMessage<std::invalid_argument>(HasSubstr("tls.certificate_chain: holds no")));
+  EXPECT_THAT(client_with({certificate, certificate, "robot.key"}),
+              ThrowsMessage<std::invalid_argument>(HasSubstr("tls.private_key: holds no PRIVATE")));
 }
 
 TEST(Client, RefusesHalfOfATlsPair) {

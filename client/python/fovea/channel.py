@@ -12,6 +12,11 @@ from fovea.addresses import Target
 from fovea.errors import InvalidArgument
 from fovea.options import TlsOptions
 
+_PEM = {
+    "root_certificates": b"CERTIFICATE",
+    "certificate_chain": b"CERTIFICATE",
+    "private_key": b"PRIVATE KEY",
+}
 _open: weakref.WeakSet[grpc.Channel] = weakref.WeakSet()
 
 
@@ -53,18 +58,20 @@ def _connect(
 ) -> grpc.Channel:
     if tls is None:
         return grpc.insecure_channel(target, options)
-    _check(tls)
     credentials = grpc.ssl_channel_credentials(
         tls.root_certificates or None, tls.private_key or None, tls.certificate_chain or None
     )
     return grpc.secure_channel(target, credentials, options)
 
 
-def _check(tls: Any) -> None:
-    """gRPC ends the program where one of a pair is missing."""
+def check_tls(tls: Any) -> None:
+    """gRPC ends the program where one of a pair is missing, and takes any text, to fail at each call
+    without a word about it. Raises InvalidArgument."""
+    if tls is None:
+        return
     if not isinstance(tls, TlsOptions):
         raise InvalidArgument("tls", f"is {type(tls).__name__}, not fovea.TlsOptions")
-    for name in ("root_certificates", "certificate_chain", "private_key"):
+    for name in _PEM:
         if not isinstance(getattr(tls, name), bytes):
             raise InvalidArgument(f"tls.{name}", "is not bytes: the text of a PEM file is")
     for name, other in (
@@ -73,6 +80,11 @@ def _check(tls: Any) -> None:
     ):
         if getattr(tls, other) and not getattr(tls, name):
             raise InvalidArgument(f"tls.{name}", f"is missing; it goes together with {other}")
+    for name, kind in _PEM.items():
+        text = getattr(tls, name)
+        if text and kind + b"-----" not in text:
+            problem = f"holds no {kind.decode()} in PEM; it takes the text of a file, not its path"
+            raise InvalidArgument(f"tls.{name}", problem)
 
 
 def make_metadata(token: str, robot: str) -> list[tuple[str, str]]:

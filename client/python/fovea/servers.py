@@ -10,7 +10,7 @@ from typing import Any
 import grpc
 
 from fovea.addresses import Target, find_targets, parse_addresses
-from fovea.channel import make_channel
+from fovea.channel import check_tls, make_channel
 from fovea.checks import whole
 from fovea.errors import FoveaError, Unavailable
 from fovea.health import Health
@@ -48,7 +48,8 @@ class Servers:
         max_answer_mib: int,
         metadata: list[tuple[str, str]],
     ) -> None:
-        """Raises InvalidArgument for an address or a limit of answers that is none."""
+        """Raises InvalidArgument for an address, a limit of answers or TLS options that are none."""
+        check_tls(tls)
         self.address = address
         self._addresses = parse_addresses(address)
         self._of_channel = tls, whole(max_answer_mib, "max_answer_mib", _MOST_MIB), metadata

@@ -143,16 +143,23 @@ def test_finds_mistakes_before_sending(
         (fovea.TlsOptions(certificate_chain=b"x"), "tls.private_key", "is missing"),
         (fovea.TlsOptions(private_key=b"x"), "tls.certificate_chain", "is missing"),
         (True, "tls", "is bool, not fovea.TlsOptions"),
+        (fovea.TlsOptions(b"ca.pem"), "tls.root_certificates", "holds no CERTIFICATE in PEM"),
+        (
+            fovea.TlsOptions(b"", b"-----BEGIN CERTIFICATE-----", b"robot.key"),
+            "tls.private_key",
+            "holds no PRIVATE KEY in PEM",
+        ),
         (fovea.TlsOptions("x"), "tls.root_certificates", "not bytes"),  # type: ignore[arg-type]
     ],
 )
 def test_finds_mistakes_of_tls_before_connecting(
     tls: fovea.TlsOptions, field: str, problem: str
 ) -> None:
-    with pytest.raises(fovea.InvalidArgument) as caught:
-        fovea.Client("127.0.0.1:1", tls=tls)
-    assert caught.value.field == field
-    assert problem in caught.value.message
+    for address in ("127.0.0.1:1", "localhost:1"):  # names are looked up later
+        with pytest.raises(fovea.InvalidArgument) as caught:
+            fovea.Client(address, tls=tls)
+        assert caught.value.field == field
+        assert problem in caught.value.message
 
 
 @pytest.mark.parametrize(("changes", "field"), REMOTE)
