@@ -25,27 +25,35 @@ _SUCTION = {"suction_diameter_m": "diameter_m", "max_curvature_per_m": "max_curv
 class Gripper:
     """A gripper that grasps are planned for: two fingers, or a suction cup if it has a diameter.
 
-    What is None has the value given. Those of an answer have every length of their kind, and None
-    for what the other kind has.
+    None stands for the values given here. Those of an answer have every length of their kind, and
+    None for what the other kind has.
+
+    name: comes back with its grasps.
+    max_opening_m: 0.085; finger_length_m: 0.04; finger_width_m: 0.02; finger_thickness_m: 0.01.
+    suction_diameter_m: None: fingers.
+    max_tilt_rad: how far a grasp's approach may be from the one preferred; 0.35, with suction 0.8.
+    max_grasps: for each object.
+    min_probability: what is less likely to succeed is not returned; 0.5. Less, if failing costs
+        little.
+    palm_size_m: of the box behind the fingers, along x, y and z of the hand. 0 along x: as wide as
+        the fingers at their widest; along y and z: 0.04. None is all of that.
+    friction: coefficient between fingers and object; 0.5.
+    max_curvature_per_m: of what the cup still seals on; 12.
+    approach: the way to move in that is preferred: a unit vector in the camera frame; along gravity.
     """
 
-    name: str = ""  # comes back with its grasps
-    max_opening_m: float | None = None  # 0.085
-    finger_length_m: float | None = None  # 0.04
-    finger_width_m: float | None = None  # 0.02
-    finger_thickness_m: float | None = None  # 0.01
-    suction_diameter_m: float | None = None  # None: fingers
-    # How far the approach may be from straight down, radians; 0.35, with suction 0.8.
+    name: str = ""
+    max_opening_m: float | None = None
+    finger_length_m: float | None = None
+    finger_width_m: float | None = None
+    finger_thickness_m: float | None = None
+    suction_diameter_m: float | None = None
     max_tilt_rad: float | None = None
-    max_grasps: int = 5  # for each object
-    # What is less likely to succeed is not returned; 0.5. Less, if failing costs little.
+    max_grasps: int = 5
     min_probability: float | None = None
-    # Of the box behind the fingers, along x, y and z of the hand. 0 along x: as wide as the fingers
-    # at their widest; along y and z: 0.04. None is all of that.
     palm_size_m: tuple[float, float, float] | None = None
-    friction: float | None = None  # coefficient between fingers and object; 0.5
-    max_curvature_per_m: float | None = None  # of what the cup still seals on; 12
-    # The way to move in that is preferred: a unit vector in the camera frame; along gravity.
+    friction: float | None = None
+    max_curvature_per_m: float | None = None
     approach: tuple[float, float, float] | None = None
 
     def to_proto(self, field: str = f"{_GRIPPERS}[0]") -> detection_pb2.Gripper:

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import inspect
+from dataclasses import fields
+
 import numpy as np
 import pytest
 from comparison import assert_same
@@ -125,6 +128,12 @@ def test_grippers_of_an_answer_can_be_sent_as_they_came(client: fovea.Client, sc
     assert found.grippers[2].max_opening_m == 0.14  # not what 32 bits make of it
     assert_same(detect(client, scene, grippers=found.grippers), found)
     assert detect(client, scene, grippers=()).grippers == []
+
+
+def test_help_says_what_a_gripper_has_where_nothing_is_given() -> None:
+    told = inspect.getdoc(fovea.Gripper)
+    assert told and "max_opening_m: 0.085" in told
+    assert [each.name for each in fields(fovea.Gripper) if f"{each.name}: " not in told] == []
 
 
 def test_a_gripper_alone_is_a_list_of_one(client: fovea.Client, scene: Scene) -> None:
