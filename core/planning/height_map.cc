@@ -82,9 +82,11 @@ class Grid {
     const float side = std::floor(std::sqrt(most));
     const float columns =
         std::min(extent.x(), std::max(side, std::floor(most / std::min(extent.y(), most))));
-    const int last = first_.x() + static_cast<int>(extent.x() - columns);
-    first_.x() = std::clamp(static_cast<int>(-columns / 2), first_.x(), last);
-    extent = {columns, std::min(extent.y(), std::floor(most / columns))};
+    const Eigen::Array2f kept(columns, std::min(extent.y(), std::floor(most / columns)));
+    // Around the camera, where it looks down on both sides of itself.
+    const Eigen::Array2i last = first_ + (extent - kept).cast<int>();
+    first_ = (-kept / 2).cast<int>().max(first_).min(last);
+    extent = kept;
   }
 
   Eigen::Vector3f up_;

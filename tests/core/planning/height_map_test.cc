@@ -86,6 +86,14 @@ TEST(HeightMap, IsBoundedInSizeAndKeepsWhatIsNear) {
   EXPECT_NEAR(HeightAt(part, {0, 1, 0.5F}), 0, 1e-6);
 }
 
+TEST(HeightMap, IsAroundACameraThatLooksStraightDownWhereItIsBounded) {
+  const HeightMap part = MakeHeightMap(Floor(), kUp, 1, {.cell_m = 0.01F, .max_cells = 100});
+  EXPECT_EQ(part.heights_m.size(), cv::Size(10, 10));
+  for (const float x : {-0.04F, 0.04F}) {
+    for (const float y : {-0.04F, 0.04F}) EXPECT_NEAR(HeightAt(part, {x, y, 1}), 0, 1e-6);
+  }
+}
+
 TEST(HeightMap, OfNothingIsOneUnknownCell) {
   const cv::Mat points(4, 4, CV_32FC3, cv::Scalar::all(kNone));
   const HeightMap map = MakeHeightMap(points, kUp, 1, {});
