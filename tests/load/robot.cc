@@ -1,5 +1,6 @@
 #include "tests/load/robot.h"
 
+#include <algorithm>
 #include <deque>
 #include <future>
 #include <memory>
@@ -99,10 +100,21 @@ class SendTimes {
     times_.push_back(Clock::now());
     if (times_.back() >= noted_from_) ++num_noted_;
   }
-  Clock::time_point Take(std::uint64_t sequence) {
+  struct Taken {
+    Clock::time_point sent;
+    std::uint64_t num_passed = 0;  // noted ones that were sent before it and get no answer
+  };
+  Taken Take(std::uint64_t sequence) {
     const std::lock_guard lock(mutex_);
-    for (; first_ < sequence; ++first_) times_.pop_front();
-    return times_.front();
+    Taken taken;
+    for (; first_ < sequence; ++first_) {
+      if (times_.front() >= noted_from_) ++taken.num_passed;
+      times_.pop_front();
+    }
+    taken.sent = times_.front();
+    times_.pop_front();
+    ++first_;
+    return taken;
   }
   std::uint64_t NumNoted() {
     const std::lock_guard lock(mutex_);
@@ -134,10 +146,12 @@ Outcome Stream(const client::Client& client, const RobotPlan& plan, const std::s
   try {
     while (const auto answer = stream.Receive()) {
       const v1::DetectStreamResponse& response = answer->response;
-      const Clock::time_point sent = times.Take(response.sequence());
+      const auto [sent, num_passed] = times.Take(response.sequence());
       Outcome& noted = sent < plan.noted_from ? not_noted : outcome;
-      noted.dropped += response.dropped();
-      noted.lost += answer->lost;
+      // Those that were lost were sent before those that the new connection dropped.
+      const std::uint64_t dropped = std::min<std::uint64_t>(response.dropped(), num_passed);
+      noted.dropped += dropped;
+      noted.lost += std::min(answer->lost, num_passed - dropped);
       if (response.has_detections()) {
         Note(response.detections(), sent, &noted);
       } else {

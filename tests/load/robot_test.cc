@@ -4,6 +4,8 @@
 #include <grpcpp/ext/health_check_service_server_builder_option.h>
 #include <grpcpp/grpcpp.h>
 
+#include <chrono>
+#include <cstdint>
 #include <memory>
 
 #include "client/client.h"
@@ -16,8 +18,8 @@ using testing::ElementsAre;
 using testing::Gt;
 using testing::Pair;
 
-// Answers calls with the time that its processor was not there, the frames of streams with an
-// error, and has the robots stop.
+// Answers calls with the time that its processor was not there, the last frame of streams with an
+// error, and has the robots stop, those of streams once their frames are noted.
 class OneAnswer final : public v1::DetectionService::Service {
  public:
   OneAnswer() {
@@ -30,8 +32,9 @@ class OneAnswer final : public v1::DetectionService::Service {
   }
   ~OneAnswer() override { server_->Shutdown(); }
 
-  Outcome Run(bool stream) {
+  Outcome Run(bool stream, std::chrono::milliseconds warm_up = {}) {
     RobotPlan plan;
+    noted_from_ = plan.noted_from = std::chrono::steady_clock::now() + warm_up;
     plan.servers = {"127.0.0.1:" + std::to_string(port_)};
     plan.stream = stream;
     return RunRobot(plan, stop_.get_token());
@@ -51,15 +54,19 @@ class OneAnswer final : public v1::DetectionService::Service {
   grpc::Status DetectStream(grpc::ServerContext* /*context*/, Frames* frames) override {
     v1::DetectStreamRequest request;
     v1::DetectStreamResponse response;
-    frames->Read(&request);
+    std::uint64_t num_read = 0;
+    for (; frames->Read(&request); ++num_read) {
+      if (std::chrono::steady_clock::now() > noted_from_) stop_.request_stop();
+    }
+    response.set_sequence(num_read - 1);
+    response.set_dropped(num_read - 1);
     response.mutable_error()->set_code(grpc::StatusCode::INVALID_ARGUMENT);
     frames->Write(response);
-    stop_.request_stop();
-    while (frames->Read(&request)) continue;
     return grpc::Status::OK;
   }
 
   int port_ = 0;
+  std::chrono::steady_clock::time_point noted_from_;
   std::stop_source stop_;
   std::unique_ptr<grpc::Server> server_;
 };
@@ -72,6 +79,11 @@ TEST(Robot, CountsTheWaitForAProcessorOnce) {
 TEST(Robot, NamesTheErrorsOfStreams) {
   const Outcome outcome = OneAnswer().Run(/*stream=*/true);
   EXPECT_THAT(outcome.errors, ElementsAre(Pair("INVALID_ARGUMENT", 1)));
+}
+
+TEST(Robot, NotesNoneThatWereDroppedOfTheWarmUp) {
+  const Outcome outcome = OneAnswer().Run(/*stream=*/true, std::chrono::milliseconds(500));
+  EXPECT_EQ(outcome.dropped + outcome.errors.at("INVALID_ARGUMENT"), outcome.sent);
 }
 
 TEST(Robot, IsNotStartedWithoutItsServer) {
