@@ -1,6 +1,7 @@
 #include "tests/support/bag_writer.h"
 
 #include <lz4frame.h>
+#include <zlib.h>
 #include <zstd.h>
 
 #include <utility>
@@ -104,12 +105,15 @@ void BagWriter::Add(std::string_view topic, std::string_view type, std::string_v
   open_ += Record(5, id + Bytes(std::uint32_t{0}) + times + std::string(message));
 }
 
-void BagWriter::EndChunk(std::string_view compression) {
+void BagWriter::EndChunk(std::string_view compression, bool with_checksum) {
   const std::string records = std::exchange(open_, {});
+  const auto checksum = static_cast<std::uint32_t>(
+      with_checksum ? crc32_z(0, reinterpret_cast<const Bytef*>(records.data()), records.size())
+                    : 0);
   const std::string packed = Packed(records, compression);
   file_ +=
       Record(6, Bytes(std::uint64_t{0}) + Bytes(std::uint64_t{0}) +
-                    Bytes(static_cast<std::uint64_t>(records.size())) + Bytes(std::uint32_t{0}) +
+                    Bytes(static_cast<std::uint64_t>(records.size())) + Bytes(checksum) +
                     Text(compression) + Bytes(static_cast<std::uint64_t>(packed.size())) + packed);
 }
 

@@ -25,7 +25,7 @@ class BagWriter {
   // have to take as well.
   void Add(std::string_view topic, std::string_view type, std::string_view message);
   // A chunk of what was added since the last one; "zstd", "lz4" or "".
-  void EndChunk(std::string_view compression);
+  void EndChunk(std::string_view compression, bool with_checksum = false);
 
   // The bag; what is in no chunk comes last.
   std::string Finish();

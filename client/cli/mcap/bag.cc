@@ -87,12 +87,13 @@ bool IsBag(const std::string& path) { return LowerEnding(path) == ".mcap"; }
 Bag ReadBag(std::string_view bytes, const std::string& name, const BagFlags& flags,
             const std::shared_ptr<const void>& owner) {
   Index index;
-  const bool whole =
+  const auto end =
       ForEachMessage(bytes, [&](const McapMessage& message) { Note(message, name, &index); });
+  const std::string broken =
+      end ? fmt::format("breaks off at byte {} of {}", *end, bytes.size()) : "";
   const std::vector<std::string> all = TopicsOf(index);
   if (all.empty()) {
-    throw std::invalid_argument(std::string("it has no images of ROS 2") +
-                                (whole ? "" : "; it ends within a record"));
+    throw std::invalid_argument("it has no images of ROS 2" + (end ? "; it " + broken : ""));
   }
   Bag bag;
   bag.color_topic = ColorTopic(all, flags.color_topic);
@@ -100,7 +101,7 @@ Bag ReadBag(std::string_view bytes, const std::string& name, const BagFlags& fla
   bag.list = PairByTime(ImagesOf(bag.color_topic, index), ImagesOf(bag.depth_topic, index));
   bag.color_frame = index.frames[bag.color_topic];
   bag.depth_frame = index.frames[bag.depth_topic];
-  if (!whole) bag.list.notes.push_back(name + " ends within a record; what is before is read");
+  if (end) bag.list.notes.push_back(name + " " + broken + "; what is before is read");
   if (bag.list.frames.empty()) {
     throw std::invalid_argument(
         fmt::format("it has no frames; {}", fmt::join(bag.list.notes, "; ")));

@@ -1,5 +1,8 @@
 #include "client/cli/mcap/mcap.h"
 
+#include <fmt/format.h>
+#include <zlib.h>
+
 #include <map>
 #include <stdexcept>
 
@@ -19,6 +22,7 @@ struct Channel {
 struct Chunk {
   std::string_view compression, records;
   std::uint64_t size = 0;
+  std::uint32_t checksum = 0;  // CRC-32 of the records, decompressed; 0 = none
 };
 
 Chunk ParseChunk(std::string_view content) {
@@ -26,10 +30,21 @@ Chunk ParseChunk(std::string_view content) {
   reader.Bytes(2 * sizeof(std::uint64_t));  // of the first and the last message
   Chunk chunk;
   chunk.size = reader.Number<std::uint64_t>();
-  reader.Bytes(sizeof(std::uint32_t));  // CRC
+  chunk.checksum = reader.Number<std::uint32_t>();
   chunk.compression = reader.Text();
   chunk.records = reader.Bytes(reader.Number<std::uint64_t>());
   return chunk;
+}
+
+std::string RecordsOf(std::string_view content) {
+  const Chunk chunk = ParseChunk(content);
+  std::string records = Decompress(chunk.records, chunk.compression, chunk.size);
+  if (chunk.checksum != 0 &&
+      chunk.checksum !=
+          crc32_z(0, reinterpret_cast<const Bytef*>(records.data()), records.size())) {
+    throw std::invalid_argument("a chunk is damaged: its checksum is another");
+  }
+  return records;
 }
 
 class Parser {
@@ -37,30 +52,44 @@ class Parser {
   Parser(std::string_view file, const std::function<void(const McapMessage&)>& use)
       : file_(file), use_(use) {}
 
-  bool Parse() {
+  std::optional<std::uint64_t> Parse() {
     if (!file_.starts_with(kMagic)) throw std::invalid_argument("it is no MCAP file");
     return Records(file_.substr(kMagic.size()), kMagic.size(), {});
   }
 
  private:
-  // `start`: of `records` in the file, or in those of the chunk that `chunk` names.
-  bool Records(std::string_view records, std::uint64_t start, const McapPlace& chunk) {
+  // `start`: of `records` in the file, or in those of the chunk that `chunk` names. Returns where
+  // they break off, as the file does.
+  std::optional<std::uint64_t> Records(std::string_view records, std::uint64_t start,
+                                       const McapPlace& chunk) {
     ByteReader reader(records);
     while (!reader.AtEnd()) {
       constexpr std::size_t kHead = 1 + sizeof(std::uint64_t);
-      if (records.size() - reader.position() < kHead) return false;
+      const std::uint64_t at = start + reader.position();
+      if (records.size() - reader.position() < kHead) return at;
       const auto kind = reader.Number<std::uint8_t>();
       const auto size = reader.Number<std::uint64_t>();
-      if (size > records.size() - reader.position()) return false;
+      const bool is_none = kind == 0;  // as where a disk lost what was written
+      if (is_none || size > records.size() - reader.position()) return at;
+      if (kind == kDataEnd) return std::nullopt;  // what follows says the same once more
       const std::uint64_t place = start + reader.position();
-      const std::string_view content = reader.Bytes(size);
-      if (kind == kDataEnd) return true;  // what follows says the same once more
-      if (kind == kSchema) AddSchema(content);
-      if (kind == kChannel) AddChannel(content);
-      if (kind == kMessage) AddMessage(content, place, chunk);
-      if (kind == kChunk && chunk.chunk == 0) AddChunk(content, place);
+      try {
+        Add(kind, reader.Bytes(size), place, chunk);
+      } catch (const std::invalid_argument& error) {
+        if (chunk.chunk != 0) throw;
+        throw std::invalid_argument(fmt::format("the record at byte {}: {}", at, error.what()));
+      }
     }
-    return true;
+    if (chunk.chunk != 0) return std::nullopt;
+    return start + reader.position();
+  }
+
+  void Add(std::uint8_t kind, std::string_view content, std::uint64_t place,
+           const McapPlace& chunk) {
+    if (kind == kSchema) AddSchema(content);
+    if (kind == kChannel) AddChannel(content);
+    if (kind == kMessage) AddMessage(content, place, chunk);
+    if (kind == kChunk && chunk.chunk == 0) AddChunk(content, place);
   }
 
   void AddSchema(std::string_view content) {
@@ -94,9 +123,8 @@ class Parser {
   }
 
   void AddChunk(std::string_view content, std::uint64_t place) {
-    const Chunk chunk = ParseChunk(content);
-    const std::string records = Decompress(chunk.records, chunk.compression, chunk.size);
-    if (!Records(records, 0, {place, content.size(), 0, 0})) {
+    const std::string records = RecordsOf(content);
+    if (Records(records, 0, {place, content.size(), 0, 0})) {
       throw std::invalid_argument("a chunk ends within a record");
     }
   }
@@ -115,14 +143,14 @@ std::string_view Part(std::string_view bytes, std::uint64_t start, std::uint64_t
 
 }  // namespace
 
-bool ForEachMessage(std::string_view file, const std::function<void(const McapMessage&)>& use) {
+std::optional<std::uint64_t> ForEachMessage(std::string_view file,
+                                            const std::function<void(const McapMessage&)>& use) {
   return Parser(file, use).Parse();
 }
 
 std::string DataAt(std::string_view file, const McapPlace& place) {
   if (place.chunk == 0) return std::string(Part(file, place.start, place.size));
-  const Chunk chunk = ParseChunk(Part(file, place.chunk, place.chunk_bytes));
-  const std::string records = Decompress(chunk.records, chunk.compression, chunk.size);
+  const std::string records = RecordsOf(Part(file, place.chunk, place.chunk_bytes));
   return std::string(Part(records, place.start, place.size));
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -23,10 +24,11 @@ struct McapMessage {
   McapPlace place;
 };
 
-// Calls `use` with each message, in their order in the file. Returns whether the file is whole;
-// false = it ends within a record. Throws std::invalid_argument where it is no MCAP, or where
-// records contradict themselves.
-bool ForEachMessage(std::string_view file, const std::function<void(const McapMessage&)>& use);
+// Calls `use` with each message, in their order in the file. Returns the byte at which the file
+// breaks off, as there is no whole record; none where it has its end. Throws std::invalid_argument
+// where it is no MCAP, and, with the byte, where a record contradicts itself or its checksum.
+std::optional<std::uint64_t> ForEachMessage(std::string_view file,
+                                            const std::function<void(const McapMessage&)>& use);
 
 // The data of a message that ForEachMessage found there.
 std::string DataAt(std::string_view file, const McapPlace& place);

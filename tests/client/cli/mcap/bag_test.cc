@@ -185,7 +185,34 @@ TEST(Bag, OfARecorderThatWasKilledIsReadUntilThere) {
   const std::string cut = writer.Finish().substr(0, whole - 20);
   const Bag bag = Read(cut);
   EXPECT_EQ(bag.list.frames.size(), 1U);
-  EXPECT_THAT(bag.list.notes, ElementsAre(HasSubstr("b.mcap ends within a record")));
+  EXPECT_THAT(bag.list.notes, ElementsAre(HasSubstr("b.mcap breaks off at byte ")));
+}
+
+// Between two records, or where a disk has zeros for what was written last.
+TEST(Bag, ThatHasNoEndIsNoted) {
+  const std::string bag = BagOf("Image", ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb), "Image",
+                                ImageMessage(kFirst_ns, "16UC1", 2, 1, 4, kUnits));
+  constexpr std::size_t kEnd = (9 + 4) + (9 + 20) + 8;  // DataEnd, Footer, and what ends a file
+  const std::string cut = bag.substr(0, bag.size() - kEnd), at = std::to_string(cut.size());
+  EXPECT_THAT(Read(bag).list.notes, ::testing::IsEmpty());
+  EXPECT_THAT(Read(cut).list.notes, ElementsAre(HasSubstr("at byte " + at + " of " + at)));
+  EXPECT_THAT(Read(cut + std::string(90, '\0')).list.notes,
+              ElementsAre(HasSubstr("at byte " + at + " of ")));
+}
+
+TEST(Bag, DamagedChunksAreNamedByTheirPlace) {
+  for (const bool with_checksum : {false, true}) {
+    BagWriter writer;
+    writer.Add("/rgb", "Image", ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb));
+    writer.Add("/depth", "Image", ImageMessage(kFirst_ns, "16UC1", 2, 1, 4, kUnits));
+    writer.EndChunk("", with_checksum);
+    std::string bag = writer.Finish();
+    EXPECT_EQ(WhyNot(bag), "");
+    bag[bag.find(kUnits)] ^= 1;
+    EXPECT_EQ(WhyNot(bag), with_checksum ? "the record at byte 33: a chunk is damaged: its "
+                                           "checksum is another"
+                                         : "");
+  }
 }
 
 TEST(Bag, SaysWhyThereIsNoFrame) {
@@ -193,7 +220,8 @@ TEST(Bag, SaysWhyThereIsNoFrame) {
   writer.Add("/rgb", "Image", ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb));
   writer.EndChunk("zstd");
   const std::string alone = writer.Finish();
-  EXPECT_EQ(WhyNot(alone.substr(0, 100)), "it has no images of ROS 2; it ends within a record");
+  EXPECT_EQ(WhyNot(alone.substr(0, 100)),
+            "it has no images of ROS 2; it breaks off at byte 33 of 100");
   EXPECT_EQ(WhyNot(BagOf("String", "a", "String", "b")), "it has no images of ROS 2");
   const std::string late = ImageMessage(kFirst_ns + 50 * kMillisecond_ns, "16UC1", 2, 1, 4, kUnits);
   EXPECT_EQ(WhyNot(BagOf("Image", ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb), "Image", late)),
