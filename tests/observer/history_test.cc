@@ -1,14 +1,11 @@
 // The history on disk: bounds, and what is left of files that are not whole.
-#include "client/observer/history/history.h"
-
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "client/bundle/bundle.h"
 #include "client/observer/history/bundling.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/observer/history_fixture.h"
 
 namespace fovea::testing {
 namespace {
@@ -17,43 +14,6 @@ namespace fs = std::filesystem;
 using observer::History;
 using observer::HistoryRecord;
 using std::chrono::seconds;
-
-constexpr std::chrono::system_clock::time_point kStart{seconds(1'700'000'000)};
-
-class ObserverHistory : public ::testing::Test {
- protected:
-  static HistoryRecord Record(const std::string& robot, std::size_t bytes = 100,
-                              const std::string& server = "here:1") {
-    HistoryRecord record{.header = {.robot = robot, .server = server, .version = "1"}};
-    record.frame.set_robot(robot);
-    record.frame.set_picture(std::string(bytes, 'x'));
-    return record;
-  }
-
-  static std::vector<std::uint64_t> IdsOf(const History& history, const std::string& robot) {
-    std::vector<std::uint64_t> ids;
-    for (const auto& entry : history.List(robot, [](const auto&) { return true; })) {
-      ids.push_back(entry.id);
-    }
-    return ids;
-  }
-
-  std::vector<fs::path> Files() const {
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::recursive_directory_iterator(folder_.Path())) {
-      if (entry.path().extension() == ".frame") files.push_back(entry.path());
-    }
-    std::sort(files.begin(), files.end());
-    return files;
-  }
-
-  fs::path FileOf(const std::string& robot, std::uint64_t id) const {
-    const std::string number = std::to_string(id);
-    return fs::path(folder_.At(robot)) / (std::string(20 - number.size(), '0') + number + ".frame");
-  }
-
-  const TemporaryFolder folder_;
-};
 
 TEST_F(ObserverHistory, IsThereAgain) {
   std::vector<std::uint64_t> ids;
@@ -71,31 +31,6 @@ TEST_F(ObserverHistory, IsThereAgain) {
   EXPECT_EQ(record->frame.picture(), std::string(100, 'x'));
   EXPECT_FALSE(history.Read("hall", ids[1]));
   EXPECT_FALSE(history.Read("hall/..\x7f", ids[1] + 1));
-}
-
-TEST_F(ObserverHistory, AFolderThatWasMovedAwayIsMadeAnewForItsUserAlone) {
-  const fs::path folder = folder_.At("history");
-  History history(folder, {});
-  fs::rename(folder, folder_.At("away"));
-  history.Add(Record("arm"), kStart);
-  EXPECT_EQ(fs::status(folder).permissions(), fs::perms::owner_all);
-  EXPECT_EQ(Files().size(), 1U);
-}
-
-TEST_F(ObserverHistory, NumbersGoUpWhateverTheClockDoes) {
-  History history(folder_.Path(), {});
-  for (const int at : {0, 0, -100, 5}) history.Add(Record("a"), kStart + seconds(at));
-  const auto ids = IdsOf(history, "a");
-  EXPECT_EQ(ids.size(), 4U);
-  EXPECT_TRUE(std::is_sorted(ids.begin(), ids.end()));
-}
-
-TEST_F(ObserverHistory, ForgetsWhatCameWhileTheClockWasAhead) {
-  History history(folder_.Path(), {.span = seconds(100)});
-  for (const int at : {1'000'000, 0, 1}) history.Add(Record("a"), kStart + seconds(at));
-  EXPECT_THAT(IdsOf(history, "a"),
-              ::testing::ElementsAre(1'700'000'000'000'000, 1'700'000'001'000'000));
-  EXPECT_EQ(Files().size(), 2U);
 }
 
 TEST_F(ObserverHistory, EndsSomeTimeBeforeTheNewestFrame) {
@@ -261,13 +196,6 @@ TEST_F(ObserverHistory, BundlesAreBoundedByWhatWasAnsweredToo) {
   const auto file = observer::BundleOf(history, "a", entries, all);
   ASSERT_TRUE(file);
   EXPECT_EQ(bundle::Bundle(file->bytes).names().size(), 6U);  // of 32 MiB
-}
-
-TEST_F(ObserverHistory, IsOfOneProgram) {
-  const History history(folder_.Path(), {});
-  EXPECT_THAT([&] { const History other(folder_.Path(), {}); },
-              ::testing::ThrowsMessage<std::runtime_error>(
-                  ::testing::HasSubstr("another program uses it")));
 }
 
 }  // namespace

@@ -1,15 +1,8 @@
 #include "client/observer/history/history.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <openssl/sha.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <stdexcept>
@@ -34,14 +27,6 @@ std::optional<std::uint64_t> IdOf(const fs::path& path) {
   return id;
 }
 
-[[noreturn]] void Fail(const fs::path& folder, const std::string& why) {
-  throw std::runtime_error("--history: " + folder.string() + ": " + why);
-}
-
-[[noreturn]] void Fail(const fs::path& folder, int error) {
-  throw std::system_error(error, std::generic_category(), "--history: " + folder.string());
-}
-
 bool IsFull(const std::error_code& error) {
   return error == std::errc::no_space_on_device || error.value() == EDQUOT;
 }
@@ -50,53 +35,11 @@ std::uint64_t SpanOf(const HistoryLimits& limits) {
   return static_cast<std::uint64_t>(std::chrono::microseconds(limits.span).count());
 }
 
-void MakeFolder(const fs::path& folder) {
-  std::error_code error;
-  if (fs::is_directory(folder, error)) return;
-  fs::create_directories(folder.parent_path(), error);
-  if (mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST) Fail(folder, errno);
-}
-
-// Begins with a dot, which no name has otherwise.
-std::string HashOf(const std::string& text) {
-  std::array<unsigned char, SHA256_DIGEST_LENGTH> hash{};
-  SHA256(reinterpret_cast<const unsigned char*>(text.data()), text.size(), hash.data());
-  std::string digits = ".";
-  for (const unsigned char byte : hash) digits += fmt::format("{:02x}", byte);
-  return digits;
-}
-
 }  // namespace
 
-std::string FolderNameOf(const std::string& robot) {
-  constexpr std::size_t kMost = 200;  // file systems end at 255; certificates name robots at length
-  std::string name;
-  for (const char c : robot) {
-    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_';
-    name += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
-  }
-  if (name.size() <= kMost) return name;
-  const std::string hash = HashOf(robot);
-  return name.substr(0, kMost - hash.size()) + hash;
-}
-
 History::History(fs::path folder, const HistoryLimits& limits)
-    : folder_(std::move(folder)), limits_(limits) {
-  MakeFolder(folder_);
-  Lock();
+    : folder_(std::move(folder)), limits_(limits), lock_(std::make_unique<FolderLock>(folder_)) {
   Load();
-}
-
-History::~History() { close(lock_); }
-
-// Two programs would drop each other's frames. No robot's folder has that name.
-void History::Lock() {
-  const fs::path path = folder_ / ".lock";
-  lock_ = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-  if (lock_ < 0) Fail(path, errno);
-  if (flock(lock_, LOCK_EX | LOCK_NB) == 0) return;
-  close(lock_);
-  Fail(folder_, "another program uses it");
 }
 
 void History::Load() {
@@ -104,7 +47,17 @@ void History::Load() {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder_, error)) {
     if (entry.is_directory(error) && !entry.is_symlink(error)) LoadRobot(entry.path());
   }
-  if (error) Fail(folder_, error.message());
+  if (error) throw std::system_error(error, "--history: " + folder_.string());
+}
+
+// Where the folder was moved away, what is there now is the history.
+void History::FollowFolder() {
+  if (lock_->IsInPlace()) return;
+  lock_ = std::make_unique<FolderLock>(folder_);
+  robots_.clear();
+  num_frames_ = 0;
+  bytes_ = 0;
+  Load();
 }
 
 void History::LoadRobot(const fs::path& folder) {
@@ -150,9 +103,10 @@ void History::Add(const HistoryRecord& record, std::chrono::system_clock::time_p
   const std::string robot = record.header.robot;
   if (robot.empty()) return;
   const std::lock_guard lock(mutex_);
-  const auto found = robots_.find(robot);
+  FollowFolder();
   const auto at = std::chrono::floor<std::chrono::microseconds>(now).time_since_epoch().count();
   auto id = static_cast<std::uint64_t>(std::max<std::int64_t>(at, 1));
+  const auto found = robots_.find(robot);
   if (found != robots_.end() && found->second.frames.back().id > id + SpanOf(limits_)) {
     DropAll(found);  // the clock was ahead: they would never be old
   } else if (found != robots_.end()) {
@@ -183,7 +137,6 @@ void History::Write(const HistoryRecord& record, std::uint64_t id, std::uint64_t
   const std::uint64_t before = bytes_;
   while (true) {
     try {
-      MakeFolder(folder_);  // it may have been moved away
       MakeFolder(FolderOf(record.header.robot));
       WriteHistoryFile(PathOf(record.header.robot, id), record);
       return;

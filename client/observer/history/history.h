@@ -6,12 +6,14 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "client/observer/history/history_file.h"
+#include "client/observer/history/history_folder.h"
 
 namespace fovea::observer {
 
@@ -26,7 +28,9 @@ struct HistoryLimits {
 class History {
  public:
   struct Entry {
-    std::uint64_t id = 0;  // when it came, in microseconds since 1970; of one robot no two have one
+    // When it came, in microseconds since 1970; of one robot no two have one. Where the clock is
+    // set back, those before are moved with it.
+    std::uint64_t id = 0;
     std::string server = {};
     std::uint32_t objects = 0;
     bool problem = false;
@@ -35,12 +39,12 @@ class History {
   // Makes the folder where it is missing. Throws std::runtime_error where it cannot be used, or
   // another program does.
   History(std::filesystem::path folder, const HistoryLimits& limits);
-  ~History();
 
   History(const History&) = delete;
   History& operator=(const History&) = delete;
 
-  // On a full disk, too, the oldest goes. Throws std::runtime_error where it cannot be written.
+  // On a full disk, too, the oldest goes. Where the folder was moved away, it is made anew. Throws
+  // std::runtime_error where it cannot be written.
   void Add(const HistoryRecord& record, std::chrono::system_clock::time_point now);
 
   // Oldest first. Of servers that `may_see` says yes to.
@@ -71,12 +75,12 @@ class History {
   };
   using Robots = std::map<std::string, Robot>;
 
-  void Lock();
   void Load();
   void LoadRobot(const std::filesystem::path& folder);
   std::filesystem::path FolderOf(const std::string& robot) const;
   std::filesystem::path PathOf(const std::string& robot, std::uint64_t id) const;
   // mutex_ is held for these.
+  void FollowFolder();
   std::uint32_t NumberOf(const std::string& server);
   void Keep(const std::string& robot, const Kept& frame);
   void Write(const HistoryRecord& record, std::uint64_t id, std::uint64_t bytes);
@@ -88,16 +92,12 @@ class History {
 
   const std::filesystem::path folder_;
   const HistoryLimits limits_;
-  int lock_ = -1;
+  std::unique_ptr<FolderLock> lock_;
   mutable std::mutex mutex_;
   std::vector<std::string> servers_;
   Robots robots_;
   std::size_t num_frames_ = 0;
   std::uint64_t bytes_ = 0;
 };
-
-// A name that is a folder's and no other robot's: "kitchen/1" is "kitchen%2F1"; what would be too
-// long ends with a hash of all of it.
-std::string FolderNameOf(const std::string& robot);
 
 }  // namespace fovea::observer

@@ -1,0 +1,72 @@
+// What becomes of a history when its folder or the clock change.
+#include <gmock/gmock.h>
+
+#include "tests/observer/history_fixture.h"
+
+namespace fovea::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using observer::History;
+using std::chrono::seconds;
+using ::testing::ElementsAre;
+
+TEST_F(ObserverHistory, AFolderThatWasMovedAwayIsMadeAnewForItsUserAlone) {
+  const fs::path folder = folder_.At("history");
+  History history(folder, {});
+  fs::rename(folder, folder_.At("away"));
+  history.Add(Record("arm"), kStart);
+  EXPECT_EQ(fs::status(folder).permissions(), fs::perms::owner_all);
+  EXPECT_EQ(Files().size(), 1U);
+}
+
+TEST_F(ObserverHistory, IsOfOneProgram) {
+  const History history(folder_.Path(), {});
+  EXPECT_THAT([&] { const History other(folder_.Path(), {}); },
+              ::testing::ThrowsMessage<std::runtime_error>(
+                  ::testing::HasSubstr("another program uses it")));
+}
+
+TEST_F(ObserverHistory, WhatIsInThePlaceOfAFolderThatWasMovedIsTheHistory) {
+  const fs::path folder = folder_.At("history"), away = folder_.At("away");
+  const fs::path other = folder_.At("other");
+  { History(other, {}).Add(Record("hall"), kStart); }
+  History history(folder, {});
+  history.Add(Record("arm"), kStart);
+  fs::rename(folder, away);
+  fs::rename(other, folder);
+  history.Add(Record("arm"), kStart + seconds(1));
+  EXPECT_EQ(IdsOf(history, "arm").size(), 1U) << "the other one is not there any more";
+  EXPECT_EQ(IdsOf(history, "hall").size(), 1U);
+  EXPECT_EQ(IdsOf(History(away, {}), "arm").size(), 1U) << "others may use it";
+  EXPECT_THROW(History(folder, {}), std::runtime_error);
+}
+
+TEST_F(ObserverHistory, DoesNotTakeTheFolderOfAnotherProgram) {
+  const fs::path folder = folder_.At("history");
+  History history(folder, {});
+  fs::rename(folder, folder_.At("away"));
+  const History other(folder, {});
+  EXPECT_THAT([&] { history.Add(Record("arm"), kStart); },
+              ::testing::ThrowsMessage<std::runtime_error>(
+                  ::testing::HasSubstr("another program uses it")));
+  EXPECT_TRUE(Files().empty());
+}
+
+TEST_F(ObserverHistory, NumbersGoUpWhateverTheClockDoes) {
+  History history(folder_.Path(), {});
+  for (const int at : {0, 0, -100, 5}) history.Add(Record("a"), kStart + seconds(at));
+  const auto ids = IdsOf(history, "a");
+  EXPECT_EQ(ids.size(), 4U);
+  EXPECT_TRUE(std::is_sorted(ids.begin(), ids.end()));
+}
+
+TEST_F(ObserverHistory, ForgetsWhatCameWhileTheClockWasAhead) {
+  History history(folder_.Path(), {.span = seconds(100)});
+  for (const int at : {1'000'000, 0, 1}) history.Add(Record("a"), kStart + seconds(at));
+  EXPECT_THAT(IdsOf(history, "a"), ElementsAre(1'700'000'000'000'000, 1'700'000'001'000'000));
+  EXPECT_EQ(Files().size(), 2U);
+}
+
+}  // namespace
+}  // namespace fovea::testing
