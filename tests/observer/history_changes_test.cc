@@ -61,10 +61,31 @@ TEST_F(ObserverHistory, NumbersGoUpWhateverTheClockDoes) {
   EXPECT_TRUE(std::is_sorted(ids.begin(), ids.end()));
 }
 
-TEST_F(ObserverHistory, ForgetsWhatCameWhileTheClockWasAhead) {
+// By the time that it is set back, so that they lie before those that come.
+TEST_F(ObserverHistory, FramesGoBackWithTheClock) {
   History history(folder_.Path(), {.span = seconds(100)});
-  for (const int at : {1'000'000, 0, 1}) history.Add(Record("a"), kStart + seconds(at));
-  EXPECT_THAT(IdsOf(history, "a"), ElementsAre(1'700'000'000'000'000, 1'700'000'001'000'000));
+  for (const int at : {10'000, 10'001}) history.Add(Record("a"), kStart + seconds(at));
+  history.Add(Record("b"), kStart + seconds(10'000));
+  for (const int at : {0, 1}) history.Add(Record("a"), kStart + seconds(at));
+  const std::uint64_t start = 1'700'000'000'000'000, second = 1'000'000;
+  EXPECT_THAT(IdsOf(history, "a"), ElementsAre(start - second, start, start + 1, start + second));
+  EXPECT_THAT(IdsOf(history, "b"), ElementsAre(start)) << "which has been silent since";
+  for (const std::uint64_t id : IdsOf(history, "a")) EXPECT_TRUE(history.Read("a", id));
+  EXPECT_EQ(Files().size(), 5U);
+}
+
+TEST_F(ObserverHistory, FramesOfAProgramBeforeGoBackWithTheClock) {
+  { History(folder_.Path(), {}).Add(Record("a"), kStart + seconds(10'000)); }
+  History history(folder_.Path(), {});
+  history.Add(Record("b"), kStart);
+  EXPECT_THAT(IdsOf(history, "a"), ElementsAre(1'700'000'000'000'000));
+}
+
+TEST_F(ObserverHistory, WhatWouldBeBefore1970IsDropped) {
+  History history(folder_.Path(), {});
+  for (const int at : {0, 10}) history.Add(Record("a"), kStart + seconds(at));
+  history.Add(Record("a"), std::chrono::system_clock::time_point(seconds(5)));
+  EXPECT_THAT(IdsOf(history, "a"), ElementsAre(5'000'000, 5'000'001));
   EXPECT_EQ(Files().size(), 2U);
 }
 

@@ -56,8 +56,30 @@ void History::FollowFolder() {
   lock_ = std::make_unique<FolderLock>(folder_);
   robots_.clear();
   num_frames_ = 0;
-  bytes_ = 0;
+  bytes_ = newest_ = 0;
   Load();
+}
+
+// No frame is of the future: what came while the clock was ahead goes back with it. Else it would
+// never be old, and all that comes now would have its time.
+void History::FollowClock(std::uint64_t now) {
+  constexpr std::uint64_t kNoise = 1'000'000;
+  if (newest_ <= now + kNoise) return;
+  for (auto robot = robots_.begin(); robot != robots_.end(); ++robot) {
+    const std::uint64_t newest = robot->second.frames.back().id;
+    if (newest > now) MoveBack(robot, newest - now);
+  }
+  newest_ = now;
+}
+
+// In microseconds, by less than the newest one has.
+void History::MoveBack(Robots::iterator robot, std::uint64_t by) {
+  while (robot->second.frames.front().id <= by) DropOldest(robot);
+  for (Kept& frame : robot->second.frames) {
+    std::error_code ignored;  // it may be gone
+    fs::rename(PathOf(robot->first, frame.id), PathOf(robot->first, frame.id - by), ignored);
+    frame.id -= by;
+  }
 }
 
 void History::LoadRobot(const fs::path& folder) {
@@ -106,12 +128,9 @@ void History::Add(const HistoryRecord& record, std::chrono::system_clock::time_p
   FollowFolder();
   const auto at = std::chrono::floor<std::chrono::microseconds>(now).time_since_epoch().count();
   auto id = static_cast<std::uint64_t>(std::max<std::int64_t>(at, 1));
+  FollowClock(id);
   const auto found = robots_.find(robot);
-  if (found != robots_.end() && found->second.frames.back().id > id + SpanOf(limits_)) {
-    DropAll(found);  // the clock was ahead: they would never be old
-  } else if (found != robots_.end()) {
-    id = std::max(id, found->second.frames.back().id + 1);
-  }
+  if (found != robots_.end()) id = std::max(id, found->second.frames.back().id + 1);
   const std::uint64_t bytes = HistoryFileSize(record);
   MakeRoom(robot, bytes);
   Write(record, id, bytes);
@@ -128,6 +147,7 @@ void History::Keep(const std::string& robot, const Kept& frame) {
   kept.frames.push_back(frame);
   kept.bytes += frame.bytes;
   bytes_ += frame.bytes;
+  newest_ = std::max(newest_, frame.id);
   ++num_frames_;
 }
 

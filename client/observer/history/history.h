@@ -81,6 +81,8 @@ class History {
   std::filesystem::path PathOf(const std::string& robot, std::uint64_t id) const;
   // mutex_ is held for these.
   void FollowFolder();
+  void FollowClock(std::uint64_t now);
+  void MoveBack(Robots::iterator robot, std::uint64_t by);
   std::uint32_t NumberOf(const std::string& server);
   void Keep(const std::string& robot, const Kept& frame);
   void Write(const HistoryRecord& record, std::uint64_t id, std::uint64_t bytes);
@@ -97,7 +99,7 @@ class History {
   std::vector<std::string> servers_;
   Robots robots_;
   std::size_t num_frames_ = 0;
-  std::uint64_t bytes_ = 0;
+  std::uint64_t bytes_ = 0, newest_ = 0;  // newest_: at least the largest id
 };
 
 }  // namespace fovea::observer
