@@ -14,7 +14,7 @@
 
 namespace fovea::observer {
 
-constexpr std::chrono::seconds kKeepAlive{15};
+constexpr std::chrono::seconds kKeepAlive{5};         // the page waits for three times that
 constexpr std::chrono::milliseconds kEventPause{30};  // what comes closer together is one event
 
 // Wakes a coroutine from any thread; outlives whoever waits.
@@ -68,8 +68,8 @@ boost::asio::awaitable<void> SendEvents(Stream& stream, WaitingConnections& wait
       co_await wake->Wait(kKeepAlive);
       continue;
     }
-    co_await Send(stream, waiting,
-                  ": nothing new\n\n");  // one that left without a word is noticed, too
+    // Whoever left without a word is noticed by it, the observer by the page, too.
+    co_await Send(stream, waiting, "event: alive\ndata: {}\n\n");
     co_await wake->Wait(kKeepAlive);
   }
 }

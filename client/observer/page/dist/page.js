@@ -17,11 +17,13 @@ function toggle(label, key, on, change) {
 }
 
 // src/api.ts
+var SILENCE_MS = 15e3;
 var csrf = "";
+var underWay = new AbortController();
 var Refused = class extends Error {
 };
 async function get(path) {
-  const response = await fetch(path);
+  const response = await fetch(path, { signal: underWay.signal });
   if (response.status === 401) throw new Refused("not logged in");
   return response.ok ? response : null;
 }
@@ -101,6 +103,8 @@ async function depthOf(robot, id, kind = "depth") {
 }
 var Events = class {
   source = null;
+  silence = 0;
+  // a timer
   onChanges = () => {
   };
   onState = () => {
@@ -108,17 +112,36 @@ var Events = class {
   onEnd = () => {
   };
   open(close2, depth) {
-    this.source?.close();
+    this.stop();
     const query = close2 ? `?close=${encodeURIComponent(close2)}${depth ? "&depth=1" : ""}` : "";
     const source = new EventSource(`/api/events${query}`);
-    source.onopen = () => this.onState(true);
-    source.onmessage = (event) => this.onChanges(JSON.parse(event.data));
+    const heard = () => {
+      clearTimeout(this.silence);
+      this.silence = window.setTimeout(() => this.giveUp(close2, depth), SILENCE_MS);
+    };
+    source.onopen = () => {
+      heard();
+      this.onState(true);
+    };
+    source.onmessage = (event) => {
+      heard();
+      this.onChanges(JSON.parse(event.data));
+    };
+    source.addEventListener("alive", heard);
     source.addEventListener("ended", () => this.onEnd());
     source.onerror = () => {
       this.onState(false);
       if (source.readyState === EventSource.CLOSED) this.reopen(source, close2, depth);
     };
     this.source = source;
+    heard();
+  }
+  // An observer that hangs, and a network that loses everything, end no connection.
+  giveUp(close2, depth) {
+    this.onState(false);
+    underWay.abort();
+    underWay = new AbortController();
+    this.open(close2, depth);
   }
   // The browser gives up where it is answered with an error: the observer may have started anew.
   reopen(source, close2, depth) {
@@ -130,6 +153,7 @@ var Events = class {
     }, 1e3);
   }
   stop() {
+    clearTimeout(this.silence);
     this.source?.close();
     this.source = null;
   }

@@ -1,12 +1,16 @@
 import { el } from "./dom";
 import type { Changes, Detections, Frame, HistoryList, Option, RobotLine, Seen, Who } from "./types";
 
+// Three times what the observer lets pass without a word.
+const SILENCE_MS = 15_000;
+
 let csrf = "";
+let underWay = new AbortController(); // of what is fetched
 
 export class Refused extends Error {}
 
 async function get(path: string): Promise<Response | null> {
-  const response = await fetch(path);
+  const response = await fetch(path, { signal: underWay.signal });
   if (response.status === 401) throw new Refused("not logged in");
   return response.ok ? response : null; // 404: the frame has passed
 }
@@ -110,22 +114,43 @@ export async function depthOf(robot: string, id: number, kind = "depth"): Promis
 // One for the whole page, as browsers have six connections for all pages of a host.
 export class Events {
   private source: EventSource | null = null;
+  private silence = 0; // a timer
   onChanges: (changes: Changes) => void = () => {};
   onState: (connected: boolean) => void = () => {};
   onEnd: () => void = () => {};
 
   open(close: string, depth: boolean): void {
-    this.source?.close();
+    this.stop();
     const query = close ? `?close=${encodeURIComponent(close)}${depth ? "&depth=1" : ""}` : "";
     const source = new EventSource(`/api/events${query}`);
-    source.onopen = () => this.onState(true);
-    source.onmessage = (event) => this.onChanges(JSON.parse(event.data) as Changes);
+    const heard = () => {
+      clearTimeout(this.silence);
+      this.silence = window.setTimeout(() => this.giveUp(close, depth), SILENCE_MS);
+    };
+    source.onopen = () => {
+      heard();
+      this.onState(true);
+    };
+    source.onmessage = (event) => {
+      heard();
+      this.onChanges(JSON.parse(event.data) as Changes);
+    };
+    source.addEventListener("alive", heard);
     source.addEventListener("ended", () => this.onEnd());
     source.onerror = () => {
       this.onState(false);
       if (source.readyState === EventSource.CLOSED) this.reopen(source, close, depth);
     };
     this.source = source;
+    heard();
+  }
+
+  // An observer that hangs, and a network that loses everything, end no connection.
+  private giveUp(close: string, depth: boolean): void {
+    this.onState(false);
+    underWay.abort();
+    underWay = new AbortController();
+    this.open(close, depth);
   }
 
   // The browser gives up where it is answered with an error: the observer may have started anew.
@@ -139,6 +164,7 @@ export class Events {
   }
 
   stop(): void {
+    clearTimeout(this.silence);
     this.source?.close();
     this.source = null;
   }
