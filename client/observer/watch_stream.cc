@@ -40,9 +40,21 @@ void WatchStream::Run(const std::stop_token& stop) {
   std::chrono::milliseconds wait = kFirst;
   while (!stop.stop_requested()) {
     wait = Watch(stop) ? kFirst : std::min(2 * wait, kLongest);
-    std::unique_lock lock(mutex_);
-    pause_.wait_for(lock, stop, wait, [] { return false; });
+    Pause(stop, wait);
   }
+}
+
+// Ends with the connection, where there is none: gRPC tries to connect only while it is asked to.
+void WatchStream::Pause(const std::stop_token& stop, std::chrono::milliseconds wait) {
+  constexpr std::chrono::milliseconds kLook{200};  // a wait of gRPC does not end with `stop`
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point end = Clock::now() + wait;
+  const bool is_connected = link_.channel->GetState(false) == GRPC_CHANNEL_READY;
+  while (!is_connected && !stop.stop_requested() && Clock::now() < end) {
+    if (link_.channel->WaitForConnected(std::chrono::system_clock::now() + kLook)) return;
+  }
+  std::unique_lock lock(mutex_);
+  pause_.wait_until(lock, stop, end, [] { return false; });
 }
 
 bool WatchStream::Watch(const std::stop_token& stop) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
@@ -36,6 +37,7 @@ class WatchStream {
 
  private:
   void Run(const std::stop_token& stop);
+  void Pause(const std::stop_token& stop, std::chrono::milliseconds wait);
   bool Watch(const std::stop_token& stop);  // whether anything came
 
   const ServerLink link_;

@@ -5,11 +5,19 @@ from __future__ import annotations
 import socket
 import threading
 from collections.abc import Iterator
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
 from conftest import Sending
-from processes import OBSERVERS, Events, ObserverProcess, Visitor
+from processes import (
+    OBSERVERS,
+    Events,
+    ObserverProcess,
+    ServerProcess,
+    Visitor,
+    write_observers,
+)
 
 if TYPE_CHECKING:
     from browser import Browser
@@ -85,3 +93,20 @@ def test_events_say_that_they_live(observer: ObserverProcess) -> None:
             if line == b"event: alive\n":
                 return
     raise AssertionError("the stream has ended")
+
+
+def test_a_server_that_is_back_is_watched_at_once(tmp_path: Path) -> None:
+    """Not at one of the next attempts, each of which says once more that it is away."""
+    observers = write_observers(tmp_path)
+    with ServerProcess(observers) as server, ObserverProcess(server.address) as observer:
+        visitor = Visitor(observer.address)
+        visitor.log_in(OBSERVERS["ann"][0])
+        with Events(visitor) as events:
+            events.servers("watching")
+            server.kill()
+            events.servers("away")
+        with ServerProcess(observers, server.address), Events(visitor) as events:
+            states = [events.next()["servers"][0]["state"]]
+            while states[-1] != "watching":
+                states.append(events.next()["servers"][0]["state"])
+        assert states.count("away") <= 2, states
