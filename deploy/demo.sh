@@ -22,7 +22,7 @@ token=$(openssl rand -hex 16)
 "$build/server/fovea-server" --listen 127.0.0.1:0 --log-level warn --observers "$out/observers" >>"$out/server.log" 2>&1 &
 server=$! observer=""
 trap 'kill $server $observer 2>/dev/null; wait 2>/dev/null || true' EXIT
-trap 'exit 0' INT TERM
+trap 'exit 0' INT TERM HUP
 
 # What the program with this number says in the log after these words.
 await() {
