@@ -166,11 +166,13 @@ class Events:
 
     def next(self) -> Any:
         end = time.monotonic() + PATIENCE
+        is_named = False  # others than changes are: "alive", "ended"
         while time.monotonic() < end:
             line = self.response.readline().decode()
             assert line, "the stream has ended"
-            if line.startswith("data: "):
+            if line.startswith("data: ") and not is_named:
                 return json.loads(line[len("data: ") :])
+            is_named = line.startswith("event: ")
         raise AssertionError("the stream lives, but nothing happens")
 
     def robot(self, name: str, newer_than: int = 0) -> Any:

@@ -18,6 +18,7 @@ function toggle(label, key, on, change) {
 
 // src/api.ts
 var SILENCE_MS = 15e3;
+var OPENING_MS = 5e3;
 var csrf = "";
 var underWay = new AbortController();
 var Refused = class extends Error {
@@ -115,9 +116,9 @@ var Events = class {
     this.stop();
     const query = close2 ? `?close=${encodeURIComponent(close2)}${depth ? "&depth=1" : ""}` : "";
     const source = new EventSource(`/api/events${query}`);
-    const heard = () => {
+    const heard = (patience = SILENCE_MS) => {
       clearTimeout(this.silence);
-      this.silence = window.setTimeout(() => this.giveUp(close2, depth), SILENCE_MS);
+      this.silence = window.setTimeout(() => this.giveUp(close2, depth), patience);
     };
     source.onopen = () => {
       heard();
@@ -127,14 +128,14 @@ var Events = class {
       heard();
       this.onChanges(JSON.parse(event.data));
     };
-    source.addEventListener("alive", heard);
+    source.addEventListener("alive", () => heard());
     source.addEventListener("ended", () => this.onEnd());
     source.onerror = () => {
       this.onState(false);
       if (source.readyState === EventSource.CLOSED) this.reopen(source, close2, depth);
     };
     this.source = source;
-    heard();
+    heard(OPENING_MS);
   }
   // An observer that hangs, and a network that loses everything, end no connection.
   giveUp(close2, depth) {

@@ -1,8 +1,10 @@
 import { el } from "./dom";
 import type { Changes, Detections, Frame, HistoryList, Option, RobotLine, Seen, Who } from "./types";
 
-// Three times what the observer lets pass without a word.
+// Three times what the observer lets pass without a word; and until it takes a page in. Shorter, as
+// a browser may try one lost connection after the other.
 const SILENCE_MS = 15_000;
+const OPENING_MS = 5_000;
 
 let csrf = "";
 let underWay = new AbortController(); // of what is fetched
@@ -123,9 +125,9 @@ export class Events {
     this.stop();
     const query = close ? `?close=${encodeURIComponent(close)}${depth ? "&depth=1" : ""}` : "";
     const source = new EventSource(`/api/events${query}`);
-    const heard = () => {
+    const heard = (patience = SILENCE_MS) => {
       clearTimeout(this.silence);
-      this.silence = window.setTimeout(() => this.giveUp(close, depth), SILENCE_MS);
+      this.silence = window.setTimeout(() => this.giveUp(close, depth), patience);
     };
     source.onopen = () => {
       heard();
@@ -135,14 +137,14 @@ export class Events {
       heard();
       this.onChanges(JSON.parse(event.data) as Changes);
     };
-    source.addEventListener("alive", heard);
+    source.addEventListener("alive", () => heard());
     source.addEventListener("ended", () => this.onEnd());
     source.onerror = () => {
       this.onState(false);
       if (source.readyState === EventSource.CLOSED) this.reopen(source, close, depth);
     };
     this.source = source;
-    heard();
+    heard(OPENING_MS);
   }
 
   // An observer that hangs, and a network that loses everything, end no connection.
