@@ -1,5 +1,9 @@
 #include "client/capture/recording_file.h"
 
+#include <linux/magic.h>
+#include <sys/resource.h>
+#include <sys/vfs.h>
+
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -31,6 +35,15 @@ bool HasText(const std::string& path, std::uint64_t position, std::string_view t
   file.seekg(static_cast<std::streamoff>(position));
   file.read(found.data(), static_cast<std::streamsize>(found.size()));
   return file && found == text;
+}
+
+std::uintmax_t LargestFileIn(const std::filesystem::path& folder) {
+  constexpr std::uintmax_t kOfFat = 0xFFFF'FFFF;
+  rlimit of_process{};
+  getrlimit(RLIMIT_FSIZE, &of_process);
+  struct statfs system {};
+  const bool is_fat = statfs(folder.c_str(), &system) == 0 && system.f_type == MSDOS_SUPER_MAGIC;
+  return is_fat ? std::min<std::uintmax_t>(of_process.rlim_cur, kOfFat) : of_process.rlim_cur;
 }
 
 }  // namespace
@@ -71,8 +84,14 @@ bool HasRecords(const std::string& path) { return HasText(path, kFirstRecord, kR
 
 void RequireRoom(const std::string& path, std::uintmax_t bytes) {
   const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
-  if (std::filesystem::space(folder).available >= bytes) return;
-  throw std::runtime_error("cannot record any more to " + path + ": no space left on the disk");
+  if (std::filesystem::space(folder).available < bytes) {
+    throw std::runtime_error("cannot record any more to " + path + ": no space left on the disk");
+  }
+  std::error_code none_yet;
+  const std::uintmax_t size = std::filesystem::file_size(path, none_yet);
+  if (none_yet || size + bytes <= LargestFileIn(folder)) return;
+  throw std::runtime_error("cannot record any more to " + path +
+                           ": its file system (FAT), or ulimit -f, has no larger files");
 }
 
 }  // namespace fovea::capture

@@ -31,7 +31,8 @@ class RecordingFile {
 bool IsRecordingFile(const std::string& path);
 bool HasRecords(const std::string& path);
 
-// Throws std::runtime_error where less than this is free on the disk of the file.
+// Throws std::runtime_error where less than this is free on the disk of the file, or it would be
+// larger than files may be there.
 void RequireRoom(const std::string& path, std::uintmax_t bytes);
 
 }  // namespace fovea::capture
