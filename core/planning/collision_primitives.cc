@@ -72,7 +72,7 @@ void KeepHull(std::vector<cv::Point2f>& points) {
 
 CollisionPrimitive PrimitiveOf(const DetectedObject& object) {
   CollisionPrimitive primitive = OfShape(object);
-  if (object.cloud.empty() || HoldsItsPoints(primitive, object.cloud)) return primitive;
+  if (HoldsItsPoints(primitive, object.cloud)) return primitive;
   const CollisionPrimitive box = GrownTo(object.cloud, BoxPrimitive(object.box));
   primitive = GrownTo(object.cloud, primitive);
   return VolumeOf(primitive) < VolumeOf(box) ? primitive : box;

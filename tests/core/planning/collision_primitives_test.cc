@@ -69,6 +69,37 @@ TEST(CollisionPrimitives, HoldAllButAHundredthOfWhatWasSeenTo5mm) {
   EXPECT_NEAR(height_of(15, 0.04F), 0.24F, 1e-6F);
 }
 
+// Five of a thousand points beyond the top, the bottom and the wall of a can each: as many as are
+// left out of it over all.
+TEST(CollisionPrimitives, ACylinderLeavesOutAHundredthOverAllItsSides) {
+  DetectedObject can = Object(Shape::Kind::kCylinder);
+  can.shape.axis = Vector3f::UnitZ();
+  can.box.size_m = {0.12F, 0.12F, 0.2F};
+  can.cloud.assign(1000, {0.1F, 0.2F, 1, 0, 0, 0});
+  for (int i = 0; i < 5; ++i) {
+    can.cloud[3 * i].z = 1.11F;
+    can.cloud[3 * i + 1].z = 0.88F;
+    can.cloud[3 * i + 2].x = 0.15F;
+  }
+  const CollisionPrimitive grown = PrimitiveOf(can);
+  EXPECT_EQ(grown.kind, Kind::kCylinder);
+  EXPECT_TRUE(grown.size_m.isApprox(Vector3f(0.1F, 0.1F, 0.23F), 1e-5F));
+  EXPECT_NEAR(grown.pose.translation().z(), 1 + (0.01 - 0.02) / 2, 1e-6);
+}
+
+TEST(CollisionPrimitives, ABoxGrowsOnEachSide) {
+  for (int axis = 0; axis < 3; ++axis) {
+    DetectedObject object = Object(Shape::Kind::kBox);
+    Vector3f beyond = object.box.center;
+    beyond[axis] -= object.box.size_m[axis] / 2 + 0.04F;
+    object.cloud.assign(20, {beyond.x(), beyond.y(), beyond.z(), 0, 0, 0});
+    const CollisionPrimitive box = PrimitiveOf(object);
+    const Vector3f more = 0.04F * Vector3f::Unit(axis);
+    EXPECT_TRUE(box.size_m.isApprox(object.box.size_m + more)) << axis;
+    EXPECT_TRUE(box.pose.translation().isApprox(object.box.center - more / 2)) << axis;
+  }
+}
+
 TEST(CollisionPrimitives, DoNotGrowToStrays) {
   const CollisionPrimitive box = PrimitiveOf(WithPoints(Object(Shape::Kind::kBox), 15, 0.04F));
   EXPECT_NEAR(box.size_m.x(), 0.1F, 1e-6F);
@@ -115,6 +146,26 @@ TEST(CollisionPrimitives, OfASupportLieBelowItsSurface) {
   EXPECT_NEAR(table.pose.translation().z(), 0.8, 1e-5);
   EXPECT_TRUE(table.pose.linear().col(2).isApprox(support.surface.normal));
   EXPECT_NEAR(table.pose.linear().determinant(), 1, 1e-5);
+}
+
+// What is as high a metre beside it is another table.
+TEST(CollisionPrimitives, OfASupportEndWhereItEnds) {
+  std::vector<Vector3f> table;
+  std::vector<cv::Vec3f> seen;
+  for (float x = -0.3F; x < 0.301F; x += 0.01F) {
+    for (float z = 0.7F; z < 1.101F; z += 0.01F) {
+      table.emplace_back(x, 0.5F, z);
+      seen.emplace_back(x, 0.5F, z);
+      seen.emplace_back(x + 1, 0.5F, z);
+    }
+  }
+  Support support;
+  support.surface.normal = -Vector3f::UnitY();
+  support.surface.offset_m = 0.5F;
+  support.footprint = Footprint(table, {}, support.surface, 0.01, 0.02);
+  const CollisionPrimitive primitive = PrimitiveOf(support, cv::Mat(seen, true)).value();
+  EXPECT_NEAR(primitive.size_m.head<2>().maxCoeff(), 0.6, 1e-4);
+  EXPECT_NEAR(primitive.pose.translation().x(), 0, 1e-4);
 }
 
 TEST(CollisionPrimitives, OfARowOfASupportHaveAWidth) {

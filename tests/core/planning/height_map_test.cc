@@ -48,6 +48,24 @@ TEST(HeightMap, HasTheHighestPointOfEachCell) {
   EXPECT_NEAR(map.pose.linear().determinant(), 1, 1e-6);
 }
 
+// A post of one pixel at x = 0.03 m and 0.02 m below the middle of the image; cells are 0.05 m
+// wide, around multiples of that.
+TEST(HeightMap, AHeightIsInTheCellWhoseMiddleIsNearest) {
+  cv::Mat points = Floor();
+  points.at<cv::Vec3f>(44, 56)[2] = 0.9F;
+  const HeightMap map = MakeHeightMap(points, kUp, 1, {.cell_m = 0.05F});
+  EXPECT_NEAR(HeightAt(map, {0.05F, 0, 1}), 0.1, 1e-6);
+  EXPECT_NEAR(HeightAt(map, {0, 0, 1}), 0, 1e-6);
+  EXPECT_NEAR(HeightAt(map, {0.05F, 0.05F, 1}), 0, 1e-6);
+}
+
+// A table 0.2 m above the floor: heights are from its top on.
+TEST(HeightMap, IsAboveThePlane) {
+  const HeightMap map = MakeHeightMap(Floor(), kUp, 0.8F, {.cell_m = 0.05F});
+  EXPECT_NEAR(map.heights_m.at<float>(0, 0), -0.2, 1e-6);
+  EXPECT_NEAR(map.pose.translation().z(), 0.8, 1e-6);
+}
+
 TEST(HeightMap, WhatWasNotSeenIsUnknown) {
   cv::Mat points = Floor();
   points(cv::Rect(30, 20, 30, 30)).setTo(cv::Scalar::all(kNone));
@@ -64,6 +82,7 @@ TEST(HeightMap, SurfaceBetweenPixelsIsSeenWhereTheDepthGoesOn) {
   const HeightMap map = MakeHeightMap(points, kUp, 1, {.cell_m = 0.001F, .max_cells = 1000000});
   EXPECT_NEAR(HeightAt(map, {-0.102F, 0, 1}), 0, 1e-5);
   EXPECT_NEAR(HeightAt(map, {0.102F, 0, 1}), 0.3, 1e-5);
+  EXPECT_NEAR(HeightAt(map, {-0.1F, 0.002F, 1}), 0, 1e-5);
   EXPECT_TRUE(std::isnan(HeightAt(map, {-0.002F, 0, 1})));  // across the step
 }
 
@@ -92,6 +111,28 @@ TEST(HeightMap, IsAroundACameraThatLooksStraightDownWhereItIsBounded) {
   for (const float x : {-0.04F, 0.04F}) {
     for (const float y : {-0.04F, 0.04F}) EXPECT_NEAR(HeightAt(part, {x, y, 1}), 0, 1e-6);
   }
+}
+
+// The cells that a strip does not need across go to its length.
+TEST(HeightMap, OfAStripIsLongWhereItIsBounded) {
+  const cv::Mat across = Floor().rowRange(0, 4), along = Floor().colRange(0, 4);
+  const auto size_of = [](const cv::Mat& points, int max_cells) {
+    return MakeHeightMap(points, kUp, 1, {.cell_m = 0.005F, .max_cells = max_cells})
+        .heights_m.size();
+  };
+  EXPECT_EQ(size_of(across, 200), cv::Size(50, 4));
+  EXPECT_EQ(size_of(along, 200), cv::Size(4, 50));
+  EXPECT_EQ(size_of(Floor().rowRange(0, 20), 399), cv::Size(19, 20))
+      << "not 21 rows, of which 20 are seen";
+}
+
+// 10 of 40 columns, all to the left of the camera: those that are nearest to it.
+TEST(HeightMap, OfWhatIsBesideTheCameraIsTheNearestPart) {
+  const cv::Mat left = Floor()(cv::Rect(0, 36, 40, 10));
+  const HeightMap part = MakeHeightMap(left, kUp, 1, {.cell_m = 0.005F, .max_cells = 100});
+  EXPECT_EQ(part.heights_m.size(), cv::Size(10, 10));
+  EXPECT_NEAR(part.pose.translation().x(), -0.1, 1e-6);
+  EXPECT_NEAR(HeightAt(part, {-0.055F, 0, 1}), 0, 1e-6);
 }
 
 TEST(HeightMap, OfNothingIsOneUnknownCell) {
