@@ -52,7 +52,6 @@ Eigen::Isometry3d BestOfSamples(const MotionProblem& problem) {
     InterruptionPoint();
     const std::array<const PointPair*, 3> sample = {pick(), pick(), pick()};
     const Eigen::Isometry3d motion = MotionOf(sample);
-    if (!motion.matrix().allFinite()) continue;
     int count = 0;
     InliersOf(problem, motion, &count);
     if (count <= most) continue;

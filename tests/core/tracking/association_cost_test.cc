@@ -92,6 +92,16 @@ TEST(AssociationCost, OverlapIsOfBothAndOfTheSmallerOne) {
   EXPECT_TRUE(kOver.Matches(quarter)) << "1 - (1/4 + 1) / 2 + 0.088 / 0.11 + 0.25";
 }
 
+// Of what a lens shows nothing, such as behind its border: as of one pixel, all of which is
+// covered.
+TEST(AssociationCost, OverlapOfAThingWithoutPixelsIsHalf) {
+  Sighting none = Thing(0);
+  none.visible_m2 = 0;
+  const Track track(1, none, std::nullopt);
+  EXPECT_TRUE(kOver.Matches(track, Thing(0.064F, kSize_m, 90))) << "1 - 1/2 + 0.064 / 0.11 + 0.5";
+  EXPECT_FALSE(kOver.Matches(track, Thing(0.069F, kSize_m, 90))) << "1 - 1/2 + 0.069 / 0.11 + 0.5";
+}
+
 TEST(AssociationCost, PointsBehindTheCameraAreNotSeen) {
   Sighting behind = Thing(0);
   behind.points = {{0, 0, -1}};

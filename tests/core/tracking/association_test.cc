@@ -67,6 +67,27 @@ TEST(Associate, ConfidentDetectionsComeFirst) {
   EXPECT_THAT(AssociateNext(tracks, unlikely_only), ElementsAre(-1)) << "hidden";
 }
 
+// 25 pixels wide and high at 2 m; a red of sRGB is (53, 80, 67) in CIELAB.
+TEST(SightingsOf, AreWhatIsSeenInMetresAndCielab) {
+  View view;
+  view.Add({0, 0, 2}, {255, 0, 0}, 0.2F);
+  const Sighting sighting = SightingsOf(view.detections, view.frame.intrinsics, 1).front();
+  EXPECT_FLOAT_EQ(sighting.visible_m2, 0.04F);
+  EXPECT_LT((sighting.lab - Eigen::Vector3f(53, 80, 67)).norm(), 1.5F);
+  EXPECT_LE(sighting.points.size(), kMaxSightingPoints);
+  Eigen::Vector3f mean = Eigen::Vector3f::Zero();
+  for (const auto& p : sighting.points) mean += p / static_cast<float>(sighting.points.size());
+  EXPECT_LT((mean - sighting.centroid).norm(), 0.01F);
+}
+
+TEST(SightingsOf, AThingWithoutDepthIsAtItsCentroid) {
+  View view;
+  view.Add({0.1F, 0, 0.8F});
+  view.detections.objects.front().cloud.clear();
+  const Sighting sighting = SightingsOf(view.detections, view.frame.intrinsics, 1).front();
+  EXPECT_THAT(sighting.points, ElementsAre(Eigen::Vector3f(0.1F, 0, 0.8F)));
+}
+
 TEST(ReasonOf, TellsWhyAThingIsNotSeen) {
   View with;
   with.Add({0, 0, 0.8F});
@@ -90,6 +111,8 @@ TEST(ReasonOf, TellsWhyAThingIsNotSeen) {
   }
   const auto beside = Moved(expected, Eigen::Isometry3f(Eigen::Translation3f(1, 0, 0)));
   EXPECT_EQ(ReasonOf(beside, with.frame), HiddenReason::kOutOfView);
+  const auto at_the_border = Moved(expected, Eigen::Isometry3f(Eigen::Translation3f(0.485F, 0, 0)));
+  EXPECT_EQ(ReasonOf(at_the_border, View().frame), HiddenReason::kGone) << "a quarter is outside";
   const auto behind = Moved(expected, Eigen::Isometry3f(Eigen::Translation3f(0, 0, -2)));
   EXPECT_EQ(ReasonOf(behind, with.frame), HiddenReason::kOutOfView);
 }

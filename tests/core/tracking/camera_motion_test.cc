@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
+#include <vector>
+
 #include "tests/core/tracking/table_view.h"
 
 namespace fovea {
@@ -95,6 +99,138 @@ TEST(CameraPath, SeesThatTheCameraStandsAndDoesNotDriftThen) {
   EXPECT_NEAR(stands.world_from_camera.translation().x(), 0.04, 0.004);
 }
 
+// To where the key frame was taken: what was missed on the way is made up for.
+TEST(CameraPath, ComesBackToItsKeyFrameExactly) {
+  CameraPath path;
+  AddAt(path, 0, 1);
+  AddAt(path, 0.04, 2);
+  const CameraPath::Place back = AddAt(path, 0, 3);
+  EXPECT_EQ(back.motion.source, kEstimated);
+  EXPECT_NEAR(back.motion.last_from_this.translation().x(), -0.04, 0.004);
+  EXPECT_TRUE(back.world_from_camera.isApprox(Eigen::Isometry3d::Identity(), 1e-12));
+  EXPECT_EQ(AddAt(path, 0, 4).motion.source, kStanding);
+}
+
+// Most of what is seen is carried along, by as much again.
+TEST(CameraPath, TakesTheMotionFromWhatIsNoObject) {
+  const cv::Rect carried(40, 0, 240, 240);
+  CameraPath path;
+  for (const double x_m : {0.0, 0.04}) {
+    View view(x_m, 1);
+    View(2 * x_m, 2).frame.color_rgb(carried).copyTo(view.frame.color_rgb(carried));
+    view.detections.labels(carried).setTo(1);
+    const CameraPath::Place place = path.Add(view.frame, view.detections.labels, {});
+    if (x_m == 0) continue;
+    EXPECT_EQ(place.motion.source, kEstimated);
+    EXPECT_NEAR(place.motion.last_from_this.translation().x(), x_m, 0.004);
+  }
+}
+
+TEST(CameraPath, TakesTheMotionFromObjectsWhereThereIsNothingElse) {
+  CameraPath path;
+  for (const double x_m : {0.0, 0.04}) {
+    View view(x_m, 1);
+    view.detections.labels.setTo(1);
+    const CameraPath::Place place = path.Add(view.frame, view.detections.labels, {});
+    EXPECT_NEAR(place.motion.last_from_this.translation().x(), x_m, 0.004);
+  }
+}
+
+// Depth was measured of the left half, of all and of the right half in turn.
+TEST(CameraPath, FindsInTheLastFrameWhatTheKeyFrameDoesNotShow) {
+  CameraPath path;
+  CameraPath::Place place;
+  for (int i = 0; i < 3; ++i) {
+    View view(0.04 * i, 1 + i);
+    if (i != 1) view.Cover({i == 0 ? 160 : 0, 0, 160, 240}, std::nanf(""));
+    place = path.Add(view.frame, view.detections.labels, {});
+  }
+  EXPECT_EQ(place.motion.source, kEstimated);
+  EXPECT_NEAR(place.world_from_camera.translation().x(), 0.08, 0.006);
+}
+
+TEST(CameraPath, SeesThatTheCameraStandsWithoutDepth) {
+  CameraPath path;
+  AddAt(path, 0, 1);
+  AddAt(path, 0.04, 2);
+  View view(0.04, 3);
+  view.frame.depth_m.setTo(std::nanf(""));
+  EXPECT_EQ(path.Add(view.frame, view.detections.labels, {}).motion.source, kStanding);
+}
+
+// A wall 4 m away, of which the image shows 1.28 m less on one side; the same upside down.
+TEST(CameraPath, WhatIsTooFarForAFrameIsAMistake) {
+  const View first(0, 1);
+  View beside(0.32, 2), turned(0, 2);
+  for (const View* next : {&beside, &turned}) {
+    CameraPath path;
+    RgbdFrame from = first.frame, to = next->frame;
+    from.depth_m = to.depth_m = cv::Mat(testing::kSize, CV_32FC1, cv::Scalar(4));
+    if (next == &turned) cv::rotate(to.color_rgb, to.color_rgb, cv::ROTATE_180);
+    path.Add(from, first.detections.labels, {});
+    const CameraMotion motion = path.Add(to, first.detections.labels, {}).motion;
+    EXPECT_EQ(motion.source, kUnknown);
+    EXPECT_TRUE(motion.last_from_this.isApprox(Eigen::Isometry3d::Identity()));
+  }
+}
+
+// The wheels slipped: the image is the one of before, but where poses were given they hold.
+TEST(CameraPath, DoesNotGoBackToFramesBeforePoses) {
+  CameraPath path;
+  AddAt(path, 0, 1);
+  AddAt(path, 0.04, 2);
+  AddAt(path, 0.04, 3, PoseAt(5));
+  AddAt(path, 0.04, 4, PoseAt(5.25));
+  const CameraPath::Place place = AddAt(path, 0.04, 5);
+  EXPECT_EQ(place.motion.source, kUnknown);
+  EXPECT_NEAR(place.world_from_camera.translation().x(), 0.29, 0.004);
+}
+
+TEST(Features, AreNotBesideStepsAndHolesOfDepth) {
+  View view;
+  view.Cover({100, 60, 60, 100}, 0.9F).Cover({200, 60, 60, 100}, std::nanf(""));
+  const Features features = FindFeatures(view.frame, view.detections.labels);
+  int before = 0;
+  for (const Eigen::Vector2d& pixel : features.pixels) {
+    const cv::Point at(cvRound(pixel.x()), cvRound(pixel.y()));
+    const cv::Rect around(at - cv::Point(2, 2), cv::Size(5, 5));
+    const cv::Mat near = view.frame.depth_m(around);
+    EXPECT_EQ(cv::countNonZero(near == view.frame.depth_m.at<float>(at)), 25) << at;
+    before += cv::Rect(100, 60, 60, 100).contains(at) ? 1 : 0;
+  }
+  EXPECT_GT(before, 0);
+}
+
+// The same picture 640 and 2560 pixels wide, of which the middle of a pixel is that of 4 x 4.
+TEST(Features, OfALargeImageAreWhereTheyAreInIt) {
+  const auto features_of = [](int scale) {
+    const auto pixel = [&](double small) { return scale * (small + 0.5) - 0.5; };
+    const View view;
+    RgbdFrame frame;
+    const cv::Size size(640 * scale, 480 * scale);
+    cv::resize(view.frame.color_rgb, frame.color_rgb, size, 0, 0, cv::INTER_NEAREST);
+    frame.depth_m = cv::Mat(size, CV_32FC1, cv::Scalar(1));
+    frame.intrinsics = {500.0 * scale, 500.0 * scale, pixel(319.5), pixel(239.5)};
+    return FindFeatures(frame, cv::Mat::zeros(size, CV_16UC1));
+  };
+  const Features small = features_of(1), large = features_of(4);
+  ASSERT_GT(small.points.size(), 100U);
+  ASSERT_EQ(large.points.size(), small.points.size());
+  for (std::size_t i = 0; i < small.points.size(); ++i) {
+    EXPECT_LT((large.points[i] - small.points[i]).norm(), 1e-6);
+  }
+}
+
+// The second of two is like the only other one, too, but less.
+TEST(Features, AreMatchedWhereEachIsTheOthersNearest) {
+  Features from, to;
+  from.descriptors = (cv::Mat_<std::uint8_t>(2, 1) << 0b0000, 0b0001);
+  to.descriptors = (cv::Mat_<std::uint8_t>(1, 1) << 0b0000);
+  from.points.resize(2);
+  to.points.resize(1);
+  EXPECT_EQ(MatchFeatures(from, to), (std::vector<std::pair<int, int>>{{0, 0}}));
+}
+
 TEST(CameraPath, SaysWhenNothingTells) {
   CameraPath path;
   View blank;
@@ -111,6 +247,9 @@ TEST(CameraPath, NonsensePosesAreNotBelieved) {
   AddAt(path, 0, 1, PoseAt(0));
   EXPECT_EQ(AddAt(path, 0, 2, PoseAt(1e5)).motion.source, kUnknown) << "a map that was found";
   EXPECT_EQ(AddAt(path, 0, 3, PoseAt(1e5 + 0.25)).motion.source, kGiven);
+  Eigen::Isometry3d torn = PoseAt(1e5 + 0.5);
+  torn.linear()(1, 1) = std::nan("");
+  EXPECT_TRUE(AddAt(path, 0, 3, torn).world_from_camera.matrix().allFinite());
   const auto lost = AddAt(path, 0, 4, PoseAt(1e300));
   EXPECT_TRUE(lost.world_from_camera.matrix().allFinite());
   EXPECT_LT(lost.world_from_camera.translation().norm(), 1);

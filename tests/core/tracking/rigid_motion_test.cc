@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 namespace fovea {
@@ -58,6 +59,39 @@ TEST(FindRigidMotion, SaysWhenItCannotTell) {
   EXPECT_FALSE(FindRigidMotion(Pairs(200, 1, 1), kCamera, kWidth_px)) << "nothing but mistakes";
   const std::vector<PointPair> same(50, Pairs(1, 0, 1).front());
   EXPECT_FALSE(FindRigidMotion(same, kCamera, kWidth_px)) << "one point leaves all turns open";
+  EXPECT_FALSE(FindRigidMotion(Pairs(400, 0.85, 1), kCamera, kWidth_px)) << "60 of 400 agree";
+}
+
+// 4.5 pixels beside its place: the limit is 3 of an image 640 wide, 6 of one twice as wide.
+TEST(FindRigidMotion, PixelsAreThoseOfAnImage640Wide) {
+  std::vector<PointPair> pairs = Pairs(200, 0, 1);
+  pairs[0].to_px.x() += 4.5;
+  EXPECT_EQ(FindRigidMotion(pairs, kCamera, 640)->is_inlier[0], 0);
+  EXPECT_EQ(FindRigidMotion(pairs, kCamera, 1280)->is_inlier[0], 1);
+}
+
+// Their pixels are right: what is seen beside an edge, before or behind it.
+TEST(FindRigidMotion, WhatHasAnotherDepthDoesNotCount) {
+  std::vector<PointPair> pairs = Pairs(200, 0, 1);
+  for (int i = 0; i < 80; ++i) pairs[i].to *= 1.1;
+  const auto found = FindRigidMotion(pairs, kCamera, kWidth_px);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->num_inliers, 120);
+  EXPECT_LT((found->to_from_from.translation() - TrueMotion().translation()).norm(), 0.003);
+}
+
+// Over many scenes: of the shift in the middle of the points.
+TEST(FindRigidMotion, SaysHowFarItIsOff) {
+  double squares = 0, expected_squares = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const std::vector<PointPair> pairs = Pairs(60, 0, seed);
+    const RigidMotion found = FindRigidMotion(pairs, kCamera, kWidth_px).value();
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const PointPair& pair : pairs) middle += pair.from / static_cast<double>(pairs.size());
+    squares += (found.to_from_from * middle - TrueMotion() * middle).squaredNorm();
+    expected_squares += found.error_m * found.error_m;
+  }
+  EXPECT_NEAR(std::sqrt(squares / expected_squares), 1, 0.3);
 }
 
 TEST(FindRigidMotion, IsTheSameEachTime) {
