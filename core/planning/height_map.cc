@@ -42,8 +42,8 @@ class Grid {
     if (low.x() > high.x()) low = high = Eigen::Vector2f::Zero();
     const float most = static_cast<float>(max_cells);
     first_ = low.array().round().cast<int>();
-    // A grid of more cells than all is too long for an int.
-    Eigen::Array2f extent = (high - low).array().round().min(most - 1) + 1;
+    constexpr float kLongest = 1e9F;  // for an int
+    Eigen::Array2f extent = (high - low).array().round().min(kLongest) + 1;
     if (extent.prod() > most) Shorten(most, extent);
     heights_m_ = cv::Mat(static_cast<int>(extent.y()), static_cast<int>(extent.x()), CV_32FC1,
                          std::numeric_limits<float>::quiet_NaN());
