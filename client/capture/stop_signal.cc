@@ -26,7 +26,6 @@ void CatchStopSignals() {
   struct sigaction before {};
   sigaction(SIGHUP, nullptr, &before);
   if (before.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
-  // A limit on the size of files is an error like others.
   signal(SIGXFSZ, SIG_IGN);
 }
 

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from conftest import Robots, Scene
+from conftest import Robots, Scene, Watched
 from processes import (
     OBSERVERS,
     PATIENCE,
@@ -23,7 +23,6 @@ from processes import (
     ObserverProcess,
     ServerProcess,
     Visitor,
-    write_observers,
 )
 
 MAX_CLOSE = 24  # robots that one token looks at closely at once
@@ -184,33 +183,21 @@ def test_a_close_look_at_a_foreign_robot_shows_nothing(
                 assert visitor.get(path).status == 404
 
 
-def test_says_when_the_server_is_away_and_back(scene: Scene, tmp_path: Path) -> None:
-    observers = write_observers(tmp_path)
-    with ServerProcess(observers) as server, ObserverProcess(server.address) as observer:
-        visitor = Visitor(observer.address)
-        visitor.log_in(OBSERVERS["ann"][0])
-        with Events(visitor) as events:
-            events.servers("watching")
-            server.kill()
-            assert events.servers("away")[0]["problem"]
-            with ServerProcess(observers, server.address) as again:
-                events.servers("watching")
-                Robots(again.address).detect("attic", scene.frame())
-                assert events.robot("attic")["objects"] > 0
+def test_says_when_the_server_is_away_and_back(scene: Scene, watched: Watched) -> None:
+    watched.server.kill()
+    assert watched.events.servers("away")[0]["problem"]
+    with ServerProcess(watched.observers, watched.server.address) as again:
+        watched.events.servers("watching")
+        Robots(again.address).detect("attic", scene.frame())
+        assert watched.events.robot("attic")["objects"] > 0
 
 
-def test_a_token_that_is_taken_back_ends_the_session(tmp_path: Path) -> None:
-    observers = write_observers(tmp_path)
-    with ServerProcess(observers) as server, ObserverProcess(server.address) as observer:
-        visitor = Visitor(observer.address)
-        visitor.log_in(OBSERVERS["ann"][0])
-        with Events(visitor) as events:
-            events.servers("watching")
-            observers.write_text("")
-            os.kill(server.pid, signal.SIGHUP)
-            while not events.response.readline().startswith(b"event: ended"):
-                pass
-        assert visitor.get("/api/session").status == 401
+def test_a_token_that_is_taken_back_ends_the_session(watched: Watched) -> None:
+    watched.observers.write_text("")
+    os.kill(watched.server.pid, signal.SIGHUP)
+    while not watched.events.response.readline().startswith(b"event: ended"):
+        pass
+    assert watched.visitor.get("/api/session").status == 401
 
 
 def test_other_machines_only_with_tls() -> None:

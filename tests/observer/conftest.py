@@ -7,6 +7,7 @@ import subprocess
 import threading
 from collections.abc import Iterator
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,6 +16,7 @@ from PIL import Image
 from processes import (
     OBSERVERS,
     PATIENCE,
+    Events,
     ObserverProcess,
     ServerProcess,
     Visitor,
@@ -132,6 +134,27 @@ def recorder_is_ready(visitor: Visitor, robots: Robots) -> None:
     )
     while not visitor.history("first"):
         robots.detect("first", frame)
+
+
+@dataclass
+class Watched:
+    """A server of one test's own, which may end it, and who watches it."""
+
+    observers: Path
+    server: ServerProcess
+    visitor: Visitor
+    events: Events
+
+
+@pytest.fixture
+def watched(tmp_path: Path) -> Iterator[Watched]:
+    observers = write_observers(tmp_path)
+    with ServerProcess(observers) as server, ObserverProcess(server.address) as observer:
+        visitor = Visitor(observer.address)
+        visitor.log_in(OBSERVERS["ann"][0])
+        with Events(visitor) as events:
+            events.servers("watching")
+            yield Watched(observers, server, visitor, events)
 
 
 @pytest.fixture

@@ -5,18 +5,16 @@ from __future__ import annotations
 import socket
 import threading
 from collections.abc import Iterator
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
-from conftest import Sending
+from conftest import Sending, Watched
 from processes import (
     OBSERVERS,
     Events,
     ObserverProcess,
     ServerProcess,
     Visitor,
-    write_observers,
 )
 
 if TYPE_CHECKING:
@@ -95,18 +93,15 @@ def test_events_say_that_they_live(observer: ObserverProcess) -> None:
     raise AssertionError("the stream has ended")
 
 
-def test_a_server_that_is_back_is_watched_at_once(tmp_path: Path) -> None:
+def test_a_server_that_is_back_is_watched_at_once(watched: Watched) -> None:
     """Not at one of the next attempts, each of which says once more that it is away."""
-    observers = write_observers(tmp_path)
-    with ServerProcess(observers) as server, ObserverProcess(server.address) as observer:
-        visitor = Visitor(observer.address)
-        visitor.log_in(OBSERVERS["ann"][0])
-        with Events(visitor) as events:
-            events.servers("watching")
-            server.kill()
-            events.servers("away")
-        with ServerProcess(observers, server.address), Events(visitor) as events:
-            states = [events.next()["servers"][0]["state"]]
-            while states[-1] != "watching":
-                states.append(events.next()["servers"][0]["state"])
-        assert states.count("away") <= 2, states
+    watched.server.kill()
+    watched.events.servers("away")
+    with (
+        ServerProcess(watched.observers, watched.server.address),
+        Events(watched.visitor) as events,
+    ):
+        states = [events.next()["servers"][0]["state"]]
+        while states[-1] != "watching":
+            states.append(events.next()["servers"][0]["state"])
+    assert states.count("away") <= 2, states

@@ -36,15 +36,15 @@ Chunk ParseChunk(std::string_view content) {
   return chunk;
 }
 
-std::string RecordsOf(std::string_view content) {
-  const Chunk chunk = ParseChunk(content);
-  std::string records = Decompress(chunk.records, chunk.compression, chunk.size);
-  if (chunk.checksum != 0 &&
-      chunk.checksum !=
-          crc32_z(0, reinterpret_cast<const Bytef*>(records.data()), records.size())) {
-    throw std::invalid_argument("a chunk is damaged: its checksum is another");
-  }
-  return records;
+std::string RecordsOf(const Chunk& chunk) {
+  return Decompress(chunk.records, chunk.compression, chunk.size);
+}
+
+void RequireChecksum(const Chunk& chunk, const std::string& records) {
+  if (chunk.checksum == 0) return;
+  const auto* bytes = reinterpret_cast<const Bytef*>(records.data());
+  if (crc32_z(0, bytes, records.size()) == chunk.checksum) return;
+  throw std::invalid_argument("a chunk is damaged: its checksum is another");
 }
 
 class Parser {
@@ -123,7 +123,9 @@ class Parser {
   }
 
   void AddChunk(std::string_view content, std::uint64_t place) {
-    const std::string records = RecordsOf(content);
+    const Chunk chunk = ParseChunk(content);
+    const std::string records = RecordsOf(chunk);
+    RequireChecksum(chunk, records);
     if (Records(records, 0, {place, content.size(), 0, 0})) {
       throw std::invalid_argument("a chunk ends within a record");
     }
@@ -150,7 +152,7 @@ std::optional<std::uint64_t> ForEachMessage(std::string_view file,
 
 std::string DataAt(std::string_view file, const McapPlace& place) {
   if (place.chunk == 0) return std::string(Part(file, place.start, place.size));
-  const std::string records = RecordsOf(Part(file, place.chunk, place.chunk_bytes));
+  const std::string records = RecordsOf(ParseChunk(Part(file, place.chunk, place.chunk_bytes)));
   return std::string(Part(records, place.start, place.size));
 }
 
