@@ -8,6 +8,7 @@
 #include "core/depth/flying_pixels.h"
 #include "core/depth/measured_depth.h"
 #include "core/explanation.h"
+#include "core/exposure.h"
 #include "core/grasping/plan_grasps.h"
 #include "core/object_surroundings.h"
 #include "core/paper/detect_as_paper.h"
@@ -81,8 +82,9 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& op
 
   budget.KeepBack(ShareOfAnswer(options));
   const PixelBlocks blocks = BlocksOf(frame, options.voxels);
-  Search search = SearchInBlocks(InBlocks(frame, depth, blocks), frame.intrinsics, options, budget,
-                                 clock, result);
+  RgbdFrame coarse = InBlocks(frame, depth, blocks);
+  coarse.color_rgb = WellExposed(coarse.color_rgb);
+  Search search = SearchInBlocks(coarse, frame.intrinsics, options, budget, clock, result);
   clock.Begin("objects");
 
   SceneGeometry& scene = search.scene;

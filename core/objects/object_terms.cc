@@ -14,7 +14,6 @@ constexpr double kMaxDistance_m = 3;
 constexpr double kMaxLogOdds = 6;
 constexpr double kMuchClosed = 0.4;
 constexpr double kFewSides = 3;
-constexpr double kUsualContrast = 12;  // where hardly any background is at the same distance
 
 double ClampedLog(double value, double least) { return std::log(std::max(value, least)); }
 

@@ -94,12 +94,18 @@ bool IsLevelBackground(Beyond beyond) {
   return beyond == Beyond::kLevel || beyond == Beyond::kRising || beyond == Beyond::kWall;
 }
 
+bool IsGrey(const LabelledScene& scene) {
+  return !scene.colors.empty() && scene.colors.front().is_grey;
+}
+
 // Differences of colour across borders, which themselves are blurred.
 class Contrast {
  public:
-  Contrast(const cv::Mat& labels, const cv::Mat& lab)
-      : labels_(labels), inside_px_(ScaledPx(kInsidePx, labels.cols, 1)) {
-    cv::blur(lab, lab_, {kBlurPx, kBlurPx});
+  Contrast(const LabelledScene& scene, const cv::Mat& labels)
+      : labels_(labels),
+        inside_px_(ScaledPx(kInsidePx, labels.cols, 1)),
+        unseen_(IsGrey(scene) ? kUsualContrast : 0) {
+    cv::blur(scene.lab, lab_, {kBlurPx, kBlurPx});
   }
 
   // From a little inside of the border at `pixel`, which faces `side`, to a pixel beyond it; units
@@ -109,12 +115,14 @@ class Contrast {
     const bool is_own = cv::Rect({}, labels_.size()).contains(inside) &&
                         labels_.at<std::uint16_t>(inside) == labels_.at<std::uint16_t>(pixel);
     if (!is_own) inside = pixel;
-    return cv::norm(cv::Vec3i(lab_.at<cv::Vec3b>(inside)) - cv::Vec3i(lab_.at<cv::Vec3b>(beyond)));
+    const cv::Vec3i own = lab_.at<cv::Vec3b>(inside), other = lab_.at<cv::Vec3b>(beyond);
+    return std::hypot(cv::norm(own - other), unseen_);
   }
 
  private:
   const cv::Mat& labels_;
   int inside_px_;
+  double unseen_;
   cv::Mat lab_;  // CV_8UC3
 };
 
@@ -153,7 +161,7 @@ double BorderCounts::Total() const {
 std::vector<Surroundings> FindSurroundings(const LabelledScene& scene, const cv::Mat& labels) {
   std::vector<Surroundings> surroundings(1);
   const Search search(scene, labels);
-  const Contrast contrast(labels, scene.lab);
+  const Contrast contrast(scene, labels);
   for (int row = 0; row < labels.rows; ++row) {
     InterruptionPoint();
     const auto* label = labels.ptr<std::uint16_t>(row);

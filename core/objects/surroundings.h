@@ -31,11 +31,16 @@ constexpr std::size_t kNumBeyond = 9;
 enum class BorderSide { kAbove, kBeside, kBelow };
 constexpr std::size_t kNumBorderSides = 3;
 
+// Of colours of objects to background at their distance, CIELAB as OpenCV scales it: where nobody
+// sees it.
+constexpr double kUsualContrast = 12;
+
 // Sides of pixels, so that those of joined segments add up.
 struct BorderCounts {
   std::array<std::array<double, kNumBeyond>, kNumBorderSides> sides{};
 
-  // Difference of colour to background at the same distance, summed over such sides.
+  // Difference of colour to background at the same distance, summed over such sides; in grey frames
+  // with what is usual of it.
   double contrast = 0;
 
   void Count(BorderSide side, Beyond beyond) {

@@ -18,7 +18,6 @@ constexpr double kUnit = 66;  // L + 16 where L is 50
 // The weights of colours were fitted to frames that are not grey.
 constexpr double kColorfulShare = 0.05;  // of the pixels have at least
 constexpr double kGreyChroma = 4;        // in frames that are not grey
-constexpr double kGreyGain = 3;
 
 constexpr double kUnitsOfL = 2.55;  // OpenCV scales L to 255, and a and b to 128 ± 127
 constexpr int kNeutral = 128;
@@ -91,7 +90,7 @@ std::vector<MeanColor> ColorsOfVoxels(const VoxelGrid& grid, const cv::Mat& lab)
     }
   }
   if (IsGrey(lab)) {
-    for (MeanColor& color : colors) color.sum *= kGreyGain;
+    for (MeanColor& color : colors) color.is_grey = true;
   }
   return colors;
 }

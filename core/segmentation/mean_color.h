@@ -9,6 +9,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
@@ -20,18 +21,23 @@ namespace fovea {
 struct MeanColor {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double num_pixels = 0;
+  bool is_grey = false;  // of a grey frame, as all of its colours
 
   void Add(const MeanColor& other) {
     sum += other.sum;
     num_pixels += other.num_pixels;
+    is_grey |= other.is_grey;
   }
-  // Distance of the means.
-  double DistanceTo(const MeanColor& other) const { return (Mean() - other.Mean()).norm(); }
+  // Of the means; in grey frames with a usual difference in hue, which nobody sees.
+  double DistanceTo(const MeanColor& other) const {
+    constexpr double kUsualHue = 8;
+    const double seen = (Mean() - other.Mean()).norm();
+    return is_grey && other.is_grey ? std::hypot(seen, kUsualHue) : seen;
+  }
   Eigen::Vector3d Mean() const { return sum / (num_pixels > 0 ? num_pixels : 1); }
 };
 
-// One entry a voxel. `lab`: CV_8UC3 of the frame, as of LabOf. Where it is grey, colours are taken
-// farther apart, for the differences in hue that are not there.
+// One entry a voxel. `lab`: CV_8UC3 of the frame, as of LabOf.
 std::vector<MeanColor> ColorsOfVoxels(const VoxelGrid& grid, const cv::Mat& lab);
 
 }  // namespace fovea

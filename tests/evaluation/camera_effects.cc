@@ -83,18 +83,23 @@ void Grey(RgbdFrame& frame, Random& /*random*/) {
   cv::cvtColor(grey, frame.color_rgb, cv::COLOR_GRAY2RGB);
 }
 
-void Dark(RgbdFrame& frame, Random& random) {
-  constexpr double kBrightness = 0.3, kDeviation = 5;
-  frame.color_rgb.forEach<cv::Vec3b>([](cv::Vec3b& color, const int*) {
-    for (int i = 0; i < 3; ++i) color[i] = cv::saturate_cast<uchar>(kBrightness * color[i]);
+void Darken(RgbdFrame& frame, Random& random, double brightness, double deviation) {
+  frame.color_rgb.forEach<cv::Vec3b>([brightness](cv::Vec3b& color, const int*) {
+    for (int i = 0; i < 3; ++i) color[i] = cv::saturate_cast<uchar>(brightness * color[i]);
   });
   std::vector<cv::Mat> channels;
   cv::split(frame.color_rgb, channels);
   for (cv::Mat& channel : channels) {
-    cv::add(channel, kDeviation * scenes::Noise(channel.size(), 0, random), channel, {}, CV_8U);
+    cv::add(channel, deviation * scenes::Noise(channel.size(), 0, random), channel, {}, CV_8U);
   }
   cv::merge(channels, frame.color_rgb);
 }
+
+void Dark(RgbdFrame& frame, Random& random) { Darken(frame, random, 0.3, 5); }
+
+void Dusk(RgbdFrame& frame, Random& random) { Darken(frame, random, 0.1, 5); }
+
+void Night(RgbdFrame& frame, Random& random) { Darken(frame, random, 0, 2); }
 
 struct Effect {
   CameraEffect text;
@@ -114,6 +119,8 @@ const std::vector<Effect>& Effects() {
       {{"moved_color", "colour 4 px right and 2 px down of depth"}, MovedColor},
       {{"grey", "no colour"}, Grey},
       {{"dark", "three tenths of the brightness, noise of 5 of 255"}, Dark},
+      {{"dusk", "a tenth of it, the same noise"}, Dusk},
+      {{"night", "nothing but noise of 2 in the colour image"}, Night},
   };
   return effects;
 }

@@ -164,5 +164,19 @@ TEST(Surroundings, ContrastIsFromTheThingItself) {
   EXPECT_EQ(FindSurroundings(labelled, scene.labels).at(1).counts.contrast, 40 * 30);
 }
 
+TEST(Surroundings, InGreyFramesWhatIsUsualOfContrastIsAddedToIt) {
+  TestScene scene(1);
+  scene.Put(kThing, 1, 1);
+  const LabelledScene labelled = scene.Labelled();
+  const auto contrast = [&](bool is_grey) {
+    for (MeanColor& color : scene.colors) color.is_grey = is_grey;
+    return FindSurroundings(labelled, scene.labels).at(1).counts.contrast;
+  };
+  EXPECT_NEAR(contrast(true), 100 * kUsualContrast, 1e-9);
+  scene.lab(kThing) += cv::Scalar(40, 0, 0);
+  EXPECT_GT(contrast(true), contrast(false));
+  EXPECT_LT(contrast(true), contrast(false) + 100 * kUsualContrast);
+}
+
 }  // namespace
 }  // namespace fovea

@@ -53,11 +53,13 @@ TEST(ColorsOfVoxels, OfABlackFrameStayFinite) {
   EXPECT_NEAR(Distance({0, 0, 0}, {3, 0, 0}, {0, 0, 0}), 0, 12);
 }
 
-TEST(ColorsOfVoxels, DifferMoreInLightnessWhereTheFrameIsGrey) {
+TEST(ColorsOfVoxels, DifferInHueAsUsualWhereTheFrameIsGrey) {
   // L = 40.7 and 61.7.
-  const double in_color = 0.5 * kUnit * std::log((61.7 + 16) / (40.7 + 16));
-  EXPECT_NEAR(Distance({96, 96, 96}, {149, 149, 149}, {200, 200, 200}), 3 * in_color, 3 * kOneStep);
-  EXPECT_NEAR(Distance({96, 96, 96}, {149, 149, 149}, {200, 20, 20}), in_color, kOneStep);
+  const double in_light = 0.5 * kUnit * std::log((61.7 + 16) / (40.7 + 16));
+  EXPECT_NEAR(Distance({96, 96, 96}, {149, 149, 149}, {200, 20, 20}), in_light, kOneStep);
+  EXPECT_NEAR(Distance({96, 96, 96}, {149, 149, 149}, {200, 200, 200}), std::hypot(in_light, 8),
+              kOneStep);
+  EXPECT_NEAR(Distance({96, 96, 96}, {96, 96, 96}, {96, 96, 96}), 8, 1e-9);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ const Eigen::Vector3f kSceneUp = -Eigen::Vector3f::UnitY();
 const CameraIntrinsics kIntrinsics{.fx_px = 200, .fy_px = 200, .cx_px = 0, .cy_px = 0};
 const cv::Vec3b kGrey(100, 100, 100);
 const cv::Vec3b kLightGrey(200, 200, 200);
-const cv::Vec3b kWhiteThing(255, 255, 255);
+const cv::Vec3b kRed(200, 40, 30);
 
 struct Pixel {
   cv::Vec3f point;
@@ -139,7 +139,7 @@ TEST(MergeOccluded, KeepsPlanesApartThatAreTurned) {
 }
 
 TEST(MergeOccluded, KeepsDifferentColorsApart) {
-  EXPECT_FALSE(AreJoined(HiddenMiddle({.right_color = kWhiteThing}), kLeft, kRight, kBehind));
+  EXPECT_FALSE(AreJoined(HiddenMiddle({.right_color = kRed}), kLeft, kRight, kBehind));
   EXPECT_TRUE(AreJoined(HiddenMiddle({.right_color = kLightGrey}), kLeft, kRight, kBehind));
 }
 

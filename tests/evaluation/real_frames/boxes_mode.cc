@@ -1,11 +1,14 @@
 #include "tests/evaluation/real_frames/boxes_mode.h"
 
+#include <fmt/format.h>
+
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "core/detector.h"
+#include "tests/evaluation/camera_effects.h"
 #include "tests/evaluation/output.h"
 #include "tests/evaluation/peers/peer.h"
 #include "tests/evaluation/real_frames/boxed_run.h"
@@ -20,13 +23,13 @@ void RefuseOtherModes(const DetectionFlags& flags) {
     if (given) throw std::invalid_argument(flag + " needs label images, not boxes");
   };
   refuse(!flags.sweeps.empty(), "--sweep");
-  refuse(flags.with_effects, "--camera-effects");
   refuse(flags.true_seeds, "--true-seeds");
   const DetectionFlags unset;
   refuse(flags.intrinsics != unset.intrinsics, "--intrinsics");
   refuse(flags.num_repeats != unset.num_repeats, "--repeat");
   refuse(flags.num_folds != unset.num_folds, "--folds");
   refuse(!flags.plot.empty() && !flags.methods.empty(), "--plot of --methods");
+  refuse(!flags.plot.empty() && flags.with_effects, "--plot of --camera-effects");
 }
 
 DetectInFrame Detector(const DetectionFlags& flags, const std::string& method) {
@@ -78,11 +81,35 @@ void PrintFrames(const std::vector<BoxedFrameResult>& results) {
   std::cout << '\n';
 }
 
+// One row per camera effect, after one without.
+void RunEffects(const DetectionFlags& flags, const std::vector<BoxedFrame>& frames) {
+  nlohmann::json rows = nlohmann::json::array();
+  const auto run = [&](const std::string& effect, const std::vector<BoxedFrame>& seen) {
+    const BoxSummary summary = Summarize(Run(flags, seen, flags.profile));
+    fmt::print("{:<16} F1 {:.1f}, mean of the sources {:.1f}{}\n", effect,
+               100 * summary.all.Boxes().f, 100 * summary.mean_f1,
+               summary.has_clear
+                   ? fmt::format(", clear glass {:.1f}", 100 * summary.clear.Boxes().f)
+                   : "");
+    rows.push_back({{"effect", effect}, {"summary", ToJson(summary)}});
+  };
+  run("as recorded", frames);
+  for (const CameraEffect& effect : CameraEffects()) {
+    std::vector<BoxedFrame> changed = frames;
+    for (std::size_t i = 0; i < changed.size(); ++i) {
+      changed[i].frame = WithCameraEffect(frames[i].frame, effect.name, i);
+    }
+    run(effect.name, changed);
+  }
+  WriteJson(flags.json, rows);
+}
+
 }  // namespace
 
 void RunBoxesMode(const DetectionFlags& flags) {
   RefuseOtherModes(flags);
   const std::vector<BoxedFrame> frames = LoadBoxedFrames(flags.data);
+  if (flags.with_effects) return RunEffects(flags, frames);
   const std::vector<std::string> methods =
       flags.methods.empty() ? std::vector<std::string>{flags.profile} : flags.methods;
   std::vector<BoxSummary> summaries;
