@@ -48,10 +48,12 @@ void Pause(grpc::Channel& channel, std::chrono::milliseconds wait) {
 }
 
 void PrepareCall(const ClientOptions& options, std::chrono::milliseconds timeout,
-                 grpc::ClientContext* context) {
+                 grpc::ClientContext* context, const CallOptions& call) {
   context->set_deadline(std::chrono::system_clock::now() + timeout);
   if (!options.token.empty()) context->AddMetadata("authorization", "Bearer " + options.token);
   if (!options.robot.empty()) context->AddMetadata("fovea-robot", options.robot);
+  if (!call.request_id.empty()) context->AddMetadata("fovea-request-id", call.request_id);
+  if (!call.traceparent.empty()) context->AddMetadata("traceparent", call.traceparent);
 }
 
 }  // namespace fovea::client

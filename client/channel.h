@@ -21,8 +21,8 @@ std::shared_ptr<grpc::Channel> MakeChannel(const ServerTarget& target, bool has_
 // them, whoever just sleeps keeps a new connection from coming about.
 void Pause(grpc::Channel& channel, std::chrono::milliseconds wait);
 
-// What every call carries: its deadline, and who calls.
+// What every call carries: its deadline, who calls, and its own names.
 void PrepareCall(const ClientOptions& options, std::chrono::milliseconds timeout,
-                 grpc::ClientContext* context);
+                 grpc::ClientContext* context, const CallOptions& call = {});
 
 }  // namespace fovea::client

@@ -72,10 +72,18 @@ void RequireTls(const TlsOptions& tls) {
   RequirePem("private_key", tls.private_key, "PRIVATE KEY");
 }
 
+void RequirePrintable(const std::string& name, const std::string& text) {
+  if (IsPrintableAscii(text)) return;
+  throw std::invalid_argument(name + ": \"" + text + "\" is not printable ASCII");
+}
+
+void Check(const CallOptions& call) {
+  RequirePrintable("request_id", call.request_id);
+  RequirePrintable("traceparent", call.traceparent);
+}
+
 ClientOptions Checked(ClientOptions options) {
-  if (!IsPrintableAscii(options.robot)) {
-    throw std::invalid_argument("robot: \"" + options.robot + "\" is not printable ASCII");
-  }
+  RequirePrintable("robot", options.robot);
   if (!IsPrintableAscii(options.token)) {
     throw std::invalid_argument("token: is not printable ASCII");
   }
@@ -163,30 +171,37 @@ v1::ListOptionsResponse Client::ListOptions() const {
   return response;
 }
 
-v1::DetectResponse Client::Detect(const v1::DetectRequest& request) const {
-  return Detect(request, options_.timeout);
+v1::DetectResponse Client::Detect(const v1::DetectRequest& request, const CallOptions& call) const {
+  return Detect(request, options_.timeout, call);
 }
 
 v1::DetectResponse Client::Detect(const v1::DetectRequest& request,
-                                  std::chrono::milliseconds timeout) const {
+                                  std::chrono::milliseconds timeout,
+                                  const CallOptions& call) const {
+  Check(call);
   v1::DetectResponse response;
-  CallWithRetries(*servers_, options_, Capped(timeout), [&](auto& stub, auto* context) {
+  const auto detect = [&](auto& stub, auto* context) {
     return stub.Detect(context, request, &response);
-  });
+  };
+  CallWithRetries(*servers_, options_, Capped(timeout), detect, call);
   return response;
 }
 
-std::unique_ptr<DetectStream> Client::OpenStream(std::chrono::milliseconds timeout) const {
+std::unique_ptr<DetectStream> Client::OpenStream(std::chrono::milliseconds timeout,
+                                                 const CallOptions& call) const {
+  Check(call);
   std::string problem;
   timeout = Capped(timeout);
   const auto home = servers_->Home(Servers::Clock::now() + timeout, &problem);
-  if (!home) throw RpcError({grpc::StatusCode::UNAVAILABLE, problem});
-  return std::make_unique<DetectStream>(*home->stub, options_, timeout);
+  if (!home)
+    throw RpcError({grpc::StatusCode::UNAVAILABLE, problem}, std::nullopt, call.request_id);
+  return std::make_unique<DetectStream>(*home->stub, options_, timeout, call);
 }
 
-std::unique_ptr<ResumingStream> Client::OpenResumingStream(
-    std::chrono::milliseconds timeout) const {
-  return std::make_unique<ResumingStream>(servers_, options_, Capped(timeout));
+std::unique_ptr<ResumingStream> Client::OpenResumingStream(std::chrono::milliseconds timeout,
+                                                           const CallOptions& call) const {
+  Check(call);
+  return std::make_unique<ResumingStream>(servers_, options_, Capped(timeout), call);
 }
 
 }  // namespace fovea::client

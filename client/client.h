@@ -41,14 +41,17 @@ class Client {
   v1::GetStatisticsResponse GetStatistics() const;
   v1::ListOptionsResponse ListOptions() const;
 
-  v1::DetectResponse Detect(const v1::DetectRequest& request) const;
-  v1::DetectResponse Detect(const v1::DetectRequest& request,
-                            std::chrono::milliseconds timeout) const;
+  // `call` throws std::invalid_argument where it is not printable ASCII.
+  v1::DetectResponse Detect(const v1::DetectRequest& request, const CallOptions& call = {}) const;
+  v1::DetectResponse Detect(const v1::DetectRequest& request, std::chrono::milliseconds timeout,
+                            const CallOptions& call = {}) const;
 
   // `timeout` is for the whole stream.
-  std::unique_ptr<DetectStream> OpenStream(std::chrono::milliseconds timeout) const;
+  std::unique_ptr<DetectStream> OpenStream(std::chrono::milliseconds timeout,
+                                           const CallOptions& call = {}) const;
   // The same, but a stream that outlives the server: see ResumingStream.
-  std::unique_ptr<ResumingStream> OpenResumingStream(std::chrono::milliseconds timeout) const;
+  std::unique_ptr<ResumingStream> OpenResumingStream(std::chrono::milliseconds timeout,
+                                                     const CallOptions& call = {}) const;
 
  private:
   const ClientOptions options_;

@@ -39,6 +39,16 @@ struct ClientOptions {
   std::string robot = {};
 };
 
+// What finds a call again where others look. Of printable ASCII characters: others are refused.
+struct CallOptions {
+  // 1 to 64 characters, sent as `fovea-request-id`: what the server calls the request in its log;
+  // empty = a number that the server makes up. Errors have either (RpcError::request_id).
+  std::string request_id = {};
+  // W3C Trace Context, sent as `traceparent`: whose children the spans of the call's frames are,
+  // where the server sends traces.
+  std::string traceparent = {};
+};
+
 // Whether a call can have this as a value of its metadata; gRPC ends the process where not.
 bool IsPrintableAscii(std::string_view text);
 

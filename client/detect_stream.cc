@@ -3,12 +3,14 @@
 #include <utility>
 
 #include "client/channel.h"
+#include "client/retry.h"
 
 namespace fovea::client {
 
 DetectStream::DetectStream(v1::DetectionService::Stub& stub, const ClientOptions& options,
-                           std::chrono::milliseconds timeout) {
-  PrepareCall(options, timeout, &context_);
+                           std::chrono::milliseconds timeout, CallOptions call)
+    : call_(std::move(call)) {
+  PrepareCall(options, timeout, &context_, call_);
   stream_ = stub.DetectStream(&context_);
 }
 
@@ -30,7 +32,7 @@ std::optional<v1::DetectStreamResponse> DetectStream::Receive() {
   v1::DetectStreamResponse response;
   if (!finished_ && stream_->Read(&response)) return response;
   if (!finished_) finished_ = stream_->Finish();
-  if (!finished_->ok()) throw RpcError(*finished_);
+  if (!finished_->ok()) throw ErrorOf(*finished_, context_, call_);
   return std::nullopt;
 }
 

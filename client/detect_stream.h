@@ -20,7 +20,7 @@ namespace fovea::client {
 class DetectStream {
  public:
   DetectStream(v1::DetectionService::Stub& stub, const ClientOptions& options,
-               std::chrono::milliseconds timeout);
+               std::chrono::milliseconds timeout, CallOptions call = {});
   // Cancels what has no answer yet.
   ~DetectStream();
 
@@ -45,6 +45,7 @@ class DetectStream {
   std::optional<v1::DetectStreamResponse> Receive();
 
  private:
+  const CallOptions call_;
   grpc::ClientContext context_;
   std::unique_ptr<grpc::ClientReaderWriter<v1::DetectStreamRequest, v1::DetectStreamResponse>>
       stream_;

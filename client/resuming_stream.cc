@@ -12,14 +12,16 @@
 namespace fovea::client {
 
 ResumingStream::ResumingStream(std::shared_ptr<Servers> servers, ClientOptions options,
-                               std::chrono::milliseconds timeout)
+                               std::chrono::milliseconds timeout, CallOptions call)
     : servers_(std::move(servers)),
       options_(std::move(options)),
+      call_(std::move(call)),
       deadline_(Clock::now() + timeout),
       better_server_(std::make_unique<BetterServer>(*servers_, options_)) {
   std::string problem;
   server_ = servers_->Home(std::min(deadline_, Clock::now() + options_.timeout), &problem);
-  if (!server_) throw RpcError({grpc::StatusCode::UNAVAILABLE, problem});
+  if (!server_)
+    throw RpcError({grpc::StatusCode::UNAVAILABLE, problem}, std::nullopt, call_.request_id);
   stream_ = Open();
 }
 
@@ -171,7 +173,7 @@ bool ResumingStream::IsConnected(const Server& server) const {
 std::shared_ptr<DetectStream> ResumingStream::Open() {
   return std::make_shared<DetectStream>(
       *server_->stub, options_,
-      std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - Clock::now()));
+      std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - Clock::now()), call_);
 }
 
 }  // namespace fovea::client

@@ -36,7 +36,7 @@ class ResumingStream {
   };
 
   ResumingStream(std::shared_ptr<Servers> servers, ClientOptions options,
-                 std::chrono::milliseconds timeout);
+                 std::chrono::milliseconds timeout, CallOptions call = {});
 
   ~ResumingStream();
 
@@ -74,6 +74,7 @@ class ResumingStream {
 
   const std::shared_ptr<Servers> servers_;
   const ClientOptions options_;
+  const CallOptions call_;  // of each connection
   const Clock::time_point deadline_;
 
   mutable std::mutex mutex_;

@@ -7,7 +7,6 @@
 #include <thread>
 
 #include "client/channel.h"
-#include "client/rpc_error.h"
 
 namespace fovea::client {
 namespace {
@@ -31,9 +30,13 @@ class AttemptMaker {
  public:
   using Call = std::function<grpc::Status(v1::DetectionService::Stub&, grpc::ClientContext*)>;
 
-  AttemptMaker(Servers& servers, const ClientOptions& options, Servers::Clock::time_point deadline,
-               const Call& call)
-      : servers_(servers), options_(options), deadline_(deadline), call_(call) {}
+  AttemptMaker(Servers& servers, const ClientOptions& options, const CallOptions& call_options,
+               Servers::Clock::time_point deadline, const Call& call)
+      : servers_(servers),
+        options_(options),
+        call_options_(call_options),
+        deadline_(deadline),
+        call_(call) {}
 
   Attempt Make(bool asks_others) const {
     Attempt attempt;
@@ -45,7 +48,8 @@ class AttemptMaker {
     attempt.retry_after = round.wait();
     if (round.home()) attempt.channel = round.home()->channel;
     if (!attempt.error) {  // nobody to ask
-      attempt.error.emplace(grpc::Status(grpc::StatusCode::UNAVAILABLE, round.problem()));
+      attempt.error.emplace(grpc::Status(grpc::StatusCode::UNAVAILABLE, round.problem()),
+                            std::nullopt, call_options_.request_id);
     }
     return attempt;
   }
@@ -55,7 +59,7 @@ class AttemptMaker {
     grpc::ClientContext context;
     PrepareCall(options_,
                 std::chrono::duration_cast<milliseconds>(deadline_ - Servers::Clock::now()),
-                &context);
+                &context, call_options_);
     if (ask.only_if_room) context.AddMetadata("fovea-only-if-room", "1");
     const grpc::Status status = call_(*ask.server->stub, &context);
     if (status.ok()) {
@@ -72,11 +76,13 @@ class AttemptMaker {
                status.error_code() == grpc::StatusCode::DEADLINE_EXCEEDED) {
       round.OnAway();  // the next call is made to another one
     }
-    attempt->error.emplace(status, retry_after);  // the last one's is of whom the client waits for
+    // The last one's is of whom the client waits for.
+    attempt->error = ErrorOf(status, context, call_options_);
   }
 
   Servers& servers_;
   const ClientOptions& options_;
+  const CallOptions& call_options_;
   const Servers::Clock::time_point deadline_;
   const Call& call_;
 };
@@ -91,6 +97,16 @@ std::optional<milliseconds> RetryAfter(const grpc::ClientContext& context) {
   int value = 0;
   if (std::from_chars(found->second.data(), end, value).ptr != end) return std::nullopt;
   return milliseconds(value);
+}
+
+RpcError ErrorOf(const grpc::Status& status, const grpc::ClientContext& context,
+                 const CallOptions& call) {
+  const auto& metadata = context.GetServerTrailingMetadata();
+  const auto found = metadata.find("fovea-request-id");
+  return RpcError(status, RetryAfter(context),
+                  found == metadata.end()
+                      ? call.request_id
+                      : std::string(found->second.data(), found->second.size()));
 }
 
 bool IsWorthRetrying(const grpc::Status& status, const grpc::ClientContext& context) {
@@ -115,10 +131,10 @@ milliseconds BackoffAfter(int attempt, const RetryOptions& options,
 }
 
 void CallWithRetries(Servers& servers, const ClientOptions& options, milliseconds timeout,
-                     const AttemptMaker::Call& call) {
+                     const AttemptMaker::Call& call, const CallOptions& call_options) {
   using Clock = Servers::Clock;
   const Clock::time_point deadline = Clock::now() + timeout;
-  const AttemptMaker maker(servers, options, deadline, call);
+  const AttemptMaker maker(servers, options, call_options, deadline, call);
   for (int number = 1;; ++number) {
     const Attempt attempt = maker.Make(/*asks_others=*/number == 1);
     if (attempt.answered) return;

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "client/client_options.h"
+#include "client/rpc_error.h"
 #include "client/servers.h"
 
 namespace fovea::client {
@@ -23,11 +24,16 @@ std::chrono::milliseconds BackoffAfter(int attempt, const RetryOptions& options,
 // What the server says in the trailing metadata, of a call that has ended.
 std::optional<std::chrono::milliseconds> RetryAfter(const grpc::ClientContext& context);
 
+// Of a call that has ended so.
+RpcError ErrorOf(const grpc::Status& status, const grpc::ClientContext& context,
+                 const CallOptions& call);
+
 // Makes the call: around the servers until one answers, and again if need be and while the deadline
 // allows. A way around is one attempt. Throws the RpcError of the last one where none succeeds; of
 // refusals the one of the server that it would have waited for.
 void CallWithRetries(
     Servers& servers, const ClientOptions& options, std::chrono::milliseconds timeout,
-    const std::function<grpc::Status(v1::DetectionService::Stub&, grpc::ClientContext*)>& call);
+    const std::function<grpc::Status(v1::DetectionService::Stub&, grpc::ClientContext*)>& call,
+    const CallOptions& call_options = {});
 
 }  // namespace fovea::client

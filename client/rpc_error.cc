@@ -17,10 +17,11 @@ constexpr std::array kCodeNames{
     "ABORTED",   "OUT_OF_RANGE",   "UNIMPLEMENTED",     "INTERNAL",           "UNAVAILABLE",
     "DATA_LOSS", "UNAUTHENTICATED"};
 
-std::string TextOf(const grpc::Status& status) {
+std::string TextOf(const grpc::Status& status, const std::string& request_id) {
   const auto code = static_cast<std::size_t>(status.error_code());
   const char* name = code < kCodeNames.size() ? kCodeNames[code] : "UNKNOWN";
-  return name + std::string(": ") + status.error_message();
+  const std::string text = name + std::string(": ") + status.error_message();
+  return request_id.empty() ? text : text + " (request " + request_id + ")";
 }
 
 using google::protobuf::UnknownField;
@@ -57,11 +58,13 @@ std::string FieldOf(const std::string& status_details) {
 
 }  // namespace
 
-RpcError::RpcError(const grpc::Status& status, std::optional<std::chrono::milliseconds> retry_after)
-    : std::runtime_error(TextOf(status)),
+RpcError::RpcError(const grpc::Status& status, std::optional<std::chrono::milliseconds> retry_after,
+                   std::string request_id)
+    : std::runtime_error(TextOf(status, request_id)),
       code_(status.error_code()),
       message_(status.error_message()),
       field_(FieldOf(status.error_details())),
-      retry_after_(retry_after) {}
+      retry_after_(retry_after),
+      request_id_(std::move(request_id)) {}
 
 }  // namespace fovea::client

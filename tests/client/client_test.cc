@@ -115,7 +115,8 @@ TEST(Client, ThrowsWhatTheServerSays) {
     FAIL() << "an empty request was answered";
   } catch (const RpcError& error) {
     EXPECT_EQ(error.code(), grpc::StatusCode::INVALID_ARGUMENT);
-    EXPECT_STREQ(error.what(), "INVALID_ARGUMENT: frame: is missing");
+    EXPECT_EQ(error.what(),
+              "INVALID_ARGUMENT: frame: is missing (request " + error.request_id() + ")");
   }
 }
 

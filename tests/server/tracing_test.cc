@@ -1,6 +1,5 @@
 // Spans of frames, as a collector of OpenTelemetry gets them over HTTP.
 #include <gmock/gmock.h>
-#include <grpcpp/create_channel.h>
 #include <gtest/gtest.h>
 
 #include <boost/asio/io_context.hpp>
@@ -111,13 +110,15 @@ server::ServerOptions TracingTo(const std::string& url, double share = 1) {
 // One call of a caller that is part of a trace; no `traceparent`: it is not.
 grpc::Status Detect(const Loopback& loopback, const std::string& traceparent,
                     const v1::DetectRequest& request = TestRequest()) {
-  const auto stub = v1::DetectionService::NewStub(
-      grpc::CreateChannel(loopback.server.Address(), grpc::InsecureChannelCredentials()));
-  grpc::ClientContext context;
-  if (!traceparent.empty()) context.AddMetadata("traceparent", traceparent);
-  context.AddMetadata("fovea-robot", "kitchen");
-  v1::DetectResponse response;
-  return stub->Detect(&context, request, &response);
+  client::ClientOptions options = PatientOptions();
+  options.robot = "kitchen";
+  const client::Client kitchen(loopback.server.Address(), options);
+  try {
+    kitchen.Detect(request, {.traceparent = traceparent});
+    return grpc::Status::OK;
+  } catch (const client::RpcError& error) {
+    return {error.code(), error.message()};
+  }
 }
 
 std::vector<std::string> NamesOf(const std::vector<json>& spans) {
@@ -242,17 +243,12 @@ TEST(Tracing, BeginsNoneWhereTheShareIsZero) {
 TEST(Tracing, FramesOfAStreamBelongToItsCall) {
   Collector collector;
   const Loopback loopback(FindOne, TracingTo(collector.url()));
-  const auto stub = v1::DetectionService::NewStub(
-      grpc::CreateChannel(loopback.server.Address(), grpc::InsecureChannelCredentials()));
-  grpc::ClientContext context;
-  context.AddMetadata("traceparent", Traceparent("01"));
-  const auto stream = stub->DetectStream(&context);
+  const auto stream = loopback.client.OpenStream(kPatience, {.traceparent = Traceparent("01")});
   std::vector<json> spans;
   for (int i = 0; i < 2; ++i) {
     v1::DetectStreamRequest request;
     *request.mutable_frame() = TestFrame();
-    v1::DetectStreamResponse response;
-    ASSERT_TRUE(stream->Write(request) && stream->Read(&response));
+    ASSERT_TRUE(stream->Send(request) && stream->Receive());
   }
   while (spans.size() < 8) {
     for (const json& span : collector.Next()) spans.push_back(span);

@@ -97,6 +97,12 @@ def make_metadata(token: str, robot: str) -> list[tuple[str, str]]:
     return metadata
 
 
+def metadata_of_call(request_id: str, traceparent: str) -> list[tuple[str, str]]:
+    """Raises InvalidArgument for what cannot travel in a header."""
+    given = {"fovea-request-id": request_id, "traceparent": traceparent}
+    return [(key, _printable(f"metadata {key}", text)) for key, text in given.items() if text]
+
+
 def _printable(field: str, text: Any) -> str:
     if not isinstance(text, str):
         raise InvalidArgument(field, f"is {type(text).__name__}, not a str")

@@ -13,10 +13,10 @@ import grpc
 import numpy as np
 import numpy.typing as npt
 
-from fovea.channel import make_metadata
+from fovea.channel import make_metadata, metadata_of_call
 from fovea.checks import timeout_of_call, timeout_of_client
 from fovea.detections import Detections, detections_from_proto
-from fovea.errors import Cancelled, error_of_call
+from fovea.errors import Cancelled, FoveaError, error_of_call
 from fovea.frame import CameraIntrinsics, Frame
 from fovea.frame_feed import FrameFeed, Item
 from fovea.options import DetectOptions, RetryOptions, TlsOptions, options_to_proto
@@ -143,14 +143,23 @@ class Client:
         options: DetectOptions = DetectOptions(),
         *,
         timeout: float | None = None,
+        request_id: str = "",
+        traceparent: str = "",
         **frame: Any,
     ) -> Detections:
         """The objects in one frame. Frame says what color, depth and intrinsics may be, and which
         further arguments there are, for example gravity, camera_pose or depth_encoding.
 
         No object is an answer, whose diagnostics say why.
+
+        request_id: what the server calls the request in its log, 1 to 64 printable ASCII
+            characters; empty = a number that it makes up.
+        traceparent: W3C Trace Context: whose children the spans of the call's frames are, where the
+            server sends traces.
         """
-        return self.detect_frame(Frame(color, depth, intrinsics, **frame), options, timeout=timeout)
+        ids = {"request_id": request_id, "traceparent": traceparent}
+        whole = Frame(color, depth, intrinsics, **frame)
+        return self.detect_frame(whole, options, timeout=timeout, **ids)
 
     def detect_frame(
         self,
@@ -158,11 +167,13 @@ class Client:
         options: DetectOptions = DetectOptions(),
         *,
         timeout: float | None = None,
+        request_id: str = "",
+        traceparent: str = "",
     ) -> Detections:
         request = detection_service_pb2.DetectRequest(
             frame=frame.to_proto(), options=options_to_proto(options)
         )
-        response = self._call(lambda stub: stub.Detect, request, timeout)
+        response = self._call(lambda stub: stub.Detect, request, timeout, request_id, traceparent)
         return detections_from_proto(response.detections)
 
     def stream(
@@ -173,6 +184,8 @@ class Client:
         timeout: float | None = None,
         every_frame: bool = False,
         picks: bool = False,
+        request_id: str = "",
+        traceparent: str = "",
     ) -> Generator[StreamAnswer, None, None]:
         """Sends frames as `frames` yields them and yields the answers in order.
 
@@ -197,25 +210,27 @@ class Client:
 
         timeout: longest wait for an answer while a frame has none; the stream itself has no end.
         picks: people who watch the robot may mark objects for it: StreamAnswer.pick.
+        request_id, traceparent: as those of detect(), of every connection of the stream.
         """
+        metadata = self._metadata + metadata_of_call(request_id, traceparent)
+
+        def open_call(server: Server, requests: Iterator[Any]) -> Any:
+            with self._errors():
+                return server.stub.DetectStream(requests, metadata=metadata)
+
         feed = FrameFeed(frames, options_to_proto(options), every_frame, picks)
         seconds = self._timeout_of(timeout)
         return ResumingStream(
             feed,
             self._servers,
-            self._open_stream,
+            open_call,
             self._get_statistics,
             self._wait,
             self._wait_until_connected,
             self._retry,
             seconds,
+            request_id,
         ).run()
-
-    def _open_stream(
-        self, server: Server, requests: Iterator[detection_service_pb2.DetectStreamRequest]
-    ) -> Any:
-        with self._errors():
-            return server.stub.DetectStream(requests, metadata=self._metadata)
 
     def _get_statistics(self, server: Server, timeout: float) -> Statistics:
         request = detection_service_pb2.GetStatisticsRequest()
@@ -224,18 +239,26 @@ class Client:
         return statistics_from_proto(response)
 
     def _call(
-        self, method: Callable[[Any], Any], request: object, timeout: float | None = None
+        self,
+        method: Callable[[Any], Any],
+        request: object,
+        timeout: float | None = None,
+        request_id: str = "",
+        traceparent: str = "",
     ) -> Any:
-        def call(server: Server, seconds_left: float, only_if_room: bool) -> Any:
-            metadata = list(self._metadata)
-            if only_if_room:
-                metadata.append(("fovea-only-if-room", "1"))
-            with self._errors():
-                return method(server.stub)(request, timeout=seconds_left, metadata=metadata)
+        metadata = self._metadata + metadata_of_call(request_id, traceparent)
 
-        return call_with_retries(
-            self._servers, call, self._timeout_of(timeout), self._retry, self._wait
-        )
+        def call(server: Server, seconds_left: float, only_if_room: bool) -> Any:
+            sent = metadata + [("fovea-only-if-room", "1")] * only_if_room
+            with self._errors():
+                return method(server.stub)(request, timeout=seconds_left, metadata=sent)
+
+        seconds = self._timeout_of(timeout)
+        try:
+            return call_with_retries(self._servers, call, seconds, self._retry, self._wait)
+        except FoveaError as error:
+            error.request_id = error.request_id or request_id
+            raise
 
     def _wait(self, server: Server | None, seconds: float) -> None:
         """Raises Cancelled when the client is closed."""

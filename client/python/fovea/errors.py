@@ -17,16 +17,24 @@ _FIELD = re.compile(
 
 
 class FoveaError(Exception):
-    """A call that did not succeed; str() is "CODE: message".
+    """A call that did not succeed; str() is "CODE: message", of calls "CODE: message (request ID)".
 
     code: name of the gRPC status code, for example "UNAVAILABLE".
-    message: without the code.
+    message: without the code and the request's id.
+    request_id: what the log of the server calls the request, if it came there; "" where the server
+        says nothing and the caller gave none.
     """
+
+    request_id = ""
 
     def __init__(self, code: str, message: str) -> None:
         super().__init__(f"{code}: {message}")
         self.code = code
         self.message = message
+
+    def __str__(self) -> str:
+        text = super().__str__()
+        return f"{text} (request {self.request_id})" if self.request_id else text
 
     def __reduce__(self) -> tuple[Any, ...]:
         """For pickle, since the constructors differ."""
@@ -134,13 +142,16 @@ def error_of(
 
 def error_of_call(call: grpc.RpcError) -> FoveaError:
     """The exception for a call of gRPC that failed."""
-    field, retry_after = "", None
+    field, retry_after, request_id = "", None, ""
     for key, value in call.trailing_metadata() or ():
         if key == "retry-after-ms" and value.isdecimal():
             retry_after = int(value) / 1000
         if key == "grpc-status-details-bin":
             field = field_of_details(value)
+        if key == "fovea-request-id":
+            request_id = value
     error = error_of(call.code().value[0], call.details() or "", field, retry_after)
+    error.request_id = request_id
     if isinstance(error, Unavailable):
         error.retry_after = retry_after
     return error

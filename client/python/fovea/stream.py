@@ -63,6 +63,7 @@ class ResumingStream:
         wait_until_connected: Callable[[float, float], Server | None],
         retry: RetryOptions,
         timeout: float,
+        request_id: str,
     ) -> None:
         """get_statistics(server, timeout); wait(server, seconds) waits before the stream is opened
         again, or raises, and so does wait_until_connected(seconds, patience), where all are away.
@@ -74,6 +75,7 @@ class ResumingStream:
         self._wait_until_connected = wait_until_connected
         self._retry = retry
         self._timeout = timeout
+        self._request_id = request_id
         self._better_server = BetterServer(lambda: servers.all(timeout), get_statistics)
         self._first_of_call = 0
         self._next_expected = 0  # number of the first frame whose fate is not known
@@ -109,6 +111,7 @@ class ResumingStream:
             try:
                 response = self._next_response()
             except FoveaError as error:
+                error.request_id = error.request_id or self._request_id
                 self._reader.close()
                 self._feed.disconnect()
                 if self._feed.failure or self._feed.has_all_answers(self._next_expected):

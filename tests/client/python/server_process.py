@@ -5,16 +5,20 @@ from __future__ import annotations
 import os
 import signal
 import subprocess
+from typing import TextIO
 
 PATIENCE = 60.0  # seconds; only a broken test waits that long
 
 
 class ServerProcess:
-    """fovea-server on a free port, or on `address`."""
+    """fovea-server on a free port, or on `address`; it logs errors to stderr, or all to `log`."""
 
-    def __init__(self, *flags: str, address: str = "127.0.0.1:0") -> None:
-        command = [os.environ["FOVEA_SERVER"], "--listen", address, "--log-level", "error", *flags]
-        self._process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+    def __init__(
+        self, *flags: str, address: str = "127.0.0.1:0", log: TextIO | None = None
+    ) -> None:
+        level = "info" if log else "error"
+        command = [os.environ["FOVEA_SERVER"], "--listen", address, "--log-level", level, *flags]
+        self._process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=log, text=True)
         line = self._process.stdout.readline()
         assert line.startswith("listening on "), line
         self.address = line.split()[-1]
@@ -32,6 +36,11 @@ class ServerProcess:
 
     def thaw(self) -> None:
         self._process.send_signal(signal.SIGCONT)
+
+    def stop(self) -> None:
+        """Its log is whole then."""
+        self._process.terminate()
+        self._process.wait()
 
     def kill(self) -> None:
         self._process.kill()
