@@ -24,14 +24,25 @@ void Caller::Begin(std::function<void()> on_gone) {
 
 bool Caller::IsConnected() const { return connections_.IsOpen(context_->peer()); }
 
-void Caller::Identify(const GateKeeper& gate_keeper) { Identify(gate_keeper.Admit(*context_)); }
+void Caller::Identify(const GateKeeper& gate_keeper) {
+  NameRequest();  // for the log, which tells who is turned away
+  Take(gate_keeper.Admit(*context_));
+}
 
 void Caller::Identify(Admission admission) {
-  admission_ = std::move(admission);
+  NameRequest();
+  Take(std::move(admission));
+}
+
+void Caller::NameRequest() {
   request_id_ = RequestId(context_->client_metadata());
+  context_->AddTrailingMetadata(kRequestIdKey, request_id_);
+}
+
+void Caller::Take(Admission admission) {
+  admission_ = std::move(admission);
   trace_ = TraceOf(context_->client_metadata());
   comes_only_if_room_ = context_->client_metadata().contains(kOnlyIfRoomKey);
-  context_->AddTrailingMetadata(kRequestIdKey, request_id_);
   peer_ = context_->peer();
   owed_ = connections_.Admit(peer_);
 }

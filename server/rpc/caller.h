@@ -72,6 +72,8 @@ class Caller {
   grpc::Status StatusOfGone() const;
 
  private:
+  void NameRequest();
+  void Take(Admission admission);
   void End() noexcept;
 
   grpc::ServerContext* const context_;

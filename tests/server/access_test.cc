@@ -5,6 +5,7 @@
 #include <string>
 
 #include "server/access/token_table.h"
+#include "tests/server/captured_log.h"
 #include "tests/server/detectors.h"
 #include "tests/server/frames.h"
 #include "tests/server/loopback.h"
@@ -186,6 +187,21 @@ TEST_F(Tokens, KeepOutWhoHasNone) {
   EXPECT_EQ(MetricValue(metrics, "fovea_frames_received_total"), 0);
   // A call and a stream with each token.
   EXPECT_EQ(MetricValue(metrics, "fovea_refused_total", "UNAUTHENTICATED"), 8);
+}
+
+TEST_F(Tokens, WhoHasNoneFindsItsLineInTheLog) {
+  const Loopback loopback(FindOne, options_);
+  const Client client(loopback.server.Address(), With("let-me-out"));
+  const CapturedLog log;
+  StatusOf([&] { client.Detect(TestRequest(), {.request_id = "my-call"}); });
+  log.Await("request=\"my-call\" robot=\"\" frame=\"\" code=UNAUTHENTICATED");
+  try {
+    client.OpenStream(kPatience)->Receive();
+    FAIL() << "the stream was let in";
+  } catch (const client::RpcError& error) {
+    EXPECT_FALSE(error.request_id().empty());
+    log.Await("stream request=\"" + error.request_id() + "\" robot=\"\" code=UNAUTHENTICATED");
+  }
 }
 
 TEST_F(Tokens, Expire) {
