@@ -40,9 +40,13 @@ v1::Detections Comparable(v1::Detections answer, const v1::DetectOptions& asked,
   if (!asked.return_seeds()) answer.clear_seeds();
   if (!asked.return_saliency_maps() && !asked.return_trace()) answer.clear_saliency_maps();
   if (!asked.return_trace()) answer.clear_trace();
+  if (!asked.planning().has_height_map()) answer.clear_height_map();
+  const bool with_collisions = asked.planning().collision_primitives();
+  if (!with_collisions) answer.clear_support_collisions();
   for (v1::Object& object : *answer.mutable_objects()) {
     if (!asked.return_masks()) object.clear_mask();
     if (!asked.return_clouds()) object.clear_cloud();
+    if (!with_collisions) object.clear_collision();
   }
   LeaveOutTracks(&answer);
   return answer;

@@ -57,7 +57,7 @@ SessionOptions SessionOptionsOf(const StreamFlags& flags) {
   options.depth_camera = cli::ParseDepthCamera(flags.depth_intrinsics, flags.color_from_depth);
   CheckDepthCamera(flags, options);
   options.gravity = cli::ParseGravity(flags.gravity);
-  options.detection = cli::ParseOptions(flags.profile, flags.settings);
+  options.detection = cli::DetectOptionsOf(flags.question);
   options.max_frames = MaxFramesOf(flags.limits);
   options.end = EndOf(flags.limits);
   options.patience = std::chrono::milliseconds(std::llround(flags.patience_s * 1000));

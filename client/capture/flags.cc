@@ -104,13 +104,7 @@ void AddCalibrationFlags(CLI::App& command, IntrinsicsFlags& flags) {
 }
 
 void AddDetectionFlags(CLI::App& command, StreamFlags& flags) {
-  command.add_option("--profile", flags.profile, "Settings to start from: default or paper")
-      ->type_name("NAME")
-      ->group(kSending);
-  command.add_option("--set", flags.settings, "Changes one option; may be repeated")
-      ->type_name("NAME=NUMBER")
-      ->allow_extra_args(false)
-      ->group(kSending);
+  cli::AddQuestionFlags(command, flags.question, kSending);
   command.add_option("--gravity", flags.gravity, "Unit vector that points down; else estimated")
       ->type_name("X,Y,Z")
       ->group(kSending);

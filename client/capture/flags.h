@@ -4,12 +4,12 @@
 #include <CLI/App.hpp>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "client/capture/camera_setup.h"
 #include "client/capture/intrinsics.h"
 #include "client/capture/session.h"
 #include "client/cli/connection.h"
+#include "client/cli/question_flags.h"
 
 namespace fovea::capture {
 
@@ -33,9 +33,9 @@ struct StreamFlags {
   LimitFlags limits;
   IntrinsicsFlags intrinsics;
   std::string depth_intrinsics, color_from_depth;  // of v4l2
-  std::string color_encoding = "jpeg", gravity, profile, save_folder;
+  std::string color_encoding = "jpeg", gravity, save_folder;
   int jpeg_quality = 90;
-  std::vector<std::string> settings;
+  cli::QuestionFlags question;
   bool every_frame = false, view = false, any_version = false;
   double patience_s = 60, speed = 0;  // speed 0 = as fast as the answers come
 };

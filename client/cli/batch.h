@@ -19,7 +19,8 @@ struct Batch {
   std::string output;             // made where it is missing; empty = no files
   bool labels = true, overlays = true;
   OverlayExtras extras;
-  std::string clouds;       // ending of NAME.ply or NAME.pcd; empty = none
+  std::string clouds;  // ending of NAME.ply or NAME.pcd; empty = none
+  bool height_maps = false;
   bool json_lines = false;  // an answer a line to stdout; progress then goes to stderr
   bool json_masks = true;
   bool sent_before = false;            // the frames of `list` were

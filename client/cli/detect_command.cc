@@ -1,7 +1,6 @@
 #include "client/cli/detect_command.h"
 
 #include <fmt/format.h>
-#include <google/protobuf/util/time_util.h>
 
 #include <chrono>
 #include <cmath>
@@ -68,19 +67,10 @@ void SetIntrinsics(const DetectFlags& flags, FrameSettings* settings) {
   settings->size = given.size;
 }
 
-void SetTimeBudget(double seconds, v1::DetectOptions* options) {
-  Require(seconds >= 0 && seconds <= 3600,
-          fmt::format("--time-budget: {} is not from 0 (none) to an hour", seconds));
-  if (seconds == 0) return;
-  // Nothing on the wire stands for no limit.
-  *options->mutable_time_budget() = google::protobuf::util::TimeUtil::NanosecondsToDuration(
-      std::max(1LL, std::llround(seconds * 1e9)));
-}
-
 // What a bundle says of cameras is sent again; a flag for that would be ignored.
 void RequireNoCamera(const DetectFlags& flags) {
   Require((flags.intrinsics + flags.depth_intrinsics + flags.color_from_depth + flags.distortion +
-           flags.gravity + flags.color_topic + flags.depth_topic)
+           flags.gravity + flags.camera_pose + flags.color_topic + flags.depth_topic)
                   .empty() &&
               !flags.depth_unit_m,
           "a bundle's frames are sent as they were: flags of cameras and gravity do not go with "
@@ -95,10 +85,8 @@ FrameSettings SettingsOf(const DetectFlags& flags, const std::optional<Bag>& bag
     SetIntrinsics(flags, &settings);
   settings.depth_camera = ParseDepthCamera(flags.depth_intrinsics, flags.color_from_depth);
   settings.gravity = ParseGravity(flags.gravity);
-  settings.options = ParseOptions(flags.profile, flags.settings);
-  ParseGrippers(flags.grippers, &settings.options);
-  ParsePlace(flags.place, &settings.options);
-  SetTimeBudget(flags.time_budget_s, &settings.options);
+  settings.camera_pose = ParsePose(flags.camera_pose, "--camera-pose");
+  settings.options = DetectOptionsOf(flags.question);
   return settings;
 }
 
@@ -152,6 +140,10 @@ Batch BatchOf(const DetectFlags& flags) {
       "--input and --output are for whole folders; --color, --depth and the outputs of a "
       "single frame do not go with them");
   if (!outputs.cloud.empty()) CheckCloudFormat(outputs.cloud);
+  Require(outputs.height_map.empty() || outputs.height_map == "jpg",
+          "--height-map: of a folder it is jpg, for NAME_height.jpg of each frame");
+  Require(outputs.height_map.empty() || !flags.output.empty(),
+          "--height-map of a folder needs --output");
   Require(outputs.cloud.empty() || !flags.output.empty(), "--cloud of a folder needs --output");
   Batch batch;
   batch.input = flags.input;
@@ -160,6 +152,7 @@ Batch BatchOf(const DetectFlags& flags) {
   batch.overlays = !flags.no_overlay;
   batch.extras = ExtrasOf(flags);
   batch.clouds = outputs.cloud;
+  batch.height_maps = !outputs.height_map.empty();
   batch.json_lines = lines;
   batch.resume = flags.resume;
   batch.jobs = flags.jobs;

@@ -10,14 +10,8 @@ CLI::Option* AddFlag(CLI::App& command, const char* flag, std::string& value, co
   return command.add_option(flag, value, help)->type_name(type);
 }
 
-void AddTimeFlags(CLI::App& command, DetectFlags& flags) {
+void AddTimeFlag(CLI::App& command, DetectFlags& flags) {
   command.add_option("--timeout", flags.timeout_s, "Longest wait for one answer")
-      ->type_name("SECONDS")
-      ->capture_default_str();
-  command
-      .add_option("--time-budget", flags.time_budget_s,
-                  "Longest detection: what is most salient is looked at first, and the answer is "
-                  "what has been found by then; 0 = as long as it takes. Not with --explain")
       ->type_name("SECONDS")
       ->capture_default_str();
 }
@@ -50,32 +44,20 @@ void AddCameraFlags(CLI::App& command, DetectFlags& flags) {
   AddFlag(command, "--gravity", flags.gravity, "X,Y,Z",
           "Unit vector that points down in the camera frame (x right, y down, z forward); "
           "estimated from the scene where absent");
-}
-
-void AddQuestionFlags(CLI::App& command, DetectFlags& flags) {
-  AddFlag(command, "--profile", flags.profile, "NAME", "Settings to start from: default or paper");
-  command.add_option("--set", flags.settings, "Changes one option; may be repeated")
-      ->type_name("NAME=NUMBER")
-      ->allow_extra_args(false);
-  command
-      .add_option("--gripper", flags.grippers,
-                  "Plan grasps for: jaw=OPENING, suction=DIAMETER (metres), or none; may be "
-                  "repeated; jaw=0.085 unless given. LEAST: of the probabilities to hold that are "
-                  "returned, 0.5 unless given")
-      ->type_name("KIND=METRES[,LEAST]")
-      ->allow_extra_args(false);
-  AddFlag(command, "--place", flags.place, "LENGTH,WIDTH,HEIGHT",
-          "Find free places for something of this size (metres)");
+  AddFlag(command, "--camera-pose", flags.camera_pose, "X,Y,Z,QX,QY,QZ,QW",
+          "Position (metres) and orientation (unit quaternion) of the camera in a frame of your "
+          "choice; objects then have their pose there, too");
 }
 
 void AddOutputFlags(CLI::App& command, DetectFlags& flags) {
   command
       .add_option("--show", flags.show,
                   "What else overlays show, with commas between: seeds, saliency, rejected (what "
-                  "was considered and is not reported), grasps (all, not the likeliest alone)")
+                  "was considered and is not reported), grasps (all, not the likeliest alone), "
+                  "collisions (the collision primitives)")
       ->delimiter(',')
       ->type_name("WHAT")
-      ->check(CLI::IsMember({"seeds", "saliency", "rejected", "grasps"}))
+      ->check(CLI::IsMember({"seeds", "saliency", "rejected", "grasps", "collisions"}))
       ->allow_extra_args(false);
   command.add_flag("--no-masks", flags.no_masks, "Leave masks out of JSON, and NAME.png");
 }
@@ -102,12 +84,17 @@ void AddFrameFlags(CLI::App& command, DetectFlags& flags) {
       "Write the coloured point cloud with solids and grippers as dots; of a folder, ply or pcd "
       "alone: NAME.ply or NAME.pcd of each frame")
       ->group(group);
+  AddFlag(command, "--height-map", outputs.height_map, "FILE",
+          "Write a height map as a picture from above, unknown cells hatched; of a folder, jpg "
+          "alone: NAME_height.jpg of each frame. --height-map-cell says how fine")
+      ->group(group);
   AddFlag(command, "--saliency", outputs.saliency_prefix, "PREFIX",
           "Write the saliency maps to PREFIX_color.png and PREFIX_depth.png")
       ->group(group);
   AddFlag(command, "--explain", outputs.steps, "FOLDER",
           "Write a picture of every step, from depth and saliency over seeds and hypotheses to the "
-          "objects, and index.html, which shows them; made where it is missing")
+          "objects, and index.html, which shows them; made where it is missing; not with "
+          "--time-budget")
       ->group(group);
 }
 
@@ -144,9 +131,9 @@ void AddFolderFlags(CLI::App& command, DetectFlags& flags) {
 
 void AddDetectFlags(CLI::App& command, DetectFlags& flags) {
   AddConnectionFlags(command, flags.connection);
-  AddTimeFlags(command, flags);
+  AddTimeFlag(command, flags);
   AddCameraFlags(command, flags);
-  AddQuestionFlags(command, flags);
+  AddQuestionFlags(command, flags.question, "Detection");
   AddOutputFlags(command, flags);
   AddFrameFlags(command, flags);
   AddFolderFlags(command, flags);
@@ -159,6 +146,7 @@ OverlayExtras ExtrasOf(const DetectFlags& flags) {
     extras.saliency |= name == "saliency";
     extras.rejected |= name == "rejected";
     extras.grasps |= name == "grasps";
+    extras.collisions |= name == "collisions";
   }
   return extras;
 }

@@ -6,6 +6,7 @@
 
 #include "client/cli/connection.h"
 #include "client/cli/outputs.h"
+#include "client/cli/question_flags.h"
 
 namespace CLI {
 class App;
@@ -17,11 +18,11 @@ namespace fovea::cli {
 struct DetectFlags {
   ConnectionFlags connection;
   double timeout_s = 30;
-  double time_budget_s = 0;  // 0: none
+  QuestionFlags question;
   std::string color, depth, intrinsics, depth_intrinsics, color_from_depth, distortion, gravity,
-      profile, id, input, output, place, color_topic, depth_topic;
+      camera_pose, id, input, output, color_topic, depth_topic;
   std::optional<double> depth_unit_m;  // none: a millimetre, or what a folder of such frames has
-  std::vector<std::string> settings, grippers, show;
+  std::vector<std::string> show;
   bool no_masks = false, no_overlay = false, resume = false;
   int jobs = 4;
   Outputs outputs;  // of one frame

@@ -84,6 +84,7 @@ void CheckOutputs(const Outputs& outputs, const FrameFiles& files) {
   };
   if (!outputs.labels.empty()) RequireLossless("--labels", outputs.labels);
   if (!outputs.overlay.empty()) RequireImageFormat("--overlay", outputs.overlay);
+  if (!outputs.height_map.empty()) RequireImageFormat("--height-map", outputs.height_map);
   if (!outputs.cloud.empty()) {
     const std::string ending = fs::path(outputs.cloud).extension().string();
     CheckCloudFormat(ending.empty() ? "" : ending.substr(1));
@@ -92,6 +93,7 @@ void CheckOutputs(const Outputs& outputs, const FrameFiles& files) {
   check("--json", outputs.json);
   check("--overlay", outputs.overlay);
   check("--cloud", outputs.cloud);
+  check("--height-map", outputs.height_map);
   if (!outputs.steps.empty()) MakeFolder("--explain", outputs.steps);
   if (outputs.saliency_prefix.empty()) return;
   for (const char* map : {"_color.png", "_depth.png"}) {

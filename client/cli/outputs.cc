@@ -5,6 +5,7 @@
 #include "client/cli/cloud.h"
 #include "client/cli/endings.h"
 #include "client/cli/files.h"
+#include "client/cli/height_picture.h"
 #include "client/cli/json.h"
 #include "client/cli/labels.h"
 #include "client/cli/steps.h"
@@ -77,6 +78,10 @@ void RequestFor(const Outputs& outputs, v1::DetectOptions* options) {
   options->set_return_saliency_maps(explains || !outputs.saliency_prefix.empty() ||
                                     (draws && outputs.extras.saliency));
   options->set_return_trace(explains);
+  if (!outputs.height_map.empty()) options->mutable_planning()->mutable_height_map();
+  if (draws && outputs.extras.collisions) {
+    options->mutable_planning()->set_collision_primitives(true);
+  }
   options->set_return_rejected(explains || tells || (draws && outputs.extras.rejected));
 }
 
@@ -84,6 +89,7 @@ void WriteOutputs(const Outputs& outputs, const FrameFiles& files, const FrameSe
                   const v1::DetectRequest& request, const v1::Detections& detections) {
   if (!outputs.saliency_prefix.empty()) WriteSaliency(outputs.saliency_prefix, detections);
   if (!outputs.labels.empty()) WriteImage(outputs.labels, LabelImage(detections));
+  if (!outputs.height_map.empty()) WriteImage(outputs.height_map, HeightPicture(detections));
   WritePictures(outputs, files, settings, request, detections);
   if (outputs.json.empty() || outputs.json == kStandardOutput) return;
   WriteFile(outputs.json, ToJson(ForJson(outputs, detections), request.frame()));

@@ -10,7 +10,7 @@ namespace fovea::cli {
 
 // What to write of an answer, and where; empty = not wanted.
 struct Outputs {
-  std::string labels, json, overlay, cloud, saliency_prefix, steps;  // steps: a folder
+  std::string labels, json, overlay, cloud, height_map, saliency_prefix, steps;  // steps: a folder
   OverlayExtras extras;
   bool json_masks = true;
 };

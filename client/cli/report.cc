@@ -36,20 +36,40 @@ std::string GraspText(const v1::Object& object) {
   return std::string("none: ") + WordOf(object.no_grasps(0).reason());
 }
 
+// In the frame of the camera's pose, where that was given.
+std::string ReferenceText(const v1::Object& object) {
+  if (!object.has_pose_in_reference()) return "";
+  const auto& at = object.pose_in_reference().position();
+  return fmt::sprintf("%6.3f %6.3f %6.3f     ", at.x(), at.y(), at.z());
+}
+
 std::string ObjectLine(const v1::Object& object) {
   const auto& size = object.oriented_box().size();
   const auto& at = object.oriented_box().pose().position();
   return fmt::sprintf(
-      "%3u  %4.0f%%  %-8s  %5.1f x %5.1f x %5.1f  %6.3f %6.3f %6.3f  %6.3f  %7u  %s%s\n",
+      "%3u  %4.0f%%  %-8s  %5.1f x %5.1f x %5.1f  %6.3f %6.3f %6.3f  %6.3f  %7u  %s%s%s\n",
       object.label(), object.confidence() * 100, WordOf(object.shape().kind()), size.x() * 100,
       size.y() * 100, size.z() * 100, at.x(), at.y(), at.z(), Norm(at), object.num_pixels(),
-      GraspText(object).c_str(), Remarks(object).c_str());
+      ReferenceText(object).c_str(), GraspText(object).c_str(), Remarks(object).c_str());
 }
 
 std::string PlaceLine(const v1::FreePlace& place) {
   const auto& at = place.box().pose().position();
   return fmt::sprintf("free place at (%.3f, %.3f, %.3f), %.0f cm around it\n", at.x(), at.y(),
                       at.z(), place.clearance_m() * 100);
+}
+
+// What motion planners asked for.
+std::string PlanningLines(const v1::Detections& detections) {
+  std::string text;
+  if (const int surfaces = detections.support_collisions_size(); surfaces > 0) {
+    text += fmt::sprintf("collision primitives of %s and %d support surface%s\n",
+                         NumObjects(detections.objects_size()), surfaces, surfaces == 1 ? "" : "s");
+  }
+  if (!detections.has_height_map()) return text;
+  const v1::HeightMap& map = detections.height_map();
+  return text + fmt::sprintf("height map of %u x %u cells of %g m\n", map.width(), map.height(),
+                             map.cell_m());
 }
 
 const char* WordOf(v1::GravitySource source) {
@@ -98,12 +118,13 @@ std::string Report(const v1::Detections& detections, double round_trip_ms) {
       fmt::sprintf("%s in %.0f ms (stages of the server: %.0f ms)\n",
                    NumObjects(detections.objects_size()), round_trip_ms, ServerMs(detections));
   if (!detections.objects().empty()) {
-    text +=
-        "  #  conf.  shape     size L x W x H, cm     centre x, y, z, m     dist.m   pixels  best "
-        "grasp\n";
+    text += "  #  conf.  shape     size L x W x H, cm     centre x, y, z, m     dist.m   pixels  ";
+    if (detections.objects(0).has_pose_in_reference()) text += "by --camera-pose, m      ";
+    text += "best grasp\n";
   }
   for (const v1::Object& object : detections.objects()) text += ObjectLine(object);
   for (const v1::FreePlace& place : detections.free_places()) text += PlaceLine(place);
+  text += PlanningLines(detections);
   text += GravityLine(detections.gravity()) + SupportLine(detections);
   if (detections.objects_size() < kFew || !detections.has_support_surface() ||
       detections.incomplete()) {

@@ -23,17 +23,6 @@ auto FromFile(const std::string& path, const std::function<std::string()>& read,
   }
 }
 
-// METRES or METRES,LEAST: the least probability of what is returned.
-double ParseHand(const std::string& text, const std::string& form, v1::Gripper* gripper) {
-  const std::size_t count = text.find(',') == std::string::npos ? 1 : 2;
-  const auto numbers = ParseNumbers(text, count, "--gripper", form);
-  if (count == 2) gripper->set_min_probability(numbers.back());
-  if (!(numbers.front() > 0)) {  // in the contract 0 stands for the usual length
-    throw std::invalid_argument("--gripper: \"" + text + "\" is not a length above 0 metres");
-  }
-  return numbers.front();
-}
-
 // `expected`: what the calibration file says; empty = nothing.
 void RequireSize(const char* flag, const std::string& file, const cv::Size& expected,
                  const cv::Size& size) {
@@ -51,16 +40,21 @@ std::string Utf8(const std::string& name) {
 
 }  // namespace
 
+std::optional<v1::Pose> ParsePose(const std::string& text, const std::string& flag) {
+  if (text.empty()) return std::nullopt;
+  const auto p = ParseNumbers(text, 7, flag, "X,Y,Z,QX,QY,QZ,QW");
+  return client::MakePose(p[0], p[1], p[2], p[3], p[4], p[5], p[6]);
+}
+
 std::optional<DepthCamera> ParseDepthCamera(const std::string& intrinsics,
                                             const std::string& pose) {
   if (intrinsics.empty() && pose.empty()) return std::nullopt;
   if (intrinsics.empty())
     throw std::invalid_argument("--color-from-depth needs --depth-intrinsics");
   if (pose.empty()) throw std::invalid_argument("--depth-intrinsics needs --color-from-depth");
-  const auto p = ParseNumbers(pose, 7, "--color-from-depth", "X,Y,Z,QX,QY,QZ,QW");
+  const std::optional<v1::Pose> color_from_depth = ParsePose(pose, "--color-from-depth");
   const GivenIntrinsics given = ReadIntrinsics(intrinsics, "--depth-intrinsics");
-  return DepthCamera{given.values, client::MakePose(p[0], p[1], p[2], p[3], p[4], p[5], p[6]),
-                     given.size, given.path};
+  return DepthCamera{given.values, *color_from_depth, given.size, given.path};
 }
 
 void CheckDepthSize(const DepthCamera& camera, const cv::Size& size) {
@@ -77,47 +71,6 @@ std::optional<v1::Vector3> ParseGravity(const std::string& text) {
   return gravity;
 }
 
-v1::DetectOptions ParseOptions(const std::string& profile,
-                               const std::vector<std::string>& changes) {
-  v1::DetectOptions options;
-  options.set_profile(profile);
-  for (const std::string& text : changes) {
-    const auto [name, value] = ParseSetting(text);
-    (*options.mutable_parameters())[name] = value;
-  }
-  return options;
-}
-
-void ParseGrippers(const std::vector<std::string>& texts, v1::DetectOptions* options) {
-  for (const std::string& text : texts) {
-    if (text == "none") {
-      options->mutable_grasps()->set_none(true);
-      continue;
-    }
-    v1::Gripper& gripper = *options->mutable_grasps()->add_grippers();
-    gripper.set_name(text);
-    const std::string form =
-        "jaw=OPENING or suction=DIAMETER in metres, with ,LEAST probability or without, or none";
-    if (text.starts_with("jaw=")) {
-      gripper.mutable_jaw()->set_max_opening_m(ParseHand(text.substr(4), form, &gripper));
-    } else if (text.starts_with("suction=")) {
-      gripper.mutable_suction()->set_diameter_m(ParseHand(text.substr(8), form, &gripper));
-    } else {
-      throw std::invalid_argument(
-          std::string("--gripper: \"").append(text).append("\" is not ").append(form));
-    }
-  }
-}
-
-void ParsePlace(const std::string& text, v1::DetectOptions* options) {
-  if (text.empty()) return;
-  const auto size = ParseNumbers(text, 3, "--place", "LENGTH,WIDTH,HEIGHT in metres");
-  v1::Vector3& wanted = *options->mutable_places()->mutable_size();
-  wanted.set_x(size[0]);
-  wanted.set_y(size[1]);
-  wanted.set_z(size[2]);
-}
-
 v1::DetectRequest CommonRequest(const FrameSettings& settings) {
   v1::DetectRequest request;
   v1::Frame& frame = *request.mutable_frame();
@@ -128,6 +81,7 @@ v1::DetectRequest CommonRequest(const FrameSettings& settings) {
     *frame.mutable_color_from_depth() = settings.depth_camera->color_from_depth;
   }
   if (settings.gravity) *frame.mutable_gravity() = *settings.gravity;
+  if (settings.camera_pose) *frame.mutable_camera_pose() = *settings.camera_pose;
   *request.mutable_options() = settings.options;
   return request;
 }

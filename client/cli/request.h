@@ -28,6 +28,7 @@ struct FrameSettings {
   std::optional<DepthCamera> depth_camera;
   double depth_unit_m = 0.001;
   std::optional<v1::Vector3> gravity;
+  std::optional<v1::Pose> camera_pose;
   v1::DetectOptions options;
 };
 
@@ -48,14 +49,11 @@ struct FrameFiles {
   std::shared_ptr<const SentBefore> sent_before = nullptr;
 };
 
-// The values of --depth-intrinsics and --color-from-depth, which go together (both empty = none);
-// --gravity; --profile and --set; --gripper (empty = the server's own); --place (empty = none).
-// Throw std::exception that names the flag.
+// The values of --depth-intrinsics and --color-from-depth, which go together, of --gravity, and of
+// the pose that `flag` gives; empty = none. Throw std::exception that names the flag.
 std::optional<DepthCamera> ParseDepthCamera(const std::string& intrinsics, const std::string& pose);
-std::optional<v1::Vector3> ParseGravity(const std::string& text);  // empty = none
-v1::DetectOptions ParseOptions(const std::string& profile, const std::vector<std::string>& changes);
-void ParseGrippers(const std::vector<std::string>& texts, v1::DetectOptions* options);
-void ParsePlace(const std::string& text, v1::DetectOptions* options);
+std::optional<v1::Vector3> ParseGravity(const std::string& text);
+std::optional<v1::Pose> ParsePose(const std::string& text, const std::string& flag);
 
 // Throws std::runtime_error where the depth camera is said to have images of another size.
 void CheckDepthSize(const DepthCamera& camera, const cv::Size& size);

@@ -20,7 +20,8 @@ std::string RequestPath(const Batch& batch) {
 // frame.
 bool IsDone(const FrameFiles& files, const Batch& batch) {
   const Outputs outputs = OutputsOf(files.id, batch);
-  for (const std::string& path : {outputs.json, outputs.labels, outputs.overlay, outputs.cloud}) {
+  for (const std::string& path :
+       {outputs.json, outputs.labels, outputs.overlay, outputs.cloud, outputs.height_map}) {
     if (!path.empty() && !fs::exists(path)) return false;
   }
   const auto is_newer = [&](const std::string& path) {
@@ -46,6 +47,7 @@ Outputs OutputsOf(const std::string& name, const Batch& batch) {
   outputs.json = prefix + ".json";
   if (batch.labels) outputs.labels = prefix + ".png";
   if (batch.overlays) outputs.overlay = prefix + "_overlay.jpg";
+  if (batch.height_maps) outputs.height_map = prefix + "_height.jpg";
   if (!batch.clouds.empty()) outputs.cloud = prefix + "." + batch.clouds;
   return outputs;
 }

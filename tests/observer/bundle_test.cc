@@ -144,9 +144,16 @@ TEST(ObserverBundle, ComparesAnswersByWhatWasAskedFor) {
   now.mutable_objects(0)->mutable_mask()->add_runs(4);
   now.add_stage_times()->set_stage("queue");
   now.set_track_epoch(3);
+  now.mutable_objects(0)->mutable_collision();
+  now.add_support_collisions();
+  now.mutable_height_map();
   v1::DetectOptions asked;
   EXPECT_EQ(bundle::CompareAnswers(then, now, asked), "the same answer as then");
   asked.set_return_masks(true);
+  EXPECT_THAT(bundle::CompareAnswers(then, now, asked), HasSubstr("another answer than then"));
+  asked.mutable_planning()->mutable_height_map();
+  now = then;
+  now.mutable_height_map();
   EXPECT_THAT(bundle::CompareAnswers(then, now, asked), HasSubstr("another answer than then"));
   now = then;
   now.set_server_version("2");

@@ -8,6 +8,7 @@
 
 #include "client/cli/overlay/drawing.h"
 #include "client/cli/overlay/palette.h"
+#include "client/cli/overlay/solid_lines.h"
 
 namespace fovea::cli {
 
@@ -38,6 +39,19 @@ void DrawPlace(cv::Mat& picture, const v1::FreePlace& place, const View& view) {
   for (const SpaceLine& edge : EdgesOf(block)) {
     const auto ends = view.Project(edge);
     if (ends) DrawDashes(picture, ends->first, ends->second, kWhite);
+  }
+}
+
+void DrawCollisions(cv::Mat& picture, const v1::Detections& detections, const View& view) {
+  const auto draw = [&](const v1::CollisionPrimitive& primitive) {
+    for (const SpaceLine& line : LinesOf(primitive)) {
+      const auto ends = view.Project(line);
+      if (ends) DrawThinLine(picture, ends->first, ends->second, kBlue, line.hidden ? 0.35 : 1);
+    }
+  };
+  for (const auto& support : detections.support_collisions()) draw(support);
+  for (const v1::Object& object : detections.objects()) {
+    if (object.has_collision()) draw(object.collision());
   }
 }
 

@@ -15,6 +15,9 @@ cv::Mat WarmedBySaliency(const cv::Mat& color, const v1::Detections& detections)
 // Where something of the size that was asked for can be put down.
 void DrawPlace(cv::Mat& picture, const v1::FreePlace& place, const View& view);
 
+// Of objects and of what they stand on, as far as the answer has them.
+void DrawCollisions(cv::Mat& picture, const v1::Detections& detections, const View& view);
+
 void DrawSeeds(cv::Mat& picture, const v1::Detections& detections, const View& view);
 
 // What was considered and is not reported, boxed, with its probability, the likeliest brightest.

@@ -83,6 +83,7 @@ cv::Mat DrawOverlay(const cv::Mat& color, const v1::CameraIntrinsics& intrinsics
   for (const v1::FreePlace& place : detections.free_places()) DrawPlace(picture, place, view);
   for (const v1::Object& object : detections.objects()) OutlineMask(picture, object, view);
   for (const v1::Object& object : detections.objects()) DrawSolid(picture, object, view);
+  if (extras.collisions) DrawCollisions(picture, detections, view);
   if (extras.rejected) DrawRejected(picture, detections, view);
   if (extras.seeds) DrawSeeds(picture, detections, view);
   Badges badges(picture.size());

@@ -9,10 +9,11 @@ namespace fovea::cli {
 
 // What else an overlay shows, as far as the answer has it.
 struct OverlayExtras {
-  bool seeds = false;     // the positions at which objects were looked for
-  bool saliency = false;  // what stands out, in warm colours
-  bool rejected = false;  // what was considered and is not reported
-  bool grasps = false;    // all of each object, not the likeliest alone
+  bool seeds = false;       // the positions at which objects were looked for
+  bool saliency = false;    // what stands out, in warm colours
+  bool rejected = false;    // what was considered and is not reported
+  bool grasps = false;      // all of each object, not the likeliest alone
+  bool collisions = false;  // the collision primitives
 };
 
 // The picture that a person looks at: `color` (CV_8UC3, B first, the frame's size), and of each

@@ -121,6 +121,25 @@ std::vector<SpaceLine> LinesOf(const v1::Object& object) {
   return EdgesOf(BlockOf(object.oriented_box()));
 }
 
+std::vector<SpaceLine> LinesOf(const v1::CollisionPrimitive& primitive) {
+  v1::Object object;
+  *object.mutable_oriented_box()->mutable_pose() = primitive.pose();
+  *object.mutable_oriented_box()->mutable_size() = primitive.size();
+  v1::Shape& shape = *object.mutable_shape();
+  *shape.mutable_center() = primitive.pose().position();
+  shape.set_radius_m(primitive.size().x() / 2);
+  if (primitive.kind() == v1::COLLISION_KIND_SPHERE) shape.set_kind(v1::SHAPE_KIND_SPHERE);
+  if (primitive.kind() == v1::COLLISION_KIND_CYLINDER) {
+    shape.set_kind(v1::SHAPE_KIND_CYLINDER);
+    shape.set_length_m(primitive.size().z());
+    const cv::Vec3d axis = cv::normalize(BlockOf(object.oriented_box()).half_axes[2]);
+    shape.mutable_axis()->set_x(axis[0]);
+    shape.mutable_axis()->set_y(axis[1]);
+    shape.mutable_axis()->set_z(axis[2]);
+  }
+  return LinesOf(object);
+}
+
 std::optional<SpaceLine> AxisOf(const v1::Object& object) {
   constexpr double kBeyond_m = 0.015;
   const v1::Shape& shape = object.shape();

@@ -14,6 +14,8 @@ namespace fovea::cli {
 // oriented box.
 std::vector<SpaceLine> LinesOf(const v1::Object& object);
 
+std::vector<SpaceLine> LinesOf(const v1::CollisionPrimitive& primitive);
+
 // Through both ends and a little beyond; none without an axis.
 std::optional<SpaceLine> AxisOf(const v1::Object& object);
 

@@ -46,6 +46,26 @@ TEST(Report, TellsShapeSizeAndBestGraspOrWhyNone) {
   EXPECT_THAT(report, HasSubstr("  none: too wide  first 1\n"));
 }
 
+TEST(Report, TellsWhereObjectsAreByTheCamerasPose) {
+  v1::Detections detections = Found(1, true);
+  EXPECT_THAT(Report(detections, 5), Not(HasSubstr("by --camera-pose")));
+  detections.mutable_objects(0)->mutable_pose_in_reference()->mutable_position()->set_x(0.25);
+  EXPECT_THAT(Report(detections, 5), HasSubstr("  by --camera-pose, m "));
+  EXPECT_THAT(Report(detections, 5), HasSubstr("   0.250  0.000  0.000     -\n"));
+}
+
+TEST(Report, TellsWhatThereIsForPlanners) {
+  v1::Detections detections = Found(3, true);
+  EXPECT_THAT(Report(detections, 5), Not(HasSubstr("height map")));
+  detections.add_support_collisions();
+  detections.mutable_height_map()->set_width(20);
+  detections.mutable_height_map()->set_height(10);
+  detections.mutable_height_map()->set_cell_m(0.02F);
+  const std::string report = Report(detections, 5);
+  EXPECT_THAT(report, HasSubstr("collision primitives of 3 objects and 1 support surface\n"));
+  EXPECT_THAT(report, HasSubstr("height map of 20 x 10 cells of 0.02 m\n"));
+}
+
 TEST(Report, NamesTracks) {
   v1::Detections detections = Found(2, true);
   detections.mutable_objects(0)->set_track_id(17);

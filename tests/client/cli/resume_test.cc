@@ -46,6 +46,13 @@ TEST_F(ResumeTest, LeavesOutWhatIsDone) {
   EXPECT_EQ(NumDone(), 0U);
 }
 
+TEST_F(ResumeTest, DoesAgainWhatHasNoHeightMap) {
+  batch_.height_maps = true;
+  EXPECT_EQ(NumDone(), 0U);
+  Write("a_height.jpg", -5);
+  EXPECT_EQ(NumDone(), 1U);
+}
+
 TEST_F(ResumeTest, DoesAgainWhatHasNewImages) {
   Write("a_depth.png", -1);
   EXPECT_EQ(NumDone(), 0U);

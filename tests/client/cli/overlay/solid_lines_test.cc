@@ -35,6 +35,26 @@ long NumHidden(const std::vector<SpaceLine>& lines) {
                        [](const SpaceLine& line) { return line.hidden; });
 }
 
+TEST(CollisionLines, AreThoseOfTheSolid) {
+  v1::Object cylinder = Round(v1::SHAPE_KIND_CYLINDER);
+  Set(cylinder.mutable_shape()->mutable_axis(), 0, 0, 1);
+  cylinder.mutable_shape()->set_length_m(0.06);
+  v1::CollisionPrimitive primitive;
+  *primitive.mutable_pose() = cylinder.oriented_box().pose();
+  Set(primitive.mutable_size(), 0.08, 0.08, 0.06);
+  primitive.set_kind(v1::COLLISION_KIND_CYLINDER);
+  const std::vector<SpaceLine> expected = LinesOf(cylinder), lines = LinesOf(primitive);
+  ASSERT_EQ(lines.size(), expected.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    EXPECT_LT(cv::norm(lines[i].from - expected[i].from), 1e-9);
+    EXPECT_LT(cv::norm(lines[i].to - expected[i].to), 1e-9);
+  }
+  primitive.set_kind(v1::COLLISION_KIND_SPHERE);
+  EXPECT_EQ(LinesOf(primitive).size(), LinesOf(Round(v1::SHAPE_KIND_SPHERE)).size());
+  primitive.set_kind(v1::COLLISION_KIND_BOX);
+  EXPECT_EQ(LinesOf(primitive).size(), 12U);
+}
+
 TEST(BoxLines, HideWhatIsBehindTheFacesThatAreSeen) {
   // Of a box whose corner is nearest, three edges meet at the corner that is farthest.
   const std::vector<SpaceLine> lines = LinesOf(BoxAt(0.5, 0.5, 1));
