@@ -58,6 +58,7 @@ SessionOptions SessionOptionsOf(const StreamFlags& flags) {
   CheckDepthCamera(flags, options);
   options.gravity = cli::ParseGravity(flags.gravity);
   options.detection = cli::DetectOptionsOf(flags.question);
+  if (flags.track) options.detection.mutable_tracking()->set_enabled(true);
   options.max_frames = MaxFramesOf(flags.limits);
   options.end = EndOf(flags.limits);
   options.patience = std::chrono::milliseconds(std::llround(flags.patience_s * 1000));

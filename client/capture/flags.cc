@@ -105,6 +105,12 @@ void AddCalibrationFlags(CLI::App& command, IntrinsicsFlags& flags) {
 
 void AddDetectionFlags(CLI::App& command, StreamFlags& flags) {
   cli::AddQuestionFlags(command, flags.question, kSending);
+  command
+      .add_flag(
+          "--track", flags.track,
+          "Objects keep a track_id from frame to frame, in JSON; of recordings with --speed, not "
+          "with --every-frame")
+      ->group(kSending);
   command.add_option("--gravity", flags.gravity, "Unit vector that points down; else estimated")
       ->type_name("X,Y,Z")
       ->group(kSending);

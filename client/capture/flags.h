@@ -36,6 +36,7 @@ struct StreamFlags {
   std::string color_encoding = "jpeg", gravity, save_folder;
   int jpeg_quality = 90;
   cli::QuestionFlags question;
+  bool track = false;
   bool every_frame = false, view = false, any_version = false;
   double patience_s = 60, speed = 0;  // speed 0 = as fast as the answers come
 };

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iostream>
 #include <optional>
+#include <stdexcept>
 
 #include "client/capture/camera_error.h"
 #include "client/capture/devices.h"
@@ -21,6 +22,13 @@ using std::chrono::steady_clock;
 // A recording is played frame by frame, unless a speed is given.
 bool TakesEveryFrame(const StreamFlags& flags) {
   return flags.every_frame || (IsRecording(flags.camera.device) && flags.speed == 0);
+}
+
+void RequireStream(const StreamFlags& flags) {
+  if (!flags.track || !TakesEveryFrame(flags)) return;
+  throw std::invalid_argument(
+      "--track: only frames that are streamed are tracked; leave --every-frame out, and give "
+      "recordings a --speed");
 }
 
 client::Client ConnectTo(const StreamFlags& flags) {
@@ -70,6 +78,7 @@ void PrintSummary(const Session& session, steady_clock::time_point start) {
 
 int RunStream(const StreamFlags& flags) {
   const steady_clock::time_point start = steady_clock::now();
+  RequireStream(flags);
   SessionOptions options = SessionOptionsOf(flags);
   CameraOptions camera_options = CameraOptionsOf(flags.camera);
   RequireNoFramesIn(flags.save_folder);

@@ -11,6 +11,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 // The largest intersection over union of this object's pixels with any label, among pixels with
 // depth.
@@ -76,6 +77,22 @@ TEST_F(CaptureTest, TakesEveryFrameWhenTold) {
   std::vector<std::size_t> generated;
   for (const SavedFrame& frame : Saved(At("out"))) generated.push_back(frame.generated);
   EXPECT_THAT(generated, ElementsAre(0, 1, 2, 0, 1, 2, 0));
+}
+
+TEST_F(CaptureTest, AsksForTracksHandsAndPlaces) {
+  const Finished finished =
+      Capture(Live({"--frames", "3", "--save", At("out"), "--track", "--gripper", "suction=0.03",
+                    "--place", "0.05,0.05,0.05", "--max-places", "1"}));
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  const std::vector<SavedFrame> saved = Saved(At("out"));
+  ASSERT_FALSE(saved.empty());
+  for (const SavedFrame& frame : saved) {
+    EXPECT_THAT(frame.json, Not(HasSubstr("\"track_epoch\":\"0\"")));
+    EXPECT_THAT(frame.json, HasSubstr("\"gripper\":\"suction=0.03\""));
+    EXPECT_THAT(frame.json, HasSubstr("\"free_places\":[{"));
+  }
+  ExpectOneLineError(Capture(Live({"--every-frame", "--track"})),
+                     "--track: only frames that are streamed are tracked");
 }
 
 TEST_F(CaptureTest, SaysWhereTheIntrinsicsComeFrom) {

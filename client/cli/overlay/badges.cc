@@ -42,6 +42,7 @@ cv::Rect Badges::Place(cv::Rect box) const {
 void AddBadge(const v1::Object& object, const View& view, Badges& badges) {
   std::vector<std::string> lines{std::to_string(object.label()) + "  " +
                                  std::to_string(std::lround(object.confidence() * 100)) + "%"};
+  if (object.track_id() != 0) lines[0] += "  #" + std::to_string(object.track_id());
   if (!object.blocked_by().empty()) {
     std::ostringstream first;
     first << "first";
