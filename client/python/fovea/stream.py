@@ -188,7 +188,7 @@ class ResumingStream:
         self._next_expected = sequence + 1
         error: FoveaError | None = self._feed.answered(sequence)
         if response.HasField("error"):
-            error = error or _error_of_frame(response.error)
+            error = error or _error_of_frame(response.error, self._request_id)
         lost, self._num_lost = self._num_lost, 0
         return StreamAnswer(
             frame_id=response.frame_id,
@@ -201,7 +201,9 @@ class ResumingStream:
         )
 
 
-def _error_of_frame(proto: detection_service_pb2.FrameError) -> FoveaError:
+def _error_of_frame(proto: detection_service_pb2.FrameError, request_id: str) -> FoveaError:
     has_time = proto.HasField("retry_after")
     retry_after = proto.retry_after.ToMilliseconds() / 1000 if has_time else None
-    return error_of(proto.code, proto.message, proto.field, retry_after)
+    error = error_of(proto.code, proto.message, proto.field, retry_after)
+    error.request_id = request_id
+    return error

@@ -32,8 +32,10 @@ def test_an_id_of_the_callers_choice_stands_in_log_and_error(tmp_path: Path, sce
     with logging_to(tmp_path / "log") as client:
         error = detect_nothing(client, scene, "pick of 17")
         client.detect(scene.color, scene.depth, scene.intrinsics, request_id="place")
-        for answer in client.stream([scene.frame(id="f1")], request_id="stream-1"):
-            assert answer.detections
+        frames = [scene.frame(id="f1"), scene.frame(id="f2", gravity=(0, 2, 0))]
+        good, bad = client.stream(frames, every_frame=True, request_id="stream-1")
+    assert good.detections
+    assert bad.error and bad.error.request_id == "stream-1"
     assert error.request_id == "pick of 17"
     assert str(error).endswith(" (request pick of 17)")
     assert "request" not in error.message
