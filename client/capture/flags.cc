@@ -108,8 +108,8 @@ void AddDetectionFlags(CLI::App& command, StreamFlags& flags) {
   command
       .add_flag(
           "--track", flags.track,
-          "Objects keep a track_id from frame to frame, in JSON; of recordings with --speed, not "
-          "with --every-frame")
+          "Objects keep a number from frame to frame, in overlays (#17) and JSON (track_id); of "
+          "recordings with --speed, not with --every-frame")
       ->group(kSending);
   command.add_option("--gravity", flags.gravity, "Unit vector that points down; else estimated")
       ->type_name("X,Y,Z")
