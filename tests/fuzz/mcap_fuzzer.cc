@@ -5,7 +5,7 @@ using namespace fovea;  // NOLINT(google-build-using-namespace): one function
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzzing::Try([&] {
-    const cli::Bag bag = cli::ReadBag(fuzzing::Text(data, size), "bag", {}, nullptr);
+    const cli::Bag bag = cli::ReadBag(cli::McapInMemory(fuzzing::Text(data, size)), "bag", {});
     for (const cli::FrameFiles& frame : bag.list.frames) {
       fuzzing::Try([&] { frame.read_color(); });
       fuzzing::Try([&] { frame.read_depth(); });

@@ -3,16 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/interprocess/file_mapping.hpp>
-#include <boost/interprocess/mapped_region.hpp>
-#include <filesystem>
 #include <map>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "client/cli/endings.h"
-#include "client/cli/mcap/mcap.h"
 #include "client/cli/mcap/ros_messages.h"
 #include "client/cli/mcap/topics.h"
 #include "client/cli/timed_images.h"
@@ -84,13 +80,12 @@ std::vector<std::string> TopicsOf(const Index& index) {
 
 bool IsBag(const std::string& path) { return LowerEnding(path) == ".mcap"; }
 
-Bag ReadBag(std::string_view bytes, const std::string& name, const BagFlags& flags,
-            const std::shared_ptr<const void>& owner) {
+Bag ReadBag(const McapBytes& bytes, const std::string& name, const BagFlags& flags) {
   Index index;
   const auto end =
       ForEachMessage(bytes, [&](const McapMessage& message) { Note(message, name, &index); });
   const std::string broken =
-      end ? fmt::format("breaks off at byte {} of {}", *end, bytes.size()) : "";
+      end ? fmt::format("breaks off at byte {} of {}", *end, bytes.size) : "";
   const std::vector<std::string> all = TopicsOf(index);
   if (all.empty()) {
     throw std::invalid_argument("it has no images of ROS 2" + (end ? "; it " + broken : ""));
@@ -107,10 +102,10 @@ Bag ReadBag(std::string_view bytes, const std::string& name, const BagFlags& fla
         fmt::format("it has no frames; {}", fmt::join(bag.list.notes, "; ")));
   }
   for (FrameFiles& frame : bag.list.frames) {
-    frame.read_color = [bytes, owner, at = index.places.at(frame.color_path)] {
+    frame.read_color = [bytes, at = index.places.at(frame.color_path)] {
       return ColorFile(DataAt(bytes, at.first), at.second);
     };
-    frame.read_depth = [bytes, owner, at = index.places.at(frame.depth_path),
+    frame.read_depth = [bytes, at = index.places.at(frame.depth_path),
                         unit_m = flags.depth_unit_m] {
       return DepthFile(DataAt(bytes, at.first), at.second, unit_m);
     };
@@ -142,16 +137,8 @@ std::optional<Calibration> ColorCameraOf(const Bag& bag) {
 }
 
 Bag OpenBag(const std::string& path, const BagFlags& flags) {
-  namespace ipc = boost::interprocess;
   try {
-    if (!std::filesystem::is_regular_file(path))
-      throw std::invalid_argument("there is no such file");
-    if (std::filesystem::file_size(path) == 0) throw std::invalid_argument("it is empty");
-    const ipc::file_mapping file(path.c_str(), ipc::read_only);
-    const auto region = std::make_shared<ipc::mapped_region>(file, ipc::read_only);
-    const std::string_view bytes(static_cast<const char*>(region->get_address()),
-                                 region->get_size());
-    return ReadBag(bytes, path, flags, region);
+    return ReadBag(McapInFile(path), path, flags);
   } catch (const std::exception& error) {
     throw std::runtime_error(path + ": " + error.what());
   }

@@ -1,13 +1,12 @@
 // The frames of a ROS 2 bag.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "client/cli/calibration_file.h"
 #include "client/cli/frame_list.h"
+#include "client/cli/mcap/mcap.h"
 
 namespace fovea::cli {
 
@@ -34,10 +33,8 @@ struct Bag {
 // not clear which are meant.
 Bag OpenBag(const std::string& path, const BagFlags& flags);
 
-// The same of bytes, which live as long as `owner`. `name` is for people. Throws
-// std::invalid_argument.
-Bag ReadBag(std::string_view bytes, const std::string& name, const BagFlags& flags,
-            const std::shared_ptr<const void>& owner);
+// The same of bytes. `name` is for people. Throws std::invalid_argument.
+Bag ReadBag(const McapBytes& bytes, const std::string& name, const BagFlags& flags);
 
 // For people, where both headers name a frame and not the same one; else empty.
 std::string NoteOfUnregistered(const Bag& bag);

@@ -3,7 +3,11 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
+#include <filesystem>
+#include <fstream>
 #include <map>
+#include <memory>
+#include <mutex>
 #include <stdexcept>
 
 #include "client/cli/mcap/byte_reader.h"
@@ -13,6 +17,8 @@ namespace fovea::cli {
 namespace {
 
 constexpr std::string_view kMagic("\x89MCAP0\r\n", 8);
+constexpr std::size_t kRecordHead = 1 + sizeof(std::uint64_t);     // of a record: its kind and size
+constexpr std::uint64_t kMostOfRecord = std::uint64_t{512} << 20;  // what a chunk may hold, twice
 constexpr std::uint8_t kSchema = 3, kChannel = 4, kMessage = 5, kChunk = 6, kDataEnd = 15;
 
 struct Channel {
@@ -49,39 +55,47 @@ void RequireChecksum(const Chunk& chunk, const std::string& records) {
 
 class Parser {
  public:
-  Parser(std::string_view file, const std::function<void(const McapMessage&)>& use)
+  Parser(const McapBytes& file, const std::function<void(const McapMessage&)>& use)
       : file_(file), use_(use) {}
 
   std::optional<std::uint64_t> Parse() {
-    if (!file_.starts_with(kMagic)) throw std::invalid_argument("it is no MCAP file");
-    return Records(file_.substr(kMagic.size()), kMagic.size(), {});
+    if (file_.size < kMagic.size() || file_.part(0, kMagic.size()) != kMagic) {
+      throw std::invalid_argument("it is no MCAP file");
+    }
+    return Records(file_, kMagic.size(), {});
   }
 
  private:
-  // `start`: of `records` in the file, or in those of the chunk that `chunk` names. Returns where
-  // they break off, as the file does.
-  std::optional<std::uint64_t> Records(std::string_view records, std::uint64_t start,
+  // From byte `at` on. `chunk`: the one whose records they are, if any. Returns where they break
+  // off, as the file does.
+  std::optional<std::uint64_t> Records(const McapBytes& records, std::uint64_t at,
                                        const McapPlace& chunk) {
-    ByteReader reader(records);
-    while (!reader.AtEnd()) {
-      constexpr std::size_t kHead = 1 + sizeof(std::uint64_t);
-      const std::uint64_t at = start + reader.position();
-      if (records.size() - reader.position() < kHead) return at;
+    while (at < records.size) {
+      if (records.size - at < kRecordHead) return at;
+      const std::string head = records.part(at, kRecordHead);
+      ByteReader reader(head);
       const auto kind = reader.Number<std::uint8_t>();
       const auto size = reader.Number<std::uint64_t>();
+      const std::uint64_t place = at + kRecordHead;
       const bool is_none = kind == 0;  // as where a disk lost what was written
-      if (is_none || size > records.size() - reader.position()) return at;
+      if (is_none || size > records.size - place) return at;
       if (kind == kDataEnd) return std::nullopt;  // what follows says the same once more
-      const std::uint64_t place = start + reader.position();
       try {
-        Add(kind, reader.Bytes(size), place, chunk);
+        if (kind >= kSchema && kind <= kChunk)
+          Add(kind, Content(records, place, size), place, chunk);
       } catch (const std::invalid_argument& error) {
         if (chunk.chunk != 0) throw;
         throw std::invalid_argument(fmt::format("the record at byte {}: {}", at, error.what()));
       }
+      at = place + size;
     }
     if (chunk.chunk != 0) return std::nullopt;
-    return start + reader.position();
+    return at;
+  }
+
+  static std::string Content(const McapBytes& records, std::uint64_t place, std::uint64_t size) {
+    if (size > kMostOfRecord) throw std::invalid_argument("it is larger than 512 MiB");
+    return records.part(place, size);
   }
 
   void Add(std::uint8_t kind, std::string_view content, std::uint64_t place,
@@ -126,34 +140,59 @@ class Parser {
     const Chunk chunk = ParseChunk(content);
     const std::string records = RecordsOf(chunk);
     RequireChecksum(chunk, records);
-    if (Records(records, 0, {place, content.size(), 0, 0})) {
+    if (Records(McapInMemory(records), 0, {place, content.size(), 0, 0})) {
       throw std::invalid_argument("a chunk ends within a record");
     }
   }
 
-  const std::string_view file_;
+  const McapBytes& file_;
   const std::function<void(const McapMessage&)>& use_;
   std::map<std::uint16_t, std::string> schemas_;
   std::map<std::uint16_t, Channel> channels_;
 };
 
-std::string_view Part(std::string_view bytes, std::uint64_t start, std::uint64_t size) {
-  ByteReader reader(bytes);
-  reader.Bytes(start);
-  return reader.Bytes(size);
-}
-
 }  // namespace
 
-std::optional<std::uint64_t> ForEachMessage(std::string_view file,
+McapBytes McapInMemory(std::string_view bytes) {
+  return {bytes.size(), [bytes](std::uint64_t start, std::uint64_t size) {
+            ByteReader reader(bytes);
+            reader.Bytes(start);
+            return std::string(reader.Bytes(size));
+          }};
+}
+
+// Not mapped: what is cut off, or cannot be read, would end the program.
+McapBytes McapInFile(const std::string& path) {
+  struct OpenFile {
+    std::mutex mutex;
+    std::ifstream stream;
+  };
+  if (!std::filesystem::is_regular_file(path)) throw std::invalid_argument("there is no such file");
+  const auto file = std::make_shared<OpenFile>();
+  file->stream.open(path, std::ios::binary);
+  if (!file->stream) throw std::invalid_argument("it cannot be read");
+  return {std::filesystem::file_size(path), [file](std::uint64_t start, std::uint64_t size) {
+            std::string bytes(size, '\0');
+            const std::lock_guard lock(file->mutex);
+            file->stream.clear();
+            file->stream.seekg(static_cast<std::streamoff>(start));
+            file->stream.read(bytes.data(), static_cast<std::streamsize>(size));
+            if (file->stream) return bytes;
+            throw std::invalid_argument(file->stream.bad() ? "it cannot be read there"
+                                                           : "it was shortened while it was read");
+          }};
+}
+
+std::optional<std::uint64_t> ForEachMessage(const McapBytes& file,
                                             const std::function<void(const McapMessage&)>& use) {
   return Parser(file, use).Parse();
 }
 
-std::string DataAt(std::string_view file, const McapPlace& place) {
-  if (place.chunk == 0) return std::string(Part(file, place.start, place.size));
-  const std::string records = RecordsOf(ParseChunk(Part(file, place.chunk, place.chunk_bytes)));
-  return std::string(Part(records, place.start, place.size));
+std::string DataAt(const McapBytes& file, const McapPlace& place) {
+  if (place.chunk == 0) return file.part(place.start, place.size);
+  const std::string chunk = file.part(place.chunk, place.chunk_bytes);
+  const std::string records = RecordsOf(ParseChunk(chunk));
+  return McapInMemory(records).part(place.start, place.size);
 }
 
 }  // namespace fovea::cli

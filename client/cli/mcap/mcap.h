@@ -10,7 +10,19 @@
 
 namespace fovea::cli {
 
-// Where a message lies in the bytes of a file.
+// Bytes that are read part by part, by several threads at once.
+struct McapBytes {
+  std::uint64_t size = 0;
+  // Throws std::invalid_argument where they are not there, or not any more.
+  std::function<std::string(std::uint64_t start, std::uint64_t size)> part = {};
+};
+
+// Of `bytes`, which live as long as what is returned.
+McapBytes McapInMemory(std::string_view bytes);
+// Of a file that others may shorten meanwhile. Throws std::invalid_argument where it is none.
+McapBytes McapInFile(const std::string& path);
+
+// Where a message lies in a file.
 struct McapPlace {
   std::uint64_t chunk = 0;  // content of the chunk's record, or 0 = the message is in none
   std::uint64_t chunk_bytes = 0;
@@ -27,10 +39,10 @@ struct McapMessage {
 // Calls `use` with each message, in their order in the file. Returns the byte at which the file
 // breaks off, as there is no whole record; none where it has its end. Throws std::invalid_argument
 // where it is no MCAP, and, with the byte, where a record contradicts itself or its checksum.
-std::optional<std::uint64_t> ForEachMessage(std::string_view file,
+std::optional<std::uint64_t> ForEachMessage(const McapBytes& file,
                                             const std::function<void(const McapMessage&)>& use);
 
 // The data of a message that ForEachMessage found there.
-std::string DataAt(std::string_view file, const McapPlace& place);
+std::string DataAt(const McapBytes& file, const McapPlace& place);
 
 }  // namespace fovea::cli

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <filesystem>
 #include <opencv2/core.hpp>
 
 #include "client/cli/files.h"
@@ -36,7 +37,7 @@ std::string Meters(float first, float second) {
 }
 
 Bag Read(const std::string& bytes, const BagFlags& flags = {}) {
-  return ReadBag(bytes, "b.mcap", flags, nullptr);
+  return ReadBag(McapInMemory(bytes), "b.mcap", flags);
 }
 
 std::string WhyNot(const std::string& bytes, const BagFlags& flags = {}) {
@@ -186,6 +187,18 @@ TEST(Bag, OfARecorderThatWasKilledIsReadUntilThere) {
   const Bag bag = Read(cut);
   EXPECT_EQ(bag.list.frames.size(), 1U);
   EXPECT_THAT(bag.list.notes, ElementsAre(HasSubstr("b.mcap breaks off at byte ")));
+}
+
+// As by a recorder that limits its files, or a disk that loses them.
+TEST(Bag, ThatIsShortenedMeanwhileFailsItsFrames) {
+  const std::string bag = BagOf("Image", ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb), "Image",
+                                ImageMessage(kFirst_ns, "16UC1", 2, 1, 4, kUnits));
+  const testing::TemporaryFolder folder;
+  const std::string path = folder.Write("b.mcap", bag);
+  const Bag open = OpenBag(path, {});
+  EXPECT_EQ(Color(open.list.frames.at(0)).cols, 2);
+  std::filesystem::resize_file(path, 0);
+  EXPECT_THROW(open.list.frames.at(0).read_color(), std::invalid_argument);
 }
 
 // Between two records, or where a disk has zeros for what was written last.
