@@ -76,19 +76,31 @@ std::vector<std::string> TopicsOf(const Index& index) {
   return topics;
 }
 
+// What there is to say of the bag.
+std::vector<std::string> FaultsOf(const McapFaults& faults, std::uint64_t size) {
+  std::vector<std::string> said;
+  if (faults.num_damaged > 0) {
+    said.push_back(fmt::format("has damaged records: {}, the first {}", faults.num_damaged,
+                               faults.first_damage));
+  }
+  if (faults.end) said.push_back(fmt::format("breaks off at byte {} of {}", *faults.end, size));
+  return said;
+}
+
 }  // namespace
 
 bool IsBag(const std::string& path) { return LowerEnding(path) == ".mcap"; }
 
 Bag ReadBag(const McapBytes& bytes, const std::string& name, const BagFlags& flags) {
   Index index;
-  const auto end =
-      ForEachMessage(bytes, [&](const McapMessage& message) { Note(message, name, &index); });
-  const std::string broken =
-      end ? fmt::format("breaks off at byte {} of {}", *end, bytes.size) : "";
+  const std::vector<std::string> faults = FaultsOf(
+      ForEachMessage(bytes, [&](const McapMessage& message) { Note(message, name, &index); }),
+      bytes.size);
   const std::vector<std::string> all = TopicsOf(index);
   if (all.empty()) {
-    throw std::invalid_argument("it has no images of ROS 2" + (end ? "; it " + broken : ""));
+    std::string why = "it has no images of ROS 2";
+    for (const std::string& fault : faults) why += "; it " + fault;
+    throw std::invalid_argument(why);
   }
   Bag bag;
   bag.color_topic = ColorTopic(all, flags.color_topic);
@@ -96,7 +108,9 @@ Bag ReadBag(const McapBytes& bytes, const std::string& name, const BagFlags& fla
   bag.list = PairByTime(ImagesOf(bag.color_topic, index), ImagesOf(bag.depth_topic, index));
   bag.color_frame = index.frames[bag.color_topic];
   bag.depth_frame = index.frames[bag.depth_topic];
-  if (end) bag.list.notes.push_back(name + " " + broken + "; what is before is read");
+  for (const std::string& fault : faults) {
+    bag.list.notes.push_back(name + " " + fault + "; what else it has is read");
+  }
   if (bag.list.frames.empty()) {
     throw std::invalid_argument(
         fmt::format("it has no frames; {}", fmt::join(bag.list.notes, "; ")));

@@ -58,11 +58,12 @@ class Parser {
   Parser(const McapBytes& file, const std::function<void(const McapMessage&)>& use)
       : file_(file), use_(use) {}
 
-  std::optional<std::uint64_t> Parse() {
+  McapFaults Parse() {
     if (file_.size < kMagic.size() || file_.part(0, kMagic.size()) != kMagic) {
       throw std::invalid_argument("it is no MCAP file");
     }
-    return Records(file_, kMagic.size(), {});
+    faults_.end = Records(file_, kMagic.size(), {});
+    return faults_;
   }
 
  private:
@@ -84,13 +85,17 @@ class Parser {
         if (kind >= kSchema && kind <= kChunk)
           Add(kind, Content(records, place, size), place, chunk);
       } catch (const std::invalid_argument& error) {
-        if (chunk.chunk != 0) throw;
-        throw std::invalid_argument(fmt::format("the record at byte {}: {}", at, error.what()));
+        NoteDamage(chunk.chunk == 0 ? at : chunk.chunk - kRecordHead, error.what());
       }
       at = place + size;
     }
     if (chunk.chunk != 0) return std::nullopt;
     return at;
+  }
+
+  // What is behind it is read all the same: a record says where the next one is.
+  void NoteDamage(std::uint64_t at, const std::string& what) {
+    if (faults_.num_damaged++ == 0) faults_.first_damage = fmt::format("at byte {}: {}", at, what);
   }
 
   static std::string Content(const McapBytes& records, std::uint64_t place, std::uint64_t size) {
@@ -149,6 +154,7 @@ class Parser {
   const std::function<void(const McapMessage&)>& use_;
   std::map<std::uint16_t, std::string> schemas_;
   std::map<std::uint16_t, Channel> channels_;
+  McapFaults faults_;
 };
 
 }  // namespace
@@ -183,8 +189,8 @@ McapBytes McapInFile(const std::string& path) {
           }};
 }
 
-std::optional<std::uint64_t> ForEachMessage(const McapBytes& file,
-                                            const std::function<void(const McapMessage&)>& use) {
+McapFaults ForEachMessage(const McapBytes& file,
+                          const std::function<void(const McapMessage&)>& use) {
   return Parser(file, use).Parse();
 }
 

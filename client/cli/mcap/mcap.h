@@ -36,11 +36,17 @@ struct McapMessage {
   McapPlace place;
 };
 
-// Calls `use` with each message, in their order in the file. Returns the byte at which the file
-// breaks off, as there is no whole record; none where it has its end. Throws std::invalid_argument
-// where it is no MCAP, and, with the byte, where a record contradicts itself or its checksum.
-std::optional<std::uint64_t> ForEachMessage(const McapBytes& file,
-                                            const std::function<void(const McapMessage&)>& use);
+// What of a file could not be read.
+struct McapFaults {
+  std::optional<std::uint64_t> end;  // where it breaks off, as there is no whole record
+  std::uint64_t num_damaged = 0;     // records that contradict themselves or their checksum
+  std::string first_damage = {};     // "at byte 33: a chunk holds less than it says"
+};
+
+// Calls `use` with each message of a record that is whole, in their order in the file. Throws
+// std::invalid_argument where it is no MCAP.
+McapFaults ForEachMessage(const McapBytes& file,
+                          const std::function<void(const McapMessage&)>& use);
 
 // The data of a message that ForEachMessage found there.
 std::string DataAt(const McapBytes& file, const McapPlace& place);

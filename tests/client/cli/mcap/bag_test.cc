@@ -213,19 +213,53 @@ TEST(Bag, ThatHasNoEndIsNoted) {
               ElementsAre(HasSubstr("at byte " + at + " of ")));
 }
 
-TEST(Bag, DamagedChunksAreNamedByTheirPlace) {
-  for (const bool with_checksum : {false, true}) {
+// One byte of a chunk in the middle, compressed, or plain with and without a checksum.
+TEST(Bag, OfDamagedChunksTheOthersAreRead) {
+  const auto bag_of = [](const char* compression, bool with_checksum) {
     BagWriter writer;
-    writer.Add("/rgb", "Image", ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb));
-    writer.Add("/depth", "Image", ImageMessage(kFirst_ns, "16UC1", 2, 1, 4, kUnits));
-    writer.EndChunk("", with_checksum);
-    std::string bag = writer.Finish();
-    EXPECT_EQ(WhyNot(bag), "");
-    bag[bag.find(kUnits)] ^= 1;
-    EXPECT_EQ(WhyNot(bag), with_checksum ? "the record at byte 33: a chunk is damaged: its "
-                                           "checksum is another"
-                                         : "");
-  }
+    for (int i = 0; i < 3; ++i) {
+      const std::int64_t time_ns = kFirst_ns + i * 100 * kMillisecond_ns;
+      writer.Add("/rgb", "Image", ImageMessage(time_ns, "rgb8", 2, 1, 6, kRgb));
+      writer.Add("/depth", "Image", ImageMessage(time_ns, "16UC1", 2, 1, 4, kUnits));
+      writer.EndChunk(compression, with_checksum);
+    }
+    return writer.Finish();
+  };
+  const auto damaged = [](std::string bag, std::size_t at) {
+    bag[at] ^= 1;
+    return Read(bag);
+  };
+  const std::string plain = bag_of("", false), checked = bag_of("", true);
+  const std::size_t second = plain.find(kUnits, plain.find(kUnits) + 1);
+  EXPECT_THAT(damaged(plain, second).list.notes, ::testing::IsEmpty()) << "nobody can know";
+
+  const Bag bag = damaged(checked, second);
+  ASSERT_EQ(bag.list.frames.size(), 2U);
+  EXPECT_EQ(bag.list.frames[1].id, "1700000000.450000000");
+  EXPECT_EQ(Depth(bag.list.frames[1]).at<std::uint16_t>(0, 1), 2500);
+  const std::size_t at = 33 + (plain.size() - 33 - (9 + 4) - (9 + 20) - 8) / 3;
+  EXPECT_THAT(bag.list.notes,
+              ElementsAre("b.mcap has damaged records: 1, the first at byte " + std::to_string(at) +
+                          ": a chunk is damaged: its checksum is another; what else it has is "
+                          "read"));
+  const std::string packed = bag_of("zstd", false);
+  const std::size_t name = packed.find("zstd", packed.find("zstd") + 1);
+  EXPECT_EQ(damaged(packed, name + 4 + 8).list.frames.size(), 2U) << "of the magic number";
+}
+
+// As where the chunk that says which topics there are is damaged.
+TEST(Bag, MessagesOfNoChannelAreLeftOut) {
+  BagWriter writer;
+  writer.Add("/rgb", "Image", ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb));
+  writer.Add("/depth", "Image", ImageMessage(kFirst_ns, "16UC1", 2, 1, 4, kUnits));
+  writer.Add("/chatter", "String", "anything");
+  writer.EndChunk("");
+  std::string bag = writer.Finish();
+  const std::string chatter = "/chatter", channel("\3\0\3\0\x08\0\0\0", 8);
+  bag[bag.find(channel + chatter)] = '\7';
+  EXPECT_EQ(Read(bag).list.frames.size(), 1U);
+  EXPECT_THAT(Read(bag).list.notes,
+              ElementsAre(HasSubstr("at byte 33: a message is of no channel")));
 }
 
 TEST(Bag, SaysWhyThereIsNoFrame) {
@@ -285,7 +319,9 @@ TEST(Bag, BelievesNoSizes) {
   const std::size_t size_at = bytes.find("zstd") - 16;
   std::string larger = bytes;
   larger[size_at + 3] = '\x0F';  // 240 MB
-  EXPECT_THAT(WhyNot(larger), HasSubstr("a chunk holds less than it says"));
+  EXPECT_EQ(WhyNot(larger),
+            "it has no images of ROS 2; it has damaged records: 1, the first at byte 33: a chunk "
+            "holds less than it says");
   larger[size_at + 5] = '\1';
   EXPECT_THAT(WhyNot(larger), HasSubstr("larger than 256 MiB"));
 }
