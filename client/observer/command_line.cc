@@ -5,6 +5,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
@@ -32,6 +33,7 @@ using fovea::observer::PemFile;
 using fovea::observer::Recorder;
 using fovea::observer::Routes;
 using fovea::observer::ServerLink;
+using fovea::observer::TlsFiles;
 
 std::string HostOf(const std::string& address) { return address.substr(0, address.rfind(':')); }
 
@@ -46,9 +48,13 @@ void RequireProtection(const Flags& flags) {
                               "or --insecure to serve them unprotected");
 }
 
+// Not of a pipe, which would be waited for when it is read again.
 PemFile ReadPem(const char* flag, const std::string& path) {
   if (path.empty()) return {};
   try {
+    if (std::filesystem::is_fifo(path)) {
+      throw std::runtime_error(path + " is no file that can be read again");
+    }
     return {.path = path, .text = fovea::cli::ReadFile(path)};
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(std::string(flag) + ": " + error.what());
@@ -105,9 +111,11 @@ int Serve(const Flags& flags) {
   const Recording recording = Record(flags, servers);
   Routes routes(servers, hosts, !flags.https_cert.empty(),
                 HistoryRoutes(recording.history.get(), recording.recorder.get()));
-  HttpServer server({.listen = flags.listen,
-                     .certificate = ReadPem("--https-cert", flags.https_cert),
-                     .key = ReadPem("--https-key", flags.https_key)},
+  const auto read_tls = [&] {
+    return TlsFiles{.certificate = ReadPem("--https-cert", flags.https_cert),
+                    .key = ReadPem("--https-key", flags.https_key)};
+  };
+  HttpServer server({.listen = flags.listen, .read_tls = read_tls},
                     {.is_slow = Routes::IsSlow,
                      .answer = [&](const auto& request) { return routes.Answer(request); }});
   std::cout << "open " << (flags.https_cert.empty() ? "http://" : "https://") << server.Address()

@@ -6,6 +6,7 @@
 #include <boost/beast/http.hpp>
 #include <boost/beast/ssl.hpp>
 #include <chrono>
+#include <iostream>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -53,9 +54,7 @@ tcp::endpoint EndpointOf(const std::string& listen, asio::io_context& context) {
 class HttpServer::Impl {
  public:
   Impl(const HttpOptions& options, Handler handler)
-      : handler_(std::move(handler)),
-        max_connections_(options.max_connections),
-        tls_(TlsContextOf(options.certificate, options.key)) {
+      : options_(options), handler_(std::move(handler)), tls_(ReadTls()) {
     try {
       Listen(options.listen);
     } catch (const boost::system::system_error& error) {
@@ -74,6 +73,7 @@ class HttpServer::Impl {
   void Run() {
     asio::signal_set signals(context_, SIGTERM, SIGINT);
     signals.async_wait([this](error_code, int) { context_.stop(); });
+    asio::co_spawn(context_, ReadCertificates(), asio::detached);
     asio::co_spawn(context_, Accept(), asio::detached);
     context_.run();
     slow_.join();
@@ -88,12 +88,31 @@ class HttpServer::Impl {
     acceptor_.listen();
   }
 
+  std::optional<asio::ssl::context> ReadTls() const {
+    const TlsFiles files = options_.read_tls();
+    return TlsContextOf(files.certificate, files.key);
+  }
+
+  // Again and again, at SIGHUP. Connections that are there keep what they began with.
+  awaitable<void> ReadCertificates() {
+    while (true) {
+      co_await hang_up_.async_wait(use_awaitable);
+      try {
+        tls_ = ReadTls();
+        std::cerr << "fovea-observer: SIGHUP: "
+                  << (tls_ ? "certificate and key are read again\n" : "nothing to read again\n");
+      } catch (const std::runtime_error& error) {
+        std::cerr << "fovea-observer: SIGHUP: " << error.what() << "; all stays as it was\n";
+      }
+    }
+  }
+
   awaitable<void> Accept() {
     while (true) {
       error_code error;
       tcp::socket socket =
           co_await acceptor_.async_accept(asio::redirect_error(use_awaitable, error));
-      const bool is_full = num_connections_ >= max_connections_;
+      const bool is_full = num_connections_ >= options_.max_connections;
       if (error || (is_full && !waiting_.CloseOldest())) {
         asio::steady_timer pause(context_, std::chrono::milliseconds(error ? 100 : 1));
         co_await pause.async_wait(asio::redirect_error(use_awaitable, error));
@@ -172,12 +191,13 @@ class HttpServer::Impl {
     co_return co_await asio::co_spawn(slow_, answer, use_awaitable);
   }
 
+  const HttpOptions options_;
   const Handler handler_;
-  const int max_connections_;
   int num_connections_ = 0;
   WaitingConnections waiting_;  // outlives the coroutines, which end with the context
   asio::io_context context_{1};
   asio::thread_pool slow_{8};
+  asio::signal_set hang_up_{context_, SIGHUP};
   std::optional<asio::ssl::context> tls_;
   tcp::acceptor acceptor_{context_};
 };

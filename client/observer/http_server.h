@@ -12,9 +12,14 @@ struct PemFile {
   std::string path = {}, text = {};
 };
 
+// Without text: no TLS.
+struct TlsFiles {
+  PemFile certificate = {}, key = {};
+};
+
 struct HttpOptions {
   std::string listen = "127.0.0.1:8080";  // HOST:PORT, IPv6 in brackets; port 0 takes a free one
-  PemFile certificate = {}, key = {};     // without text: no TLS
+  std::function<TlsFiles()> read_tls;     // throws std::runtime_error where they cannot be read
   int max_connections = 256;
 };
 
@@ -38,7 +43,7 @@ class HttpServer {
   // HOST:PORT with the real port.
   std::string Address() const;
 
-  // Serves until SIGTERM or SIGINT.
+  // Serves until SIGTERM or SIGINT. SIGHUP reads certificate and key again.
   void Run();
 
  private:

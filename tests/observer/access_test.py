@@ -23,6 +23,7 @@ from processes import (
     ObserverProcess,
     ServerProcess,
     Visitor,
+    self_signed,
 )
 
 MAX_CLOSE = 24  # robots that one token looks at closely at once
@@ -208,16 +209,12 @@ def test_other_machines_only_with_tls() -> None:
 
 
 def test_serves_tls(server: ServerProcess, tmp_path: Path) -> None:
-    key, certificate = tmp_path / "key.pem", tmp_path / "certificate.pem"
-    command = ["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:P-256"]
-    command += ["-nodes", "-subj", "/CN=localhost", "-addext", "subjectAltName=DNS:localhost"]
-    command += ["-keyout", str(key), "-out", str(certificate)]
-    subprocess.run(command, check=True, capture_output=True)
-    flags = ["--https-cert", str(certificate), "--https-key", str(key)]
+    certificate, key = self_signed(tmp_path, "page")
+    flags = ["--https-cert", certificate, "--https-key", key]
     with ObserverProcess(server.address, "127.0.0.1:0", *flags) as observer:
         assert observer.url.startswith("https://")
         address = f"localhost:{observer.address.split(':')[1]}"
-        context = ssl.create_default_context(cafile=str(certificate))
+        context = ssl.create_default_context(cafile=certificate)
         connection = http.client.HTTPSConnection(address, timeout=PATIENCE, context=context)
         body = json.dumps({"token": OBSERVERS["ann"][0]})
         connection.request("POST", "/api/login", body, {"Origin": f"https://{address}"})
@@ -228,3 +225,29 @@ def test_serves_tls(server: ServerProcess, tmp_path: Path) -> None:
     refused = [os.environ["FOVEA_OBSERVER"], "--listen", "127.0.0.1:0", *flags[:3], "/nowhere"]
     finished = subprocess.run(refused, capture_output=True, text=True, timeout=PATIENCE)
     assert finished.returncode == 1 and "/nowhere" in finished.stderr
+
+
+def test_sighup_reads_the_certificate_again(server: ServerProcess, tmp_path: Path) -> None:
+    files = [Path(path) for path in self_signed(tmp_path, "page")]
+    first = [path.read_text() for path in files]
+    second = [Path(path).read_text() for path in self_signed(tmp_path, "next")]
+    flags = ["--https-cert", str(files[0]), "--https-key", str(files[1])]
+    with ObserverProcess(server.address, "127.0.0.1:0", *flags, stderr=subprocess.PIPE) as observer:
+        host, port = observer.address.split(":")
+
+        def served() -> str:
+            return ssl.get_server_certificate((host, int(port)))
+
+        assert served() == first[0]
+        files[0].write_text(second[0])
+        assert f"--https-key: {files[1]} does not hold the key" in observer.hang_up()
+        assert served() == first[0], "the key is not there yet"
+        files[1].write_text(second[1])
+        assert "certificate and key are read again" in observer.hang_up()
+        assert served() == second[0]
+
+
+def test_sighup_ends_no_observer(server: ServerProcess) -> None:
+    with ObserverProcess(server.address, stderr=subprocess.PIPE) as observer:
+        assert "nothing to read again" in observer.hang_up()
+        assert Visitor(observer.address).get("/").status == 200

@@ -8,7 +8,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from processes import PATIENCE
+from processes import PATIENCE, self_signed
 
 
 def error_of(*flags: str) -> str:
@@ -45,25 +45,19 @@ def test_where_nothing_can_be_listened_on_is_named() -> None:
 
 
 def test_files_of_tls_are_named(tmp_path: Path) -> None:
-    def make(name: str) -> tuple[str, str]:
-        certificate, key = (str(tmp_path / f"{name}.{kind}") for kind in ("pem", "key"))
-        command = ["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt"]
-        command += ["ec_paramgen_curve:P-256", "-nodes", "-subj", "/CN=localhost"]
-        command += ["-keyout", key, "-out", certificate]
-        subprocess.run(command, check=True, capture_output=True)
-        return certificate, key
-
     def error_with(certificate: str, key: str) -> str:
         flags = ["--https-cert", certificate, "--https-key", key]
         return error_of("--listen", "127.0.0.1:0", *flags).removeprefix("fovea-observer: ")
 
-    certificate, key = make("own")
+    certificate, key = self_signed(tmp_path, "own")
     text, nowhere = tmp_path / "text", str(tmp_path / "nowhere")
     text.write_text("no PEM")
     no_chain = f"--https-cert: {text} holds no certificate chain in PEM\n"
     assert error_with(str(text), key) == no_chain
-    for other in (str(text), make("other")[1], certificate):
+    for other in (str(text), self_signed(tmp_path, "other")[1], certificate):
         no_key = f"--https-key: {other} does not hold the key, in PEM, of {certificate}\n"
         assert error_with(certificate, other) == no_key
     assert error_with(nowhere, key).startswith(f"--https-cert: cannot read {nowhere}")
     assert error_with(certificate, nowhere).startswith(f"--https-key: cannot read {nowhere}")
+    os.mkfifo(pipe := str(tmp_path / "pipe"))
+    assert error_with(pipe, key) == f"--https-cert: {pipe} is no file that can be read again\n"

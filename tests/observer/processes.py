@@ -6,6 +6,7 @@ import hashlib
 import http.client
 import json
 import os
+import signal
 import subprocess
 import time
 from pathlib import Path
@@ -32,6 +33,16 @@ def write_observers(folder: Path, observers: dict[str, tuple[str, str, str]] = O
     path = folder / "observers"
     path.write_text("".join(lines))
     return path
+
+
+def self_signed(folder: Path, name: str) -> tuple[str, str]:
+    """A certificate of localhost and its key."""
+    certificate, key = (str(folder / f"{name}.{kind}") for kind in ("pem", "key"))
+    command = ["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:P-256"]
+    command += ["-nodes", "-subj", "/CN=localhost", "-addext", "subjectAltName=DNS:localhost"]
+    command += ["-keyout", key, "-out", certificate]
+    subprocess.run(command, check=True, capture_output=True)
+    return certificate, key
 
 
 def history_flags(folder: Path, **flags: Any) -> list[str]:
@@ -61,6 +72,12 @@ class Process:
     def kill(self) -> None:
         self._process.kill()
         self._process.wait()
+
+    def hang_up(self) -> str:
+        """What it says to SIGHUP, where its standard error is a pipe."""
+        os.kill(self.pid, signal.SIGHUP)
+        assert self._process.stderr is not None
+        return str(self._process.stderr.readline()).strip()
 
     @property
     def pid(self) -> int:
