@@ -6,13 +6,13 @@
 #include <stdexcept>
 
 #include "flags/misspelling.h"
+#include "flags/plain_values.h"
 #include "server/access/credentials.h"
 #include "server/access/file_to_read_again.h"
 #include "server/access/gate_keeper.h"
 #include "server/access/observer_gate.h"
 #include "server/config_file.h"
 #include "server/option_table.h"
-#include "server/plain_values.h"
 
 namespace fovea::server {
 namespace {
@@ -217,13 +217,14 @@ std::optional<ServerOptions> ParseCommandLine(int argc, char** argv, Settings* s
                "fovea-server");
   ServerOptions options;
   AddFlags(app, options);
-  RequirePlainValues(app);
+  flags::RequirePlainValues(app);
   app.set_config("--config", "",
                  "File with any of these flags, one KEY = VALUE a line; flags given here win")
       ->each([](const std::string& path) { RequireFileToReadAgain("--config", path); });
   app.config_formatter(std::make_shared<ConfigFile>(app));
   Questions questions;
   AddQuestionFlags(app, questions);
+  flags::RequireValuesBehindEquals(argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& wants_text) {  // --help, --version

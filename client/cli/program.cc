@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "flags/misspelling.h"
+#include "flags/plain_values.h"
 
 namespace fovea::cli {
 
@@ -16,6 +17,8 @@ int RunProgram(CLI::App& app, int argc, char** argv, const std::function<int()>&
   // What matters of gRPC's own messages comes back as the status of the call.
   gpr_set_log_function([](gpr_log_func_args*) {});
   try {
+    flags::RequirePlainValues(app);
+    flags::RequireValuesBehindEquals(argc, argv);
     app.parse(argc, argv);
     const int code = run();
     if (!std::cout.flush()) throw std::runtime_error("standard output cannot be written");
