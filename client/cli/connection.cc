@@ -16,16 +16,10 @@ CLI::Option* AddFile(CLI::App& command, const char* flag, std::string& path, con
   return command.add_option(flag, path, help)->type_name("FILE")->group(kGroup);
 }
 
-std::string ReadIfGiven(const std::string& path) { return path.empty() ? "" : ReadFile(path); }
-
-std::string FirstLine(const std::string& text) {
-  return text.substr(0, text.find_first_of("\r\n"));
-}
-
 // gRPC takes any text and fails at each call, without a word about the file.
 std::string ReadPem(const char* flag, const std::string& path, const char* kind) {
   if (path.empty()) return {};
-  std::string text = ReadFile(path);
+  std::string text = ReadFlagFile(flag, path);
   if (text.find(std::string(kind) + "-----") != std::string::npos) return text;
   throw std::invalid_argument(std::string(flag) + ": " + path + " holds no " + kind + " in PEM");
 }
@@ -58,13 +52,22 @@ void AddConnectionFlags(CLI::App& command, ConnectionFlags& flags) {
       ->group(kGroup);
 }
 
-client::ClientOptions OptionsOf(const ConnectionFlags& flags, client::ClientOptions options) {
-  options.token = FirstLine(ReadIfGiven(flags.token_file));
-  options.robot = flags.robot;
-  if (!client::IsPrintableAscii(options.token)) {
-    throw std::invalid_argument("--token-file: the token in " + flags.token_file +
+std::string ReadToken(const std::string& flag, const std::string& path) {
+  const std::string text = ReadFlagFile(flag, path);
+  std::string token = text.substr(0, text.find_first_of("\r\n"));
+  if (token.empty()) {
+    throw std::invalid_argument(flag + ": " + path + " has no token in its first line");
+  }
+  if (!client::IsPrintableAscii(token)) {
+    throw std::invalid_argument(flag + ": the token in " + path +
                                 " has characters that are not printable ASCII");
   }
+  return token;
+}
+
+client::ClientOptions OptionsOf(const ConnectionFlags& flags, client::ClientOptions options) {
+  options.token = flags.token_file.empty() ? "" : ReadToken("--token-file", flags.token_file);
+  options.robot = flags.robot;
   if (!client::IsPrintableAscii(options.robot)) {
     throw std::invalid_argument("--robot: \"" + options.robot +
                                 "\" has characters that are not printable ASCII");

@@ -20,6 +20,10 @@ void AddConnectionFlags(CLI::App& command, ConnectionFlags& flags);
 // Those alone that say where the server is and how to encrypt.
 void AddServerFlags(CLI::App& command, ConnectionFlags& flags);
 
+// The first line of the file that `flag` names. Throws std::exception that names both where it
+// cannot be read, or holds no token.
+std::string ReadToken(const std::string& flag, const std::string& path);
+
 // `options` with token, robot and TLS from the flags. Throws std::exception that names the flag for
 // files that cannot be read or hold something else.
 client::ClientOptions OptionsOf(const ConnectionFlags& flags, client::ClientOptions options = {});

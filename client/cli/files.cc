@@ -55,6 +55,14 @@ std::string ReadFile(const std::string& path) {
   return bytes;
 }
 
+std::string ReadFlagFile(const std::string& flag, const std::string& path) {
+  try {
+    return ReadFile(path);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(flag + ": " + error.what());
+  }
+}
+
 void WriteFile(const std::string& path, const std::string& bytes) {
   errno = 0;
   std::ofstream file(path, std::ios::binary);

@@ -9,6 +9,8 @@ namespace fovea::cli {
 
 // Of up to 1 GiB.
 std::string ReadFile(const std::string& path);
+// The same of the file that a flag names, which the error names, too.
+std::string ReadFlagFile(const std::string& flag, const std::string& path);
 void WriteFile(const std::string& path, const std::string& bytes);
 
 // CV_8UC3, B first, as stored (no EXIF orientation).

@@ -51,14 +51,11 @@ void RequireProtection(const Flags& flags) {
 // Not of a pipe, which would be waited for when it is read again.
 PemFile ReadPem(const char* flag, const std::string& path) {
   if (path.empty()) return {};
-  try {
-    if (std::filesystem::is_fifo(path)) {
-      throw std::runtime_error(path + " is no file that can be read again");
-    }
-    return {.path = path, .text = fovea::cli::ReadFile(path)};
-  } catch (const std::runtime_error& error) {
-    throw std::runtime_error(std::string(flag) + ": " + error.what());
+  if (std::filesystem::is_fifo(path)) {
+    throw std::runtime_error(std::string(flag) + ": " + path +
+                             " is no file that can be read again");
   }
+  return {.path = path, .text = fovea::cli::ReadFlagFile(flag, path)};
 }
 
 // What is recorded, and what records it; both null where there is no history.
@@ -76,13 +73,7 @@ Recording Record(const Flags& flags, const std::vector<ServerLink>& servers) {
     std::cerr << "fovea-observer: there is no history: --history needs --history-token-file\n";
     return {};
   }
-  fovea::cli::ConnectionFlags own;
-  own.token_file = flags.history_token_file;
-  const std::string token = fovea::cli::OptionsOf(own).token;
-  if (token.empty()) {
-    throw std::invalid_argument("--history-token-file: " + flags.history_token_file +
-                                " has no token in its first line");
-  }
+  const std::string token = fovea::cli::ReadToken("--history-token-file", flags.history_token_file);
   const fovea::observer::HistoryLimits limits{
       .span = std::chrono::seconds(std::llround(60 * flags.history_minutes)),
       .max_bytes = flags.history_bytes};

@@ -53,6 +53,10 @@ TEST_F(CliTest, SaysInOneLineWhatIsWrong) {
                      "--server: \"localhost\" is not HOST:PORT");
   ExpectOneLineError(DetectFrame({"--tls-ca", At("a_color.png")}),
                      "--tls-ca: " + At("a_color.png") + " holds no CERTIFICATE in PEM");
+  ExpectOneLineError(DetectFrame({"--tls-ca", At("none")}), "--tls-ca: cannot read " + At("none"));
+  ExpectOneLineError(DetectFrame({"--tls-ca", ""}), "--tls-ca: is empty");
+  ExpectOneLineError(DetectFrame({"--token-file", Folder()}), "--token-file: cannot read ");
+  ExpectOneLineError(DetectFrame({"--no-masks="}), "--no-masks: is empty");
   ExpectOneLineError(DetectFrame({"--input", Folder()}), "--output");
   ExpectOneLineError(Detect({}), "--color");
   ExpectOneLineError(Execute({FOVEA_CLI, "detect", "--colour", "c.png"}), "--colour");

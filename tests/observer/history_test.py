@@ -202,6 +202,8 @@ def test_mistakes_of_flags_are_named(tmp_path: Path) -> None:
     assert "--history-token-file needs --history" in error_of("--history-token-file", str(token))
     used = ["--history", str(tmp_path / "used"), "--history-token-file", str(token)]
     assert "no token in its first line" in error_of(*used)
+    nowhere = str(tmp_path / "nowhere")
+    assert f"--history-token-file: cannot read {nowhere}" in error_of(*used[:3], nowhere)
     token.write_text("token")
     (tmp_path / "file").write_text("")
     assert "--history: " in error_of("--history", str(tmp_path / "file"), *used[2:])
