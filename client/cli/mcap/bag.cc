@@ -20,12 +20,17 @@ constexpr std::string_view kImage = "sensor_msgs/msg/Image";
 constexpr std::string_view kCompressed = "sensor_msgs/msg/CompressedImage";
 constexpr std::string_view kInfo = "sensor_msgs/msg/CameraInfo";
 
+struct BrokenImages {
+  int number = 0;
+  std::string first;  // "image 3 of /rgb: it ends too early"
+};
+
 struct Index {
   std::map<std::string, std::vector<TimedImage>, std::less<>> images;  // by topic
   std::map<std::string, std::string, std::less<>> infos;               // the first message each
   std::map<std::string, std::string, std::less<>> frames;              // of the first image each
   std::map<std::string, std::pair<McapPlace, bool>> places;  // by TimedImage.path; compressed
-  std::map<std::string, std::string, std::less<>> faults;    // by topic, of the first broken image
+  std::map<std::string, BrokenImages, std::less<>> broken;   // by topic
 };
 
 std::int64_t TimeOf(const Header& header, const McapMessage& message) {
@@ -59,15 +64,9 @@ void Note(const McapMessage& message, const std::string& name, Index* index) {
     index->places[path] = {message.place, compressed};
     images.push_back({time, Seconds(time), path});
   } catch (const std::invalid_argument& error) {
-    index->faults.try_emplace(topic, image + ": " + error.what());
+    BrokenImages& broken = index->broken[topic];
+    if (broken.number++ == 0) broken.first = image + ": " + error.what();
   }
-}
-
-// Throws where one of its images is broken; those of other topics do not matter.
-std::vector<TimedImage> ImagesOf(const std::string& topic, const Index& index) {
-  const auto fault = index.faults.find(topic);
-  if (fault != index.faults.end()) throw std::invalid_argument(fault->second);
-  return index.images.at(topic);
 }
 
 std::vector<std::string> TopicsOf(const Index& index) {
@@ -105,9 +104,15 @@ Bag ReadBag(const McapBytes& bytes, const std::string& name, const BagFlags& fla
   Bag bag;
   bag.color_topic = ColorTopic(all, flags.color_topic);
   bag.depth_topic = DepthTopic(all, flags.depth_topic);
-  bag.list = PairByTime(ImagesOf(bag.color_topic, index), ImagesOf(bag.depth_topic, index));
+  bag.list = PairByTime(index.images.at(bag.color_topic), index.images.at(bag.depth_topic));
   bag.color_frame = index.frames[bag.color_topic];
   bag.depth_frame = index.frames[bag.depth_topic];
+  for (const std::string& topic : {bag.color_topic, bag.depth_topic}) {
+    const auto broken = index.broken.find(topic);
+    if (broken == index.broken.end()) continue;
+    bag.list.notes.push_back(fmt::format("broken images are left out: {}, the first is {}",
+                                         broken->second.number, broken->second.first));
+  }
   for (const std::string& fault : faults) {
     bag.list.notes.push_back(name + " " + fault + "; what else it has is read");
   }

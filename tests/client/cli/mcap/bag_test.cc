@@ -4,17 +4,26 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <filesystem>
 #include <opencv2/core.hpp>
 
-#include "client/cli/files.h"
 #include "client/cli/mcap/topics.h"
+#include "tests/client/cli/mcap/small_bags.h"
 #include "tests/support/bag_writer.h"
-#include "tests/support/temporary_folder.h"
 
 namespace fovea::cli {
 namespace {
 
+using small_bags::BagOf;
+using small_bags::Color;
+using small_bags::Depth;
+using small_bags::kColor;
+using small_bags::kDepth;
+using small_bags::kFirst_ns;
+using small_bags::kMillisecond_ns;
+using small_bags::kRgb;
+using small_bags::kUnits;
+using small_bags::Read;
+using small_bags::WhyNot;
 using testing::BagWriter;
 using testing::CameraInfoMessage;
 using testing::CompressedMessage;
@@ -22,38 +31,12 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using testing::ImageMessage;
 
-constexpr std::int64_t kFirst_ns = 1'700'000'000'250'000'000, kMillisecond_ns = 1'000'000;
-constexpr const char* kColor = "/camera/color/image_raw";
-constexpr const char* kDepth = "/camera/aligned_depth_to_color/image_raw";
-
-// Two by one pixels: red and dark blue; 1 m and 2.5 m.
-const std::string kRgb{"\xFF\0\0\0\0\x40", 6}, kUnits{"\xE8\x03\xC4\x09", 4};
-
 std::string Meters(float first, float second) {
   std::string bytes(8, '\0');
   std::memcpy(bytes.data(), &first, sizeof first);
   std::memcpy(bytes.data() + 4, &second, sizeof second);
   return bytes;
 }
-
-Bag Read(const std::string& bytes, const BagFlags& flags = {}) {
-  return ReadBag(McapInMemory(bytes), "b.mcap", flags);
-}
-
-std::string WhyNot(const std::string& bytes, const BagFlags& flags = {}) {
-  try {
-    for (const FrameFiles& frame : Read(bytes, flags).list.frames) {
-      frame.read_color();
-      frame.read_depth();
-    }
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
-
-cv::Mat Color(const FrameFiles& frame) { return DecodeColor(frame.read_color(), "c"); }
-cv::Mat Depth(const FrameFiles& frame) { return DecodeDepth(frame.read_depth(), "d"); }
 
 TEST(Bag, HasFramesOfWhatWasTakenTogether) {
   for (const char* compression : {"", "zstd", "lz4"}) {
@@ -138,16 +121,6 @@ TEST(Bag, CameraInfoWithoutNumbersMattersWhereItIsNeeded) {
     EXPECT_THAT(error.what(), HasSubstr("/camera/color/camera_info: it is of no camera (K, width"));
   }
 }
-
-// A bag of one frame.
-std::string BagOf(const std::string& color_type, const std::string& color,
-                  const std::string& depth_type, const std::string& depth) {
-  BagWriter writer;
-  writer.Add("/rgb", color_type, color);
-  writer.Add("/depth", depth_type, depth);
-  return writer.Finish();
-}
-
 TEST(Bag, ReadsOtherEncodings) {
   const std::string float_bag =
       BagOf("Image", ImageMessage(kFirst_ns, "bgra8", 2, 1, 8, std::string("\1\2\3\0\4\5\6\0", 8)),
@@ -175,93 +148,6 @@ TEST(Bag, DepthInMetersBecomesTheUnitsThatAreSent) {
   EXPECT_EQ(Depth(tenths.list.frames.at(0)).at<std::uint16_t>(0, 0), 12500);
   EXPECT_EQ(Depth(tenths.list.frames.at(0)).at<std::uint16_t>(0, 1), 0) << "too far for 16 bits";
 }
-
-TEST(Bag, OfARecorderThatWasKilledIsReadUntilThere) {
-  BagWriter writer;
-  writer.Add("/rgb", "Image", ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb));
-  writer.Add("/depth", "Image", ImageMessage(kFirst_ns, "16UC1", 2, 1, 4, kUnits));
-  writer.EndChunk("zstd");
-  const std::size_t whole = writer.Finish().size();
-  writer.Add("/rgb", "Image", ImageMessage(2 * kFirst_ns / 3, "rgb8", 2, 1, 6, kRgb));
-  const std::string cut = writer.Finish().substr(0, whole - 20);
-  const Bag bag = Read(cut);
-  EXPECT_EQ(bag.list.frames.size(), 1U);
-  EXPECT_THAT(bag.list.notes, ElementsAre(HasSubstr("b.mcap breaks off at byte ")));
-}
-
-// As by a recorder that limits its files, or a disk that loses them.
-TEST(Bag, ThatIsShortenedMeanwhileFailsItsFrames) {
-  const std::string bag = BagOf("Image", ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb), "Image",
-                                ImageMessage(kFirst_ns, "16UC1", 2, 1, 4, kUnits));
-  const testing::TemporaryFolder folder;
-  const std::string path = folder.Write("b.mcap", bag);
-  const Bag open = OpenBag(path, {});
-  EXPECT_EQ(Color(open.list.frames.at(0)).cols, 2);
-  std::filesystem::resize_file(path, 0);
-  EXPECT_THROW(open.list.frames.at(0).read_color(), std::invalid_argument);
-}
-
-// Between two records, or where a disk has zeros for what was written last.
-TEST(Bag, ThatHasNoEndIsNoted) {
-  const std::string bag = BagOf("Image", ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb), "Image",
-                                ImageMessage(kFirst_ns, "16UC1", 2, 1, 4, kUnits));
-  constexpr std::size_t kEnd = (9 + 4) + (9 + 20) + 8;  // DataEnd, Footer, and what ends a file
-  const std::string cut = bag.substr(0, bag.size() - kEnd), at = std::to_string(cut.size());
-  EXPECT_THAT(Read(bag).list.notes, ::testing::IsEmpty());
-  EXPECT_THAT(Read(cut).list.notes, ElementsAre(HasSubstr("at byte " + at + " of " + at)));
-  EXPECT_THAT(Read(cut + std::string(90, '\0')).list.notes,
-              ElementsAre(HasSubstr("at byte " + at + " of ")));
-}
-
-// One byte of a chunk in the middle, compressed, or plain with and without a checksum.
-TEST(Bag, OfDamagedChunksTheOthersAreRead) {
-  const auto bag_of = [](const char* compression, bool with_checksum) {
-    BagWriter writer;
-    for (int i = 0; i < 3; ++i) {
-      const std::int64_t time_ns = kFirst_ns + i * 100 * kMillisecond_ns;
-      writer.Add("/rgb", "Image", ImageMessage(time_ns, "rgb8", 2, 1, 6, kRgb));
-      writer.Add("/depth", "Image", ImageMessage(time_ns, "16UC1", 2, 1, 4, kUnits));
-      writer.EndChunk(compression, with_checksum);
-    }
-    return writer.Finish();
-  };
-  const auto damaged = [](std::string bag, std::size_t at) {
-    bag[at] ^= 1;
-    return Read(bag);
-  };
-  const std::string plain = bag_of("", false), checked = bag_of("", true);
-  const std::size_t second = plain.find(kUnits, plain.find(kUnits) + 1);
-  EXPECT_THAT(damaged(plain, second).list.notes, ::testing::IsEmpty()) << "nobody can know";
-
-  const Bag bag = damaged(checked, second);
-  ASSERT_EQ(bag.list.frames.size(), 2U);
-  EXPECT_EQ(bag.list.frames[1].id, "1700000000.450000000");
-  EXPECT_EQ(Depth(bag.list.frames[1]).at<std::uint16_t>(0, 1), 2500);
-  const std::size_t at = 33 + (plain.size() - 33 - (9 + 4) - (9 + 20) - 8) / 3;
-  EXPECT_THAT(bag.list.notes,
-              ElementsAre("b.mcap has damaged records: 1, the first at byte " + std::to_string(at) +
-                          ": a chunk is damaged: its checksum is another; what else it has is "
-                          "read"));
-  const std::string packed = bag_of("zstd", false);
-  const std::size_t name = packed.find("zstd", packed.find("zstd") + 1);
-  EXPECT_EQ(damaged(packed, name + 4 + 8).list.frames.size(), 2U) << "of the magic number";
-}
-
-// As where the chunk that says which topics there are is damaged.
-TEST(Bag, MessagesOfNoChannelAreLeftOut) {
-  BagWriter writer;
-  writer.Add("/rgb", "Image", ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb));
-  writer.Add("/depth", "Image", ImageMessage(kFirst_ns, "16UC1", 2, 1, 4, kUnits));
-  writer.Add("/chatter", "String", "anything");
-  writer.EndChunk("");
-  std::string bag = writer.Finish();
-  const std::string chatter = "/chatter", channel("\3\0\3\0\x08\0\0\0", 8);
-  bag[bag.find(channel + chatter)] = '\7';
-  EXPECT_EQ(Read(bag).list.frames.size(), 1U);
-  EXPECT_THAT(Read(bag).list.notes,
-              ElementsAre(HasSubstr("at byte 33: a message is of no channel")));
-}
-
 TEST(Bag, SaysWhyThereIsNoFrame) {
   BagWriter writer;
   writer.Add("/rgb", "Image", ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb));
@@ -297,33 +183,6 @@ TEST(Bag, SaysWhatIsWrong) {
   EXPECT_THAT(why_not_color("\1\1\1\1" + color.substr(4)), HasSubstr("not in little-endian CDR"));
   EXPECT_THAT(why_not_color(ImageMessage(-kFirst_ns, "rgb8", 2, 1, 6, kRgb)),
               HasSubstr("time is none"));
-}
-
-TEST(Bag, BrokenImagesOfOtherTopicsDoNotMatter) {
-  BagWriter writer;
-  writer.Add("/infra1/image", "Image", "cut");
-  writer.Add("/rgb", "Image", ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb));
-  writer.Add("/depth", "Image", ImageMessage(kFirst_ns, "16UC1", 2, 1, 4, kUnits));
-  const std::string bag = writer.Finish();
-  EXPECT_EQ(WhyNot(bag), "");
-  EXPECT_EQ(WhyNot(bag, {.color_topic = "/infra1/image"}),
-            "image 1 of /infra1/image: a message is not in little-endian CDR");
-}
-
-// A chunk that says that it is larger than it is, or than is allowed.
-TEST(Bag, BelievesNoSizes) {
-  BagWriter writer;
-  writer.Add("/rgb", "Image", ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb));
-  writer.EndChunk("zstd");
-  const std::string bytes = writer.Finish();
-  const std::size_t size_at = bytes.find("zstd") - 16;
-  std::string larger = bytes;
-  larger[size_at + 3] = '\x0F';  // 240 MB
-  EXPECT_EQ(WhyNot(larger),
-            "it has no images of ROS 2; it has damaged records: 1, the first at byte 33: a chunk "
-            "holds less than it says");
-  larger[size_at + 5] = '\1';
-  EXPECT_THAT(WhyNot(larger), HasSubstr("larger than 256 MiB"));
 }
 
 TEST(Topics, AreChosenByName) {
