@@ -173,8 +173,14 @@ FrameList ListFrames(const std::string& folder) {
     return list;
   }
   std::error_code error;
-  if (fs::is_regular_file(input / "rgb.txt", error) &&
-      fs::is_regular_file(input / "depth.txt", error)) {
+  const bool has_color = fs::exists(input / "rgb.txt", error);
+  const bool has_depth = fs::exists(input / "depth.txt", error);
+  if (has_color != has_depth) {
+    // Its folders alone say neither times nor the unit of depth.
+    throw std::runtime_error(folder + " has " + (has_color ? "rgb.txt" : "depth.txt") +
+                             " of TUM without " + (has_color ? "depth.txt" : "rgb.txt"));
+  }
+  if (has_color) {
     list = ListTum(input);
   } else {
     for (const char* color : {"rgb", "color"}) {

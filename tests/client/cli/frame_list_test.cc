@@ -123,6 +123,20 @@ TEST_F(FrameListTest, ReadsTumFoldersByTime) {
                                       "1 depth images without colour within 20 ms"));
 }
 
+// Their folders alone would be read, with another unit of depth.
+TEST_F(FrameListTest, HalfOfTumsListsIsNone) {
+  for (const char* name : {"rgb/1.5.png", "depth/1.5.png"}) Write(name);
+  Write("rgb.txt", "1.5 rgb/1.5.png\n");
+  try {
+    ListFrames(Input());
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("has rgb.txt of TUM without depth.txt"));
+  }
+  Write("depth.txt", "1.5 depth/1.5.png\n");
+  EXPECT_EQ(ListFrames(Input()).depth_unit_m, 1.0 / 5000);
+}
+
 TEST_F(FrameListTest, NamesTheLineThatIsBroken) {
   Write("rgb.txt", "# c\n1.5\n");
   Write("depth.txt", "# depth maps\n");
