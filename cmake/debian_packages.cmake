@@ -5,7 +5,6 @@ set(CPACK_PACKAGE_VENDOR Fovea)
 set(CPACK_PACKAGE_CONTACT "Fovea maintainers <maintainers@fovea.invalid>")
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_SOURCE_DIR}/cmake/package_release.cmake)
-set(FOVEA_DEBIAN_VERSION ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 # Through DESTDIR, since the configuration is in /etc, not below the prefix.
 set(CPACK_SET_DESTDIR ON)
@@ -96,13 +95,21 @@ foreach(command fovea-server:server fovea:client fovea-observer:observer fovea-c
 endforeach()
 
 # What Debian wants to find in /usr/share/doc of every package.
-configure_file(deploy/debian/changelog.in changelog.Debian @ONLY)
 add_custom_command(
-  OUTPUT ${PROJECT_BINARY_DIR}/changelog.gz ${PROJECT_BINARY_DIR}/changelog.Debian.gz
+  OUTPUT ${PROJECT_BINARY_DIR}/changelog.gz
   COMMAND ${GZIP} -9nc ${PROJECT_SOURCE_DIR}/CHANGELOG.md > ${PROJECT_BINARY_DIR}/changelog.gz
-  COMMAND ${GZIP} -9nkf ${PROJECT_BINARY_DIR}/changelog.Debian
-  DEPENDS CHANGELOG.md ${PROJECT_BINARY_DIR}/changelog.Debian)
-add_custom_target(changelogs ALL DEPENDS ${PROJECT_BINARY_DIR}/changelog.gz)
+  DEPENDS CHANGELOG.md)
+add_custom_target(
+  changelogs ALL
+  COMMAND
+    ${CMAKE_COMMAND} -D VERSION=${PROJECT_VERSION} -D
+    CPACK_DEBIAN_PACKAGE_RELEASE=${CPACK_DEBIAN_PACKAGE_RELEASE} -D
+    CPACK_PACKAGE_CONTACT=${CPACK_PACKAGE_CONTACT} -D GZIP=${GZIP} -P
+    ${PROJECT_SOURCE_DIR}/cmake/debian_changelog.cmake
+  BYPRODUCTS ${PROJECT_BINARY_DIR}/changelog.Debian.gz
+  DEPENDS ${PROJECT_BINARY_DIR}/changelog.gz
+  WORKING_DIRECTORY ${PROJECT_BINARY_DIR}
+  VERBATIM)
 foreach(component ${CPACK_COMPONENTS_ALL})
   string(TOUPPER ${component} upper)
   set(folder ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME})

@@ -71,6 +71,7 @@ searched=$("$python" -c 'import site; print(next(p for p in site.getsitepackages
 [ -d "$work/local$searched/fovea" ] || fail "python3 looks in $searched, the library is not there"
 
 # A package, of those that make makes: for others whatever the umask is, and it says what it is.
+cmake --build "$build" --target changelogs >/dev/null
 package=$(make -C "$source" --dry-run --silent package BUILD="$build" | tail -n 1)
 (umask 077 && eval "$package -D CPACK_COMPONENTS_ALL=python -B $work/packages" >/dev/null)
 closed=$(dpkg-deb --contents "$work"/packages/*.deb | grep '^d' | grep -v '^drwxr-xr-x' || true)
@@ -81,3 +82,6 @@ version=$(dpkg-deb --field "$work"/packages/*.deb Version)
 commit=$(git -C "$source" log -1 --format=%h --abbrev=12 2>/dev/null || true)
 [ -z "$commit" ] || { dpkg --compare-versions "$version" gt 0.1.0-1 && [ "${version##*.}" = "$commit" ]; } ||
   fail "a package of $commit has the version $version"
+dpkg-deb --extract "$work"/packages/*.deb "$work/unpacked"
+said=$(zcat "$work/unpacked/usr/share/doc/python3-fovea/changelog.Debian.gz" | sed -n '1s/.*(\(.*\)).*/\1/p')
+[ "$said" = "$version" ] || fail "a package of version $version has a changelog of $said"
