@@ -83,7 +83,9 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& op
   budget.KeepBack(ShareOfAnswer(options));
   const PixelBlocks blocks = BlocksOf(frame, options.voxels);
   RgbdFrame coarse = InBlocks(frame, depth, blocks);
-  coarse.color_rgb = WellExposed(coarse.color_rgb);
+  const WellExposed exposed = Expose(coarse.color_rgb);
+  coarse.color_rgb = exposed.color_rgb;
+  counts.color_is_blank = exposed.is_blank;
   Search search = SearchInBlocks(coarse, frame.intrinsics, options, budget, clock, result);
   clock.Begin("objects");
 

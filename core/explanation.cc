@@ -81,6 +81,10 @@ std::vector<std::string> ExplainLosses(const Detections& detections) {
   };
   say(DepthLoss(d));
   if (d.num_points == 0) return messages;
+  if (d.color_is_blank) {
+    say("the colour image shows nothing (too dark, or of one colour): objects are told apart by "
+        "their depth alone");
+  }
   if (!detections.support) {
     say("no support surface was found: no level surface is large enough, or gravity or the depth "
         "unit is wrong");

@@ -10,12 +10,12 @@ namespace {
 
 // Means over parts of the image, which noise of single pixels hardly moves.
 const cv::Size kParts(32, 24);
-constexpr std::size_t kPerTail =
-    50;  // of so many parts one is darker than dark, one lighter than light
+// Of so many parts one is darker than what is dark, and one lighter than what is light.
+constexpr std::size_t kPerTail = 50;
 
 // Of 255. No frame of the rooms that the models were fitted to is darker.
 constexpr double kUsualLight = 140;
-constexpr int kLeastRange = 4;
+constexpr int kLeastRange = 4;  // less is noise
 constexpr std::uint8_t kMiddle = 128;
 
 struct Range {
@@ -34,13 +34,13 @@ Range RangeOf(const cv::Mat& color_rgb) {
 
 }  // namespace
 
-cv::Mat WellExposed(const cv::Mat& color_rgb) {
+WellExposed Expose(const cv::Mat& color_rgb) {
   const Range range = RangeOf(color_rgb);
   if (range.light - range.dark < kLeastRange) {
-    return {color_rgb.size(), CV_8UC3, cv::Scalar::all(kMiddle)};
+    return {cv::Mat(color_rgb.size(), CV_8UC3, cv::Scalar::all(kMiddle)), true};
   }
-  if (range.light >= kUsualLight) return color_rgb;
-  return color_rgb * (kUsualLight / range.light);
+  if (range.light >= kUsualLight) return {color_rgb};
+  return {color_rgb * (kUsualLight / range.light)};
 }
 
 }  // namespace fovea

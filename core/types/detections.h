@@ -96,6 +96,7 @@ struct Diagnostics {
   std::size_t num_measured = 0;      // pixels with depth in the frame
   std::size_t num_too_far = 0;       // of these, beyond max_depth_m
   std::size_t num_points = 0;        // after hole filling and the range limit
+  bool color_is_blank = false;       // profile default: nothing is told apart in it
   std::size_t seeds_from_color = 0;  // regional maxima of the colour saliency map
   std::size_t seeds_from_depth = 0;  // regional maxima of the depth saliency map
   std::size_t seeds_without_depth = 0;

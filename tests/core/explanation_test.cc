@@ -76,6 +76,12 @@ TEST(ExplainLosses, LittleDepthIsGivenInPercent) {
   EXPECT_THAT(ExplainLosses(detections), IsEmpty());
 }
 
+TEST(ExplainLosses, ABlankColorImage) {
+  Detections detections = Usual();
+  detections.diagnostics.color_is_blank = true;
+  EXPECT_THAT(ExplainLosses(detections), ElementsAre(HasSubstr("colour image shows nothing")));
+}
+
 TEST(ExplainLosses, NoSupport) {
   Detections detections = Usual();
   detections.support.reset();

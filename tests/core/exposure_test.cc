@@ -20,9 +20,9 @@ cv::Mat Room(double brightness) {
 cv::Vec3b SurfaceOf(const cv::Mat& color_rgb) { return color_rgb.at<cv::Vec3b>(10, 10); }
 cv::Vec3b ThingOf(const cv::Mat& color_rgb) { return color_rgb.at<cv::Vec3b>(120, 160); }
 
-bool IsOneGrey(const cv::Mat& color_rgb) {
-  return cv::norm(color_rgb, cv::Mat(color_rgb.size(), CV_8UC3, cv::Scalar::all(128)),
-                  cv::NORM_INF) == 0;
+bool IsBlank(const WellExposed& exposed) {
+  const cv::Mat grey(exposed.color_rgb.size(), CV_8UC3, cv::Scalar::all(128));
+  return exposed.is_blank && cv::norm(exposed.color_rgb, grey, cv::NORM_INF) == 0;
 }
 
 cv::Mat Noise(double deviation) {
@@ -32,30 +32,30 @@ cv::Mat Noise(double deviation) {
   return noise;
 }
 
-TEST(WellExposed, UsualFramesStayAsTheyAre) {
+TEST(Expose, UsualFramesStayAsTheyAre) {
   const cv::Mat room = Room(1);
-  EXPECT_EQ(WellExposed(room).data, room.data);
+  EXPECT_EQ(Expose(room).color_rgb.data, room.data);
 }
 
-TEST(WellExposed, DimOnesAreBrightenedByOneFactor) {
+TEST(Expose, DimOnesAreBrightenedByOneFactor) {
   // Of the thing's brightness, 84, 140 is made.
-  const cv::Mat bright = WellExposed(Room(0.5));
+  const cv::Mat bright = Expose(Room(0.5)).color_rgb;
   EXPECT_EQ(ThingOf(bright), cv::Vec3b(133, 142, 150));
   EXPECT_EQ(SurfaceOf(bright), cv::Vec3b(100, 67, 33));
 }
 
-TEST(WellExposed, ALampInTheDarkDoesNotHideTheRest) {
+TEST(Expose, ALampInTheDarkDoesNotHideTheRest) {
   cv::Mat room = Room(0.25);
   room(cv::Rect(300, 0, 20, 20)).setTo(cv::Scalar::all(255));
-  EXPECT_EQ(ThingOf(WellExposed(room)), ThingOf(WellExposed(Room(0.25))));
+  EXPECT_EQ(ThingOf(Expose(room).color_rgb), ThingOf(Expose(Room(0.25)).color_rgb));
 }
 
-TEST(WellExposed, FramesThatShowNothingAreOneGrey) {
-  EXPECT_TRUE(IsOneGrey(WellExposed(cv::Mat::zeros(240, 320, CV_8UC3))));
-  EXPECT_TRUE(IsOneGrey(WellExposed(cv::Mat(240, 320, CV_8UC3, cv::Scalar::all(255)))));
-  EXPECT_TRUE(IsOneGrey(WellExposed(Noise(3)))) << "noise was taken for colour";
-  EXPECT_TRUE(IsOneGrey(WellExposed(cv::Mat(1, 1, CV_8UC3, cv::Scalar(255, 0, 0)))));
-  EXPECT_FALSE(IsOneGrey(WellExposed(Room(0.05) + Noise(3))));
+TEST(Expose, FramesThatShowNothingAreBlank) {
+  EXPECT_TRUE(IsBlank(Expose(cv::Mat::zeros(240, 320, CV_8UC3))));
+  EXPECT_TRUE(IsBlank(Expose(cv::Mat(240, 320, CV_8UC3, cv::Scalar::all(255)))));
+  EXPECT_TRUE(IsBlank(Expose(Noise(3)))) << "noise was taken for colour";
+  EXPECT_TRUE(IsBlank(Expose(cv::Mat(1, 1, CV_8UC3, cv::Scalar(255, 0, 0)))));
+  EXPECT_FALSE(Expose(Room(0.05) + Noise(3)).is_blank);
 }
 
 }  // namespace
