@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include <limits>
-#include <optional>
+#include <algorithm>
+#include <vector>
 
 #include "tests/core/tracking/table_view.h"
 
@@ -92,6 +92,21 @@ TEST(Tracker, LooksForWhatWasThereHoweverLongAgoTheLastFrameIs) {
   EXPECT_THAT(Ids(View(0, 2).Add({0, 0, 0.8F}).TrackBy(tracker, At(70))), ElementsAre(1));
 }
 
+// Not what was hidden already, or is now: that is longer than two seconds.
+TEST(Tracker, ForgetsWhatIsHiddenWhileThereAreNoFrames) {
+  for (const bool hidden_before : {true, false}) {
+    Tracker tracker(1);
+    View(0, 1).Add({0, 0, 0.8F}).TrackBy(tracker, At(10));
+    View(0, 2).Add({0, 0, 0.8F}).TrackBy(tracker, At(10.1));
+    if (hidden_before) {
+      EXPECT_THAT(HiddenIds(View(0, 3).TrackBy(tracker, At(10.2))), ElementsAre(1));
+      EXPECT_THAT(Ids(View(0, 4).Add({0, 0, 0.8F}).TrackBy(tracker, At(70))), ElementsAre(2));
+    } else {
+      EXPECT_THAT(HiddenIds(View(0, 3).TrackBy(tracker, At(70))), ElementsAre());
+    }
+  }
+}
+
 TEST(Tracker, ForgetsWhatWasSeenOnce) {
   Tracker tracker(1);
   View(0, 1).Add({0, 0, 0.8F}).TrackBy(tracker);
@@ -114,84 +129,6 @@ TEST(Tracker, FollowsWhatAHandMoves) {
   EXPECT_EQ(last.objects[0].track->steadied_over, 1U);
   EXPECT_FALSE(last.objects[1].track->is_moving);
   EXPECT_EQ(last.objects[1].track->steadied_over, 10U);
-}
-
-// Half a metre along its diagonal, a metre away: stands within 0.015 + 0.2 · 0.5 = 0.115 m.
-Sighting ThingAt(float x_m) {
-  const Eigen::Vector3f center(x_m, 0, 1);
-  return {
-      .box = {.center = center, .size_m = {0.3F, 0, 0.4F}}, .centroid = center, .points = {center}};
-}
-
-struct Followed {
-  // It has stood at 0 for so long that its steady place moves by a tenth of what it is off.
-  Followed() {
-    for (int i = 0; i < 9; ++i) See(0);
-  }
-
-  void Wait(double seconds, const Eigen::Isometry3f& this_from_last) {
-    track.Advance(this_from_last, seconds);
-  }
-  bool See(float x_m, double camera_error_m = 0, double seconds = 0.1,
-           const Eigen::Isometry3f& this_from_last = Eigen::Isometry3f::Identity()) {
-    Wait(seconds, this_from_last);
-    track.OnSeen(ThingAt(x_m), camera_error_m, std::nullopt);
-    return track.ToObjectTrack().is_moving;
-  }
-
-  Track track{1, ThingAt(0), std::nullopt};
-};
-
-TEST(Track, MovesWhereItIsOffItsPlaceTwice) {
-  Followed off_once, noisy, moved, unsure, to_and_fro;
-  EXPECT_FALSE(off_once.See(0.15F)) << "0.9 · 0.15 = 0.135";
-  EXPECT_FALSE(off_once.See(0));
-  EXPECT_FALSE(off_once.See(0.15F));
-  noisy.See(0.14F);
-  EXPECT_FALSE(noisy.See(0.14F)) << "0.9² · 0.14 = 0.113";
-  moved.See(0.15F);
-  EXPECT_TRUE(moved.See(0.15F)) << "0.9² · 0.15 = 0.122";
-  unsure.See(0.15F, 0.01);
-  EXPECT_FALSE(unsure.See(0.15F, 0.01)) << "3 · 0.01 of the camera's";
-  to_and_fro.See(0.15F);
-  EXPECT_FALSE(to_and_fro.See(-0.2F)) << "mistakes of the mask";
-}
-
-// Its steady place is at 0.015 after the first of two sightings, and at 0.0385 after the second: it
-// is off by 0.135 and 0.2115. The camera turns upside down twice.
-TEST(Track, GoesOnAsFastAsItMoved) {
-  const Eigen::Isometry3f turn(
-      Eigen::AngleAxisf(static_cast<float>(EIGEN_PI), Eigen::Vector3f::UnitZ()));
-  Followed thing;
-  thing.See(0.15F);
-  EXPECT_TRUE(thing.See(-0.25F, 0, 0.2, turn));
-  EXPECT_NEAR(thing.track.ToObjectTrack().steadied_box.center.x(), -0.25, 1e-6);
-  EXPECT_EQ(thing.track.ToObjectTrack().steadied_over, 1U);
-  const double velocity = (0.2115 - 0.135) / 0.2;
-  thing.Wait(0.25, turn);
-  EXPECT_NEAR(thing.track.expected().centroid.x(), 0.25 + 0.25 * velocity, 1e-5);
-  thing.track.OnMissed();
-  const Eigen::Isometry3f stands = Eigen::Isometry3f::Identity();
-  for (int i = 0; i < 3; ++i) thing.Wait(0.25, stands);
-  const Sighting& expected = thing.track.expected();
-  for (const Eigen::Vector3f& place :
-       {expected.centroid, expected.box.center, expected.points[0]}) {
-    EXPECT_NEAR(place.x(), 0.25 + 0.5 * velocity, 1e-5) << "half a second, and no farther";
-  }
-}
-
-TEST(Track, StandsWhereItStopped) {
-  Followed thing;
-  thing.See(0.15F);
-  EXPECT_TRUE(thing.See(0.15F));
-  for (int i = 0; i < 4; ++i) EXPECT_TRUE(thing.See(0.15F)) << i;
-  for (int i = 0; i < 16; ++i) thing.See(0.15F);
-  const ObjectTrack stopped = thing.track.ToObjectTrack();
-  EXPECT_FALSE(stopped.is_moving);
-  EXPECT_GT(stopped.steadied_over, 5U);
-  EXPECT_NEAR(stopped.steadied_box.center.x(), 0.15, 1e-6);
-  EXPECT_FALSE(thing.See(0.35F)) << "once may be a mistake again";
-  EXPECT_TRUE(thing.See(0.35F));
 }
 
 TEST(Tracker, BearsHostileTimes) {
@@ -230,6 +167,24 @@ TEST(Tracker, IsBounded) {
     }
     EXPECT_LE(result.tracking->hidden.size(), Tracker::kMaxTracks);
   }
+}
+
+// 60 things, then 60 others, then 60 more, each for two frames.
+TEST(Tracker, KeepsThoseThatWereSeenLast) {
+  Tracker tracker(1);
+  std::vector<std::uint64_t> hidden;
+  for (int i = 0; i < 6; ++i) {
+    View view(0, i + 1);
+    for (int k = 0; k < 60; ++k) {
+      const int row = k / 20, col = k % 20;
+      const float y = 0.2F * static_cast<float>(i / 2) + 0.05F * static_cast<float>(row);
+      view.Add({0.03F * static_cast<float>(col) - 0.3F, y - 0.25F, 0.8F}, kRed, 0.02F);
+    }
+    hidden = HiddenIds(view.TrackBy(tracker));
+  }
+  ASSERT_EQ(hidden.size(), Tracker::kMaxTracks - 60);
+  EXPECT_TRUE(std::is_sorted(hidden.begin(), hidden.end()));
+  EXPECT_EQ(std::count_if(hidden.begin(), hidden.end(), [](auto id) { return id > 60; }), 60);
 }
 
 TEST(Tracker, IsTheSameEachTime) {

@@ -27,6 +27,35 @@ TEST(VelocityFilter, WeighsByVariance) {
   EXPECT_FLOAT_EQ(filter.velocity().x(), 0);
 }
 
+// In one dimension, with matrices.
+TEST(VelocityFilter, IsTheKalmanFilterOfPositionAndVelocity) {
+  VelocityFilter filter({0, 0, 0}, {0.2F, 0, 0});
+  Eigen::Vector2d state(0, 0.2F);
+  Eigen::Matrix2d variance = Eigen::Vector2d(0.02 * 0.02, 0.5 * 0.5).asDiagonal();
+  for (const float measured : {0.03F, 0.01F, 0.08F}) {
+    const double t = 0.1;
+    const Eigen::Matrix2d step{{1, t}, {0, 1}};
+    const Eigen::Vector2d by_acceleration(3 * t * t / 2, 3 * t);
+    state = step * state;
+    variance = step * variance * step.transpose() + by_acceleration * by_acceleration.transpose();
+    const Eigen::Vector2d gain = variance.col(0) / (variance(0, 0) + 0.01 * 0.01);
+    state += gain * (measured - state[0]);
+    variance -= gain * variance.row(0).eval();
+    filter.Predict(t);
+    filter.Update({measured, 0, 0}, 0.01);
+    EXPECT_NEAR(filter.position().x(), state[0], 1e-7);
+    EXPECT_NEAR(filter.velocity().x(), state[1], 1e-6);
+  }
+}
+
+TEST(VelocityFilter, TurnsWithTheCamera) {
+  VelocityFilter filter({1, 0, 0}, {0.2F, 0, 0});
+  filter.Transform(Eigen::Translation3f(0, 0, 5) *
+                   Eigen::AngleAxisf(static_cast<float>(EIGEN_PI) / 2, Eigen::Vector3f::UnitZ()));
+  EXPECT_TRUE(filter.position().isApprox(Eigen::Vector3f(0, 1, 5), 1e-5F));
+  EXPECT_TRUE(filter.velocity().isApprox(Eigen::Vector3f(0, 0.2F, 0), 1e-5F));
+}
+
 TEST(VelocityFilter, ForgetsWhileItIsNotSeen) {
   VelocityFilter filter({0, 0, 0}, {0, 0, 0});
   filter.Predict(1);
