@@ -53,7 +53,8 @@ void Track::Advance(const Eigen::Isometry3f& this_from_last, double seconds) {
   const Eigen::Vector3f before = filter_->position();
   // What is moved by a hand behind something does not go on for long.
   constexpr double kLongestMotion_s = 0.5;
-  if (seconds_hidden_ <= kLongestMotion_s) filter_->Predict(seconds);
+  if (seconds_hidden_ > kLongestMotion_s) filter_->Stop();
+  filter_->Predict(seconds);
   Shift(expected_, filter_->position() - before);
 }
 

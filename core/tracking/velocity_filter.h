@@ -15,6 +15,8 @@ class VelocityFilter {
   void Transform(const Eigen::Isometry3f& to_from_own);
   // `seconds`, 0 or more, pass.
   void Predict(double seconds);
+  // It stands, as far as is known.
+  void Stop() { velocity_.setZero(); }
   // The position was measured with this standard deviation, more than 0.
   void Update(const Eigen::Vector3f& position, double deviation_m);
 

@@ -130,6 +130,14 @@ TEST(Track, StandsWhereItStopped) {
   for (int i = 0; i < 4; ++i) EXPECT_TRUE(thing.See(0.315F)) << "slow for " << i + 1;
 }
 
+TEST(Track, StandsWhereItStoppedHoweverFewTheFrames) {
+  Followed thing;
+  thing.See(0.15F, 0, 1);
+  EXPECT_TRUE(thing.See(0.4F, 0, 1));
+  EXPECT_TRUE(thing.See(0.65F, 0, 1));
+  EXPECT_LE(FramesUntilItStands(thing, 0.65F, 1), 5);
+}
+
 TEST(Track, StandsWhereItStoppedThoughAnotherPartOfItIsSeen) {
   Followed thing;
   for (const float x_m : {0.15F, 0.3F, 0.45F, 0.6F}) thing.See(x_m);
