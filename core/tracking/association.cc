@@ -17,8 +17,7 @@ constexpr float kConfident = 0.5F;
 // CIELAB: the mean colour of one thing rarely changes by more, with light and what is seen of it.
 constexpr float kFarColor = 40;
 constexpr float kFarSize = 4;
-// How fast a hand moves things.
-constexpr double kFastest_m_s = 1, kLongestReach_s = 0.5;
+constexpr double kLongestReach_s = 0.5;
 
 // At least one pixel, however near or small it is.
 double AreaPx(const Sighting& sighting, const CameraIntrinsics& k) {

@@ -70,7 +70,10 @@ void Track::OnSeen(const Sighting& sighting, double camera_error_m,
     // Once may be a mistake of the mask.
     if (is_off && off_ && off_->dot(off) > 0) {
       const auto seconds = static_cast<float>(std::max(off_seconds_, 1e-3));
-      filter_.emplace(sighting.centroid, (off - *off_) / seconds);
+      const Eigen::Vector3f velocity = (off - *off_) / seconds;
+      // Two times may be nearer to each other than their frames were.
+      const float within = std::min(1.0F, kFastest_m_s / velocity.norm());
+      filter_.emplace(sighting.centroid, within * velocity);
       steadied_ = SteadiedBox(sighting.box);
       off_.reset();
       slow_ = 0;

@@ -12,6 +12,8 @@
 
 namespace fovea {
 
+constexpr float kFastest_m_s = 1;  // that a hand moves things
+
 class Track {
  public:
   Track(std::uint64_t id, const Sighting& first, const std::optional<CaptureTime>& at);

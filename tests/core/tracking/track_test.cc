@@ -138,6 +138,14 @@ TEST(Track, StandsWhereItStoppedHoweverFewTheFrames) {
   EXPECT_LE(FramesUntilItStands(thing, 0.65F, 1), 5);
 }
 
+TEST(Track, GoesOnAsFastAsAHandAtMost) {
+  Followed thing;
+  thing.See(0.15F);
+  EXPECT_TRUE(thing.See(0.35F, 0, 0.001)) << "(0.9 · 0.335 - 0.135) m in a millisecond";
+  thing.Wait(0.1);
+  EXPECT_NEAR(thing.track.expected().centroid.x(), 0.35 + 0.1 * 1, 1e-5);
+}
+
 TEST(Track, StandsWhereItStoppedThoughAnotherPartOfItIsSeen) {
   Followed thing;
   for (const float x_m : {0.15F, 0.3F, 0.45F, 0.6F}) thing.See(x_m);
