@@ -22,31 +22,6 @@ CameraPath::Place AddAt(CameraPath& path, double x_m, std::uint64_t seed,
 
 Eigen::Isometry3d PoseAt(double x_m) { return Eigen::Isometry3d(Eigen::Translation3d(x_m, 0, 0)); }
 
-TEST(IsSameView, KnowsNoiseAndExposureFromMotion) {
-  const auto small = [](double x_m, std::uint64_t seed, double gain = 1) {
-    View view(x_m, seed);
-    view.frame.color_rgb *= gain;
-    return SmallViewOf(view.frame, view.detections.labels);
-  };
-  EXPECT_TRUE(IsSameView(small(0, 1), small(0, 2)));
-  EXPECT_TRUE(IsSameView(small(0, 1), small(0, 2, 0.95)));
-  EXPECT_FALSE(IsSameView(small(0, 1), small(1 / 250.0, 2))) << "one pixel";
-  EXPECT_FALSE(IsSameView(small(0, 1), small(0.3, 2)));
-  View blank;
-  blank.frame.color_rgb.setTo(cv::Scalar::all(128));
-  const SmallView nothing = SmallViewOf(blank.frame, blank.detections.labels);
-  EXPECT_FALSE(IsSameView(nothing, nothing)) << "that cannot be told without contrast";
-}
-
-// 160 pixels wide at the image's own proportions it would have millions of rows.
-TEST(SmallView, IsSmallHoweverNarrowTheImage) {
-  RgbdFrame ribbon;
-  ribbon.color_rgb = cv::Mat(2000, 1, CV_8UC3, cv::Scalar::all(90));
-  const SmallView view = SmallViewOf(ribbon, cv::Mat::zeros(2000, 1, CV_16UC1));
-  EXPECT_LE(view.gray.rows, 640);
-  EXPECT_EQ(view.movable.size(), view.gray.size());
-}
-
 TEST(CameraPath, TakesTheMotionFromPoses) {
   CameraPath path;
   EXPECT_EQ(AddAt(path, 0, 1, PoseAt(5)).motion.source, kFirstFrame);
