@@ -105,13 +105,12 @@ void SetShown(Shown&& shown, DetectedObject& object) {
 // ones.
 void DistortObjects(const Lens& lens, Detections& detections) {
   const cv::Mat ideal_labels = detections.labels, order = OrderInMasks(ideal_labels);
-  const cv::Rect image({0, 0}, lens.size());
   cv::Mat may_show = cv::Mat::zeros(lens.size(), CV_8UC1);
   std::vector<Shown> shown(detections.objects.size());
   for (DetectedObject& object : detections.objects) {
+    // Between its border and the pixels beside it some may be nearest to the border.
+    may_show(DistortRect(lens, object.bounds_px + cv::Size(2, 2) - cv::Point(1, 1))) = 255;
     object.bounds_px = DistortRect(lens, object.bounds_px);
-    // Beside its border pixels may be nearest to one within.
-    may_show((object.bounds_px + cv::Size(4, 4) - cv::Point(2, 2)) & image) = 255;
   }
   cv::Mat labels = cv::Mat::zeros(lens.size(), CV_16UC1);
   ForEachSeen(lens, may_show, [&](const cv::Point& sent, const cv::Point& ideal) {

@@ -80,9 +80,8 @@ double Lens::BendRadius(double radius) const {
     return angle * (1 + a * (k[0] + a * (k[1] + a * (k[2] + a * k[3]))));
   }
   const double r = radius * radius;
-  const double divisor = 1 + r * (k[5] + r * (k[6] + r * k[7]));
-  // A pole: beyond it the sign turns.
-  return divisor > 0 ? radius * (1 + r * (k[0] + r * (k[1] + r * k[4]))) / divisor : kNan;
+  return radius * (1 + r * (k[0] + r * (k[1] + r * k[4]))) /
+         (1 + r * (k[5] + r * (k[6] + r * k[7])));
 }
 
 cv::Point2d Lens::Bend(const cv::Point2d& ray) const {
@@ -145,9 +144,7 @@ cv::Point2d Lens::Undistort(const cv::Point2d& sent, const cv::Point2d& start) c
     const cv::Point2d bent = Bend(ray), missing = wanted - bent;
     if (cv::norm(missing) < close) return PixelOf(ray);
     const Slopes slopes = SlopesAt(ray, bent);
-    const double determinant = slopes.Determinant();
-    if (!(std::abs(determinant) > 1e-6)) break;
-    ray += cv::Point2d(missing.cross(slopes.y), slopes.x.cross(missing)) / determinant;
+    ray += cv::Point2d(missing.cross(slopes.y), slopes.x.cross(missing)) / slopes.Determinant();
   }
   return {kNan, kNan};
 }

@@ -7,18 +7,14 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "core/lens/undistortion.h"
+#include "tests/core/lens/small_lenses.h"
 
 namespace fovea {
 namespace {
 
-const cv::Size kSize(160, 120);
-// Bends the corners inwards by some eight pixels.
-Lens Barrel() {
-  return {{130, 130, 79.5, 59.5},
-          {LensDistortion::Model::kBrownConrady, {-0.15, 0.01, 0.001, 0.002}},
-          kSize};
-}
+using testing::Barrel;
+using testing::Cushion;
+using testing::kSize;
 
 // The tight rectangle of what is not 0.
 cv::Rect BoundsOf(const cv::Mat& mask) { return cv::boundingRect(mask); }
@@ -117,6 +113,36 @@ TEST(DistortAnswer, MasksNumbersAndCloudsAgreeWhereObjectsTouch) {
   }
 }
 
+// An object alone, so that no rectangle beside it lets its pixels in; and one at the lower border.
+// The last lens shows what is at its right border four times as large as what is in the middle.
+TEST(DistortAnswer, APixelHasTheLabelOfTheIdealOneNearestToIt) {
+  const Lens magnifier({130, 130, 79.5, 59.5},
+                       {LensDistortion::Model::kBrownConrady, {0, 0, 0, 0, 0, -3}}, kSize);
+  for (const Lens& lens : {Barrel(), Cushion(), magnifier}) {
+    for (const cv::Rect& ideal : {cv::Rect(100, 70, 20, 20), cv::Rect(0, 90, 160, 30)}) {
+      Detections answer;
+      answer.labels = cv::Mat::zeros(kSize, CV_16UC1);
+      answer.labels(ideal) = 1;
+      answer.objects.resize(1);
+      answer.objects[0].label = 1;
+      answer.objects[0].bounds_px = ideal;
+      Trace trace;
+      DistortAnswer(lens, answer, trace);
+      for (int y = 0; y < kSize.height; ++y) {
+        for (int x = 0; x < kSize.width; ++x) {
+          const cv::Point2d place = lens.Undistort(cv::Point2d(x, y));
+          const cv::Point nearest = place;  // rounds
+          const cv::Point2d off = place - cv::Point2d(nearest);
+          // Undistort is good to a hundredth.
+          if (std::max(std::abs(off.x), std::abs(off.y)) > 0.48) continue;
+          ASSERT_EQ(answer.labels.at<std::uint16_t>(y, x), ideal.contains(nearest)) << nearest;
+        }
+      }
+      EXPECT_TRUE(answer.objects[0].cloud.empty()) << "as it was";
+    }
+  }
+}
+
 // A barrel's corner shows fewer pixels of what is far out: of two halves that were as large, the
 // inner one has more.
 TEST(DistortAnswer, ColorsAreThoseOfThePixelsThatAreShown) {
@@ -137,12 +163,33 @@ TEST(DistortAnswer, ColorsAreThoseOfThePixelsThatAreShown) {
 
 TEST(DistortAnswer, KeepsARectangleOfWhatTheCameraDoesNotShow) {
   // A cushion shows less of the ideal image.
-  const Lens lens({130, 130, 79.5, 59.5}, {LensDistortion::Model::kBrownConrady, {0.3}}, kSize);
+  const Lens lens = Cushion();
   Detections answer = AnswerWithDisk({157, 117}, 2);
+  answer.objects.front().centroid = {1, 2, 3};
   Trace trace;
   DistortAnswer(lens, answer, trace);
   EXPECT_EQ(answer.objects.front().num_pixels, 0U);
   EXPECT_EQ(answer.objects.front().bounds_px, cv::Rect(159, 119, 1, 1));
+  EXPECT_EQ(answer.objects.front().centroid, Eigen::Vector3f(1, 2, 3));
+}
+
+// A barrel bends their sides outwards: farther out than their corners.
+TEST(DistortAnswer, RectanglesHoldAllThatTheyHeld) {
+  const Lens lens = Barrel();
+  for (const cv::Rect& ideal : {cv::Rect(100, 15, 50, 90), cv::Rect(10, 15, 50, 90),
+                                cv::Rect(20, 65, 120, 45), cv::Rect(20, 10, 120, 45)}) {
+    Detections answer;
+    answer.labels = cv::Mat::zeros(kSize, CV_16UC1);
+    answer.rejected.push_back({ideal, 0.1F, "small"});
+    Trace trace;
+    DistortAnswer(lens, answer, trace);
+    std::vector<cv::Point> held;
+    for (int y = ideal.y; y < ideal.br().y; ++y) {
+      for (int x = ideal.x; x < ideal.br().x; ++x)
+        held.emplace_back(lens.Distort({1.0 * x, 1.0 * y}));
+    }
+    EXPECT_EQ(answer.rejected[0].bounds_px, cv::boundingRect(held)) << ideal;
+  }
 }
 
 TEST(DistortAnswer, TakesSeedsRejectedAndImagesAlong) {
@@ -153,70 +200,26 @@ TEST(DistortAnswer, TakesSeedsRejectedAndImagesAlong) {
   Trace trace;
   trace.seeds.resize(1);
   trace.seeds[0].pixel = {150, 110};
+  trace.removed.resize(1);
+  trace.removed[0].pixel = {150, 110};
   trace.depth_m = cv::Mat(kSize, CV_32FC1, cv::Scalar(2));
   trace.depth_m.at<float>(110, 150) = 1;
   trace.voxels.voxel_of_pixel = cv::Mat(kSize, CV_32SC1, cv::Scalar(7));
+  trace.depth_saliency = cv::Mat(kSize, CV_32FC1, cv::Scalar(0.5F));
   DistortAnswer(lens, answer, trace);
 
   const cv::Point expected = lens.Distort({150, 110});
   EXPECT_EQ(trace.seeds[0].pixel, expected);
+  EXPECT_EQ(trace.removed[0].pixel, expected);
   EXPECT_EQ(trace.depth_m.at<float>(expected), 1);
   EXPECT_LE(cv::norm(answer.rejected[0].bounds_px.tl() - cv::Point(lens.Distort({130, 90}))), 1.5);
   EXPECT_EQ(trace.voxels.voxel_of_pixel.at<int>(60, 80), 7);
+  EXPECT_EQ(trace.depth_saliency.at<float>(60, 80), 0.5F);
+  // The corner sees what is beside the ideal image.
+  EXPECT_TRUE(std::isnan(trace.depth_m.at<float>(0, 0)));
+  EXPECT_EQ(trace.voxels.voxel_of_pixel.at<int>(0, 0), -1);
+  EXPECT_EQ(trace.depth_saliency.at<float>(0, 0), 0);
   EXPECT_TRUE(trace.color_saliency.empty());
-}
-
-// A plane drawn by the lens itself: depth that grows with the ideal column.
-TEST(UndistortDepth, IsWhatAPinholeCameraWouldSee) {
-  const Lens lens = Barrel();
-  cv::Mat sent(kSize, CV_32FC1), color(kSize, CV_8UC3);
-  for (int y = 0; y < kSize.height; ++y) {
-    for (int x = 0; x < kSize.width; ++x) {
-      const double column = lens.Undistort(cv::Point2d(x, y)).x;
-      sent.at<float>(y, x) = static_cast<float>(1 + 0.01 * column);
-      color.at<cv::Vec3b>(y, x) = cv::Vec3b::all(cv::saturate_cast<std::uint8_t>(column));
-    }
-  }
-  const cv::Mat ideal = UndistortDepth(sent, lens), ideal_color = UndistortColor(color, lens);
-  int unseen = 0;
-  for (int y = 0; y < kSize.height; ++y) {
-    for (int x = 0; x < kSize.width; ++x) {
-      if (std::isnan(ideal.at<float>(y, x))) {
-        ++unseen;
-        continue;
-      }
-      EXPECT_NEAR(ideal.at<float>(y, x), 1 + 0.01 * x, 0.01) << x << ' ' << y;
-      if (!cv::Rect(2, 2, 156, 116).contains({x, y})) continue;  // next to what nobody sees
-      EXPECT_NEAR(ideal_color.at<cv::Vec3b>(y, x)[0], x, 1.5) << x << ' ' << y;
-    }
-  }
-  EXPECT_EQ(unseen, 0);  // a barrel shows more than the ideal image
-}
-
-TEST(UndistortDepth, HasNoneWhereTheCameraDoesNotLook) {
-  const Lens lens({130, 130, 79.5, 59.5}, {LensDistortion::Model::kBrownConrady, {0.3}}, kSize);
-  const cv::Mat ideal = UndistortDepth(cv::Mat::ones(kSize, CV_32FC1), lens);
-  EXPECT_TRUE(std::isnan(ideal.at<float>(0, 0)));
-  EXPECT_EQ(ideal.at<float>(60, 80), 1);
-}
-
-TEST(UnseenBy, IsWhereUndistortedDepthHasNone) {
-  for (const double k1 : {0.3, 0.05, -0.2}) {
-    const Lens lens({130, 130, 79.5, 59.5}, {LensDistortion::Model::kBrownConrady, {k1}}, kSize);
-    const cv::Mat ideal = UndistortDepth(cv::Mat::ones(kSize, CV_32FC1), lens);
-    EXPECT_EQ(cv::countNonZero(UnseenBy(lens) == (ideal == ideal)), 0) << k1;
-  }
-}
-
-TEST(UndistortRect, HoldsWhatTheSentRectangleShows) {
-  const Lens lens = Barrel();
-  const cv::Rect sent(10, 10, 30, 20), ideal = UndistortRect(lens, sent);
-  for (int y = sent.y; y < sent.br().y; ++y) {
-    for (int x = sent.x; x < sent.br().x; ++x) {
-      const cv::Point nearest = lens.Undistort(cv::Point2d(x, y));
-      EXPECT_TRUE(ideal.contains(nearest) || !cv::Rect({0, 0}, kSize).contains(nearest)) << nearest;
-    }
-  }
 }
 
 }  // namespace

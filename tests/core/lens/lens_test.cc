@@ -133,12 +133,49 @@ TEST(Lens, RefusesImagesThatAreNotUndistorted) {
                std::invalid_argument);
 }
 
-// At k1 = -0.9 the radius falls again beyond 1 / sqrt(2.7) = 0.61; the corners are at 0.65.
+TEST(Lens, SaysFromWhereOnRaysComeBack) {
+  // 1 - 24 r² is 0.08 at 0.196, 119 px; the farthest corner is at (-325.5, 243.5).
+  EXPECT_THAT(ErrorOf({Model::kBrownConrady, {-8}}),
+              HasSubstr("from 120 px beside the optical axis on, where the image reaches to 404"));
+}
+
+// At k1 = -0.9 the radius falls again beyond 1 / sqrt(2.7) = 0.61, and grows by less than 0.08 of
+// what it should from sqrt(0.92 / 2.7) = 0.584 on, where it is 0.405; the corners are at 0.66.
 TEST(Lens, ShowsNothingBeyondWhereRaysComeBack) {
   const Lens lens(kCamera, {Model::kBrownConrady, {-0.9}}, kImageSize);
+  const auto at = [](double radius) { return cv::Point2d(325 - 610 * radius, 236); };
   EXPECT_TRUE(lens.IsShown({325, 0}));
+  EXPECT_TRUE(lens.IsShown(at(0.58)));
+  EXPECT_FALSE(lens.IsShown(at(0.59)));
   EXPECT_FALSE(lens.IsShown({0, 0}));
+  EXPECT_NEAR(cv::norm(lens.Distort(at(1)) - at(0.4047)), 0, 0.5) << "the last place before";
   EXPECT_TRUE(std::isnan(lens.Undistort({0, 0}).x));
+  for (const cv::Point2d& sent : PixelsSent()) {
+    for (const double radius : {0.0, 0.5, 0.9, 1.1}) {
+      const cv::Point2d ideal = lens.Undistort(sent, at(radius));
+      EXPECT_TRUE(std::isnan(ideal.x) || lens.IsShown(ideal)) << sent << ' ' << radius;
+    }
+  }
+}
+
+// At k4 = -3 the radius is r / (1 - 3 r²), which grows twelve times as fast as it should where
+// 1 + 3 r² = 12 (1 - 3 r²)²: at r² = 0.2105, r = 0.4588.
+TEST(Lens, ShowsNothingBeyondWhereRaysPart) {
+  const Lens lens(kCamera, {Model::kBrownConrady, {0, 0, 0, 0, 0, -3}}, kImageSize);
+  EXPECT_TRUE(lens.IsShown({325 - 610 * 0.455, 236}));
+  EXPECT_FALSE(lens.IsShown({325 - 610 * 0.463, 236}));
+}
+
+// Its corners are 82 degrees beside the axis, where a pinhole camera's pixel sees fifty times less.
+TEST(Lens, AFisheyeShowsWhatIsFarBeside) {
+  const Lens lens({20, 20, 100, 100}, {Model::kKannalaBrandt, {}}, {201, 201});
+  EXPECT_TRUE(lens.IsShown({0, 0}));
+}
+
+TEST(Lens, TheAxisIsNotBent) {
+  const Lens lens(kCamera, kPlumbBob, kImageSize);
+  EXPECT_EQ(lens.Distort({325, 236}), cv::Point2d(325, 236));
+  EXPECT_EQ(lens.Undistort({325, 236}), cv::Point2d(325, 236));
 }
 
 }  // namespace
