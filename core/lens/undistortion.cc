@@ -1,5 +1,6 @@
 #include "core/lens/undistortion.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -66,11 +67,18 @@ cv::Mat UnseenBy(const Lens& lens) {
 }
 
 cv::Rect UndistortRect(const Lens& lens, const cv::Rect& sent) {
-  cv::Rect ideal = sent;
+  cv::Rect ideal;
   const auto take = [&](int x, int y) {
     const cv::Point2d pixel = lens.Undistort(cv::Point2d(x, y));
-    if (std::isnan(pixel.x)) return;
-    ideal |= cv::Rect(cv::Point(std::floor(pixel.x), std::floor(pixel.y)), cv::Size(2, 2));
+    if (std::isnan(pixel.x)) {
+      ideal |= cv::Rect(x, y, 1, 1);
+      return;
+    }
+    const auto within = [](double place, int size) {
+      return static_cast<int>(std::floor(std::clamp(place, 0.0, size - 1.0)));
+    };
+    ideal |=
+        cv::Rect(within(pixel.x, lens.size().width), within(pixel.y, lens.size().height), 2, 2);
   };
   const cv::Point last = sent.br() - cv::Point(1, 1);
   for (int x = sent.x; x <= last.x; ++x) {

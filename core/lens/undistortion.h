@@ -22,8 +22,9 @@ cv::Mat UndistortDepth(const cv::Mat& depth_m, const Lens& lens);
 // pixels in such margins.
 cv::Mat UnseenBy(const Lens& lens);
 
-// The smallest rectangle of the ideal image that holds what is in this one of the sent image; also
-// in it.
+// The smallest rectangle of the ideal image that holds what is in this one of the sent image, which
+// is in it and not empty; what lies beside the ideal image is at its border, and where the lens
+// shows nothing a pixel stands for itself. Not empty.
 cv::Rect UndistortRect(const Lens& lens, const cv::Rect& sent);
 
 }  // namespace fovea

@@ -58,15 +58,34 @@ TEST(UnseenBy, IsWhereUndistortedDepthHasNone) {
   }
 }
 
-TEST(UndistortRect, HoldsWhatTheSentRectangleShows) {
-  const Lens lens = Barrel();
-  const cv::Rect sent(10, 10, 30, 20), ideal = UndistortRect(lens, sent);
+cv::Rect IdealOf(const Lens& lens, const cv::Rect& sent) {
+  cv::Rect ideal;
   for (int y = sent.y; y < sent.br().y; ++y) {
     for (int x = sent.x; x < sent.br().x; ++x) {
-      const cv::Point nearest = lens.Undistort(cv::Point2d(x, y));
-      EXPECT_TRUE(ideal.contains(nearest) || !cv::Rect({0, 0}, kSize).contains(nearest)) << nearest;
+      const cv::Point2d pixel = lens.Undistort(cv::Point2d(x, y));
+      if (std::isnan(pixel.x)) continue;
+      ideal |= cv::Rect(cv::Point(cvFloor(pixel.x), cvFloor(pixel.y)), cv::Size(2, 2));
     }
   }
+  return ideal & cv::Rect({0, 0}, kSize);
+}
+
+TEST(UndistortRect, IsAroundWhatTheSentRectangleShows) {
+  for (const Lens& lens : {Barrel(), Cushion()}) {
+    for (const cv::Rect& sent : {cv::Rect(10, 10, 30, 20), cv::Rect(120, 90, 30, 20),
+                                 cv::Rect(0, 0, 160, 20), cv::Rect(60, 0, 100, 120)}) {
+      EXPECT_EQ(UndistortRect(lens, sent), IdealOf(lens, sent)) << sent;
+    }
+  }
+}
+
+// A barrel's border sees what is beside the ideal image, and its corner what is farther than the
+// corner of that; where rays come back nothing is seen.
+TEST(UndistortRect, IsNotEmptyWhereNothingOfTheIdealImageIsSeen) {
+  EXPECT_EQ(UndistortRect(Barrel(), {159, 60, 1, 1}), cv::Rect(159, 59, 1, 2));
+  EXPECT_EQ(UndistortRect(Barrel(), {158, 118, 2, 2}), cv::Rect(158, 118, 2, 2));
+  const Lens lens({130, 130, 79.5, 59.5}, {LensDistortion::Model::kBrownConrady, {-0.9}}, kSize);
+  EXPECT_EQ(UndistortRect(lens, {5, 6, 3, 2}), cv::Rect(5, 6, 3, 2));
 }
 
 }  // namespace
