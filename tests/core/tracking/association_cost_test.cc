@@ -102,6 +102,29 @@ TEST(AssociationCost, OverlapOfAThingWithoutPixelsIsHalf) {
   EXPECT_FALSE(kOver.Matches(track, Thing(0.069F, kSize_m, 90))) << "1 - 1/2 + 0.069 / 0.11 + 0.5";
 }
 
+TEST(AssociationCost, OverlapIsOfTheShareOfPointsThatTheMaskCovers) {
+  Sighting half = Thing(0);
+  half.points.emplace_back(5, 0, 1);
+  const Track track(1, half, std::nullopt);
+  EXPECT_TRUE(kOver.Matches(track, Thing(0.055F, kSize_m, 90))) << "1 - 5/12 + 0.055 / 0.11 + 0.5";
+  EXPECT_FALSE(kOver.Matches(track, Thing(0.058F, kSize_m, 90)));
+}
+
+TEST(AssociationCost, PointsAreSeenToHalfAPixelBesideTheImage) {
+  for (const cv::Point2d& along : {cv::Point2d(1, 0), cv::Point2d(0, 1)}) {
+    for (const double off_px : {0.4, 0.6}) {
+      const cv::Point2d last = 319 * cv::Point2d(along.x, 0) + 239 * cv::Point2d(0, along.y);
+      for (const cv::Point2d& pixel : {-off_px * along, last + off_px * along}) {
+        Sighting beside = Thing(0);
+        beside.points = {{static_cast<float>((pixel.x - kLens.cx_px) / kLens.fx_px),
+                          static_cast<float>((pixel.y - kLens.cy_px) / kLens.fy_px), 1}};
+        EXPECT_EQ(kOver.Matches(Track(1, beside, std::nullopt), Thing(0.068F)), off_px < 0.5)
+            << pixel;
+      }
+    }
+  }
+}
+
 TEST(AssociationCost, PointsBehindTheCameraAreNotSeen) {
   Sighting behind = Thing(0);
   behind.points = {{0, 0, -1}};

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "core/tracking/hidden.h"
 #include "tests/core/tracking/table_view.h"
 
@@ -53,6 +55,13 @@ TEST(Associate, NothingBeyondReach) {
   EXPECT_THAT(AssociateNext(TracksOf(first), View()), ElementsAre());
 }
 
+TEST(Associate, OneThingIsOneTrack) {
+  View first, next;
+  first.Add({0, 0, 0.8F}).Add({0.04F, 0, 0.8F});
+  next.Add({0, 0, 0.8F});
+  EXPECT_THAT(AssociateNext(TracksOf(first), next), ElementsAre(0));
+}
+
 // The unlikely one lies nearer to where the thing was.
 TEST(Associate, ConfidentDetectionsComeFirst) {
   View first, next;
@@ -88,6 +97,13 @@ TEST(SightingsOf, AThingWithoutDepthIsAtItsCentroid) {
   EXPECT_THAT(sighting.points, ElementsAre(Eigen::Vector3f(0.1F, 0, 0.8F)));
 }
 
+TEST(Moved, TurnsABox) {
+  const Eigen::Isometry3f turn(Eigen::AngleAxisf(1, Eigen::Vector3f::UnitY()));
+  const OrientedBox moved = Moved(OrientedBox{.center = {0, 0, 2}}, turn);
+  EXPECT_LT((moved.center - 2 * Eigen::Vector3f(std::sin(1.0F), 0, std::cos(1.0F))).norm(), 1e-6F);
+  EXPECT_TRUE(moved.rotation.isApprox(turn.linear()));
+}
+
 TEST(ReasonOf, TellsWhyAThingIsNotSeen) {
   View with;
   with.Add({0, 0, 0.8F});
@@ -113,6 +129,15 @@ TEST(ReasonOf, TellsWhyAThingIsNotSeen) {
   EXPECT_EQ(ReasonOf(beside, with.frame), HiddenReason::kOutOfView);
   const auto at_the_border = Moved(expected, Eigen::Isometry3f(Eigen::Translation3f(0.485F, 0, 0)));
   EXPECT_EQ(ReasonOf(at_the_border, View().frame), HiddenReason::kGone) << "a quarter is outside";
+  Sighting in_last_pixel = expected;
+  for (const float off_px : {0.4F, 0.6F}) {
+    const float x = (159.5F + off_px) / 250, y = (119.5F + off_px) / 250;
+    for (const Eigen::Vector3f& point : {Eigen::Vector3f(-x, 0, 1), Eigen::Vector3f(x, 0, 1),
+                                         Eigen::Vector3f(0, -y, 1), Eigen::Vector3f(0, y, 1)}) {
+      in_last_pixel.points = {point};
+      EXPECT_EQ(ReasonOf(in_last_pixel, View().frame) == HiddenReason::kOutOfView, off_px > 0.5F);
+    }
+  }
   const auto behind = Moved(expected, Eigen::Isometry3f(Eigen::Translation3f(0, 0, -2)));
   EXPECT_EQ(ReasonOf(behind, with.frame), HiddenReason::kOutOfView);
 }
