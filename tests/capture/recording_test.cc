@@ -105,6 +105,15 @@ TEST_F(RecordingTest, PlaysAtASpeedLikeACamera) {
   EXPECT_GE(CountOf(finished.out, "answered"), 1);
 }
 
+// They are of the live camera: "--server A replay" would have asked another server.
+TEST_F(RecordingTest, FlagsBeforeTheCommandAreRefused) {
+  for (const char* command : {"replay", "record"}) {
+    ExpectOneLineError(Capture(Live({command, At("a.oni")})),
+                       std::string("--server: flags of ") + command + " stand behind that word");
+  }
+  ExpectOneLineError(Capture({"--view", "devices"}), "--view: flags of devices stand behind");
+}
+
 TEST_F(RecordingTest, HoldsAllFramesThatWereTaken) {
   // Frames come faster than they are written.
   const Finished finished = Capture(Record(At("a.oni"), {"--frames", "40"}));
