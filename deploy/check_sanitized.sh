@@ -7,6 +7,7 @@
 # usage: deploy/check_sanitized.sh BUILD_FOLDER
 set -euo pipefail
 cd "$(dirname "$0")/.."
+ls "$1/server/fovea-server" "$1/client/cli/fovea" >/dev/null
 
 sanitized=build/asan_clang
 out=$(mktemp -d)
