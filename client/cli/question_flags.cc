@@ -20,6 +20,7 @@ void AddMethodFlags(CLI::App& command, QuestionFlags& flags, const char* group) 
                   "Longest detection: what is most salient is looked at first, and the answer is "
                   "what has been found by then; 0 = as long as it takes")
       ->type_name("SECONDS")
+      ->check(flags::FiniteRange(0, 3600))
       ->capture_default_str()
       ->group(group);
 }
@@ -59,9 +60,9 @@ void AddPlanningFlags(CLI::App& command, QuestionFlags& flags, const char* group
                 "stand on, for motion planners; in JSON")
       ->group(group);
   command
-      .add_option(
-          "--height-map-cell", flags.height_map_cell_m,
-          "Ask for a height map with cells of this size, for JSON; 0.02 with the next alone")
+      .add_option("--height-map-cell", flags.height_map_cell_m,
+                  "Ask for a height map, in JSON, with cells of this size; 0.02 where other flags "
+                  "ask for one")
       ->type_name("METRES")
       ->check(flags::FiniteRange(0.002, 1))
       ->group(group);

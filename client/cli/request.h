@@ -6,7 +6,6 @@
 #include <opencv2/core/types.hpp>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "fovea/v1/detection_service.pb.h"
 
