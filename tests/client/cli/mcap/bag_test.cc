@@ -121,6 +121,7 @@ TEST(Bag, CameraInfoWithoutNumbersMattersWhereItIsNeeded) {
     EXPECT_THAT(error.what(), HasSubstr("/camera/color/camera_info: it is of no camera (K, width"));
   }
 }
+
 TEST(Bag, ReadsOtherEncodings) {
   const std::string float_bag =
       BagOf("Image", ImageMessage(kFirst_ns, "bgra8", 2, 1, 8, std::string("\1\2\3\0\4\5\6\0", 8)),
@@ -148,6 +149,7 @@ TEST(Bag, DepthInMetersBecomesTheUnitsThatAreSent) {
   EXPECT_EQ(Depth(tenths.list.frames.at(0)).at<std::uint16_t>(0, 0), 12500);
   EXPECT_EQ(Depth(tenths.list.frames.at(0)).at<std::uint16_t>(0, 1), 0) << "too far for 16 bits";
 }
+
 TEST(Bag, SaysWhyThereIsNoFrame) {
   BagWriter writer;
   writer.Add("/rgb", "Image", ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb));
