@@ -1,6 +1,7 @@
 #include "client/capture/flags.h"
 
 #include <CLI/CLI.hpp>
+#include <stdexcept>
 
 #include "flags/finite_range.h"
 
@@ -185,6 +186,16 @@ void AddRecordFlags(CLI::App& command, RecordFlags& flags) {
   AddCameraFlags(command, flags.camera);
   AddFrameTimeout(command, flags.camera);
   AddLimitFlags(command, flags.limits);
+}
+
+void RequireNoFlagsBeforeCommands(const CLI::App& app) {
+  for (const CLI::App* command : app.get_subcommands()) {
+    for (const CLI::Option* flag : app.get_options()) {
+      if (flag->count() == 0) continue;
+      throw std::invalid_argument(flag->get_name() + ": flags of " + command->get_name() +
+                                  " stand behind that word");
+    }
+  }
 }
 
 }  // namespace fovea::capture

@@ -53,6 +53,9 @@ void AddReplayFlags(CLI::App& command, StreamFlags& flags);
 void AddRecordFlags(CLI::App& command, RecordFlags& flags);
 
 // All throw std::invalid_argument that names the flag.
+
+// For flags of the live camera that stand before a command, which would ignore them.
+void RequireNoFlagsBeforeCommands(const CLI::App& app);
 CameraOptions CameraOptionsOf(const CameraFlags& flags);
 // Everything but the intrinsics; the time starts now.
 SessionOptions SessionOptionsOf(const StreamFlags& flags);

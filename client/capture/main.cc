@@ -1,6 +1,5 @@
 // fovea-capture: from an RGB-D camera to a fovea server.
 #include <CLI/CLI.hpp>
-#include <stdexcept>
 
 #include "client/capture/camera_error.h"
 #include "client/capture/devices_command.h"
@@ -9,19 +8,6 @@
 #include "client/capture/stop_signal.h"
 #include "client/capture/stream_command.h"
 #include "client/cli/program.h"
-
-namespace {
-
-// Those of the live camera, which a command would ignore.
-void RequireNoFlagsBefore(const CLI::App& command, const CLI::App& app) {
-  for (const CLI::Option* flag : app.get_options()) {
-    if (flag->count() == 0) continue;
-    throw std::invalid_argument(flag->get_name() + ": flags of " + command.get_name() +
-                                " stand behind that word");
-  }
-}
-
-}  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app(
@@ -40,7 +26,7 @@ int main(int argc, char** argv) {
       app.add_subcommand("devices", "List the cameras that are plugged in, and their modes");
 
   return fovea::cli::RunProgram(app, argc, argv, [&] {
-    for (const CLI::App* command : app.get_subcommands()) RequireNoFlagsBefore(*command, app);
+    fovea::capture::RequireNoFlagsBeforeCommands(app);
     fovea::capture::CatchStopSignals();
     if (*devices_command) return fovea::capture::RunDevices();
     if (*record_command) return fovea::capture::RunRecord(record);

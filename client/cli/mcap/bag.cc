@@ -114,7 +114,7 @@ Bag ReadBag(const McapBytes& bytes, const std::string& name, const BagFlags& fla
                                          broken->second.number, broken->second.first));
   }
   for (const std::string& fault : faults) {
-    bag.list.notes.push_back(name + " " + fault + "; what else it has is read");
+    bag.list.notes.push_back(fmt::format("{} {}; what else it has is read", name, fault));
   }
   if (bag.list.frames.empty()) {
     throw std::invalid_argument(
