@@ -108,7 +108,7 @@ TEST_F(RecordingTest, PlaysAtASpeedLikeACamera) {
 // They are of the live camera: "--server A replay" would have asked another server.
 TEST_F(RecordingTest, FlagsBeforeTheCommandAreRefused) {
   for (const char* command : {"replay", "record"}) {
-    ExpectOneLineError(Capture(Live({command, At("a.oni")})),
+    ExpectOneLineError(Capture({"--server", "localhost:1", command, At("a.oni")}),
                        std::string("--server: flags of ") + command + " stand behind that word");
   }
   ExpectOneLineError(Capture({"--view", "devices"}), "--view: flags of devices stand behind");
