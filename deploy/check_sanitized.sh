@@ -51,6 +51,7 @@ run() {
   ask "$1" "${one[@]}" --profile paper --set color_saliency.downscale=2 --json "$2/paper.json" >/dev/null
   ask "$1" --color "$frames/floor_color.jpg" --depth "$out/cut_depth.png" 2>"$2/cut_depth.txt" && exit 1
   ask "$1" --color "$out/cut_color.jpg" --depth "$frames/floor_depth.png" 2>"$2/cut_color.txt" && exit 1
+  sed -i 's/ (request [0-9]*)$//' "$2"/cut_*.txt # their number depends on how often was asked before
   "$1/client/cli/fovea" options --server "$address" >"$2/options.txt"
   kill "$server"
   wait "$server"
