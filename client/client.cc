@@ -193,8 +193,9 @@ std::unique_ptr<DetectStream> Client::OpenStream(std::chrono::milliseconds timeo
   std::string problem;
   timeout = Capped(timeout);
   const auto home = servers_->Home(Servers::Clock::now() + timeout, &problem);
-  if (!home)
+  if (!home) {
     throw RpcError({grpc::StatusCode::UNAVAILABLE, problem}, std::nullopt, call.request_id);
+  }
   return std::make_unique<DetectStream>(*home->stub, options_, timeout, call);
 }
 

@@ -20,8 +20,9 @@ ResumingStream::ResumingStream(std::shared_ptr<Servers> servers, ClientOptions o
       better_server_(std::make_unique<BetterServer>(*servers_, options_)) {
   std::string problem;
   server_ = servers_->Home(std::min(deadline_, Clock::now() + options_.timeout), &problem);
-  if (!server_)
+  if (!server_) {
     throw RpcError({grpc::StatusCode::UNAVAILABLE, problem}, std::nullopt, call_.request_id);
+  }
   stream_ = Open();
 }
 

@@ -13,7 +13,7 @@ const cv::Size kParts(32, 24);
 // Of so many parts one is darker than what is dark, and one lighter than what is light.
 constexpr std::size_t kPerTail = 50;
 
-// Of 255. No frame of the rooms that the models were fitted to is darker.
+// Of 255. No recorded frame that the models were fitted to is darker.
 constexpr double kUsualLight = 140;
 constexpr int kLeastRange = 4;  // less is noise
 constexpr std::uint8_t kMiddle = 128;

@@ -4,15 +4,9 @@
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
-#include <boost/beast/core.hpp>
-#include <boost/beast/http.hpp>
-#include <condition_variable>
-#include <deque>
 #include <map>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <thread>
 
 #include "server/tracing/refused_spans.h"
 #include "server/tracing/tracer.h"
@@ -21,12 +15,12 @@
 #include "tests/server/frames.h"
 #include "tests/server/loopback.h"
 #include "tests/server/metric_value.h"
+#include "tests/server/span_collector.h"
 
 namespace fovea::testing {
 namespace {
 
 namespace asio = boost::asio;
-namespace http = boost::beast::http;
 using asio::ip::tcp;
 using nlohmann::json;
 using ::testing::ElementsAre;
@@ -38,67 +32,6 @@ constexpr char kTraceId[] = "0af7651916cd43dd8448eb211c80319c", kParentId[] = "b
 std::string Traceparent(const char* flags) {
   return std::string("00-") + kTraceId + "-" + kParentId + "-" + flags;
 }
-
-std::string Url(const tcp::acceptor& acceptor) {
-  return "http://127.0.0.1:" + std::to_string(acceptor.local_endpoint().port()) + "/v1/traces";
-}
-
-tcp::endpoint FreePort() { return {asio::ip::address_v4::loopback(), 0}; }
-
-// Takes what is posted, and answers 200 with `answer`.
-class Collector {
- public:
-  explicit Collector(std::string answer = "")
-      : answer_(std::move(answer)), thread_([this] { Run(); }) {}
-  ~Collector() {
-    stopping_ = true;
-    boost::system::error_code ignored;  // the connection only wakes it
-    tcp::socket(context_).connect(acceptor_.local_endpoint(), ignored);
-  }
-
-  std::string url() const { return Url(acceptor_); }
-
-  // The spans of the next request.
-  std::vector<json> Next() {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return !requests_.empty(); });
-    const json request = json::parse(requests_.front());
-    requests_.pop_front();
-    resource_ = request.at("resourceSpans").at(0).at("resource");
-    return request["resourceSpans"][0].at("scopeSpans").at(0).at("spans");
-  }
-  const json& resource() const { return resource_; }  // of the last Next()
-
- private:
-  void Run() {
-    while (true) {
-      tcp::socket socket = acceptor_.accept();
-      if (stopping_) return;
-      boost::system::error_code error;
-      boost::beast::flat_buffer buffer;
-      http::request<http::string_body> request;
-      http::read(socket, buffer, request, error);
-      http::response<http::string_body> response(http::status::ok, request.version());
-      response.body() = answer_;
-      response.prepare_payload();
-      http::write(socket, response, error);
-      if (request.target() != "/v1/traces") continue;
-      const std::lock_guard lock(mutex_);
-      requests_.push_back(request.body());
-      changed_.notify_one();
-    }
-  }
-
-  const std::string answer_;
-  asio::io_context context_;
-  tcp::acceptor acceptor_{context_, FreePort()};
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::deque<std::string> requests_;
-  json resource_;
-  std::atomic<bool> stopping_ = false;
-  std::jthread thread_;
-};
 
 server::ServerOptions TracingTo(const std::string& url, double share = 1) {
   server::ServerOptions options = LoopbackOptions();
@@ -164,7 +97,7 @@ TEST(Traceparent, IsIgnoredWhereItIsMalformed) {
 }
 
 TEST(Tracing, SendsTheFrameAndItsStages) {
-  Collector collector;
+  SpanCollector collector;
   const Loopback loopback(FindOne, TracingTo(collector.url()));
   EXPECT_TRUE(Detect(loopback, Traceparent("01")).ok());
   const std::vector<json> spans = collector.Next();
@@ -190,7 +123,7 @@ TEST(Tracing, SendsTheFrameAndItsStages) {
 }
 
 TEST(Tracing, SaysWhatWentWrong) {
-  Collector collector;
+  SpanCollector collector;
   const Loopback loopback(FindOne, TracingTo(collector.url()));
   EXPECT_FALSE(Detect(loopback, Traceparent("01"), {}).ok());
   const std::vector<json> spans = collector.Next();
@@ -200,7 +133,7 @@ TEST(Tracing, SaysWhatWentWrong) {
 }
 
 TEST(Tracing, HasTheStagesOfAFrameThatWasCutOff) {
-  Collector collector;
+  SpanCollector collector;
   const auto cut_off = [](const auto&, const auto&, Trace*, const auto&) -> Detections {
     Cancelled cancelled("normals");
     cancelled.stage_times = {{"depth", 2.0}, {"normals", 30.0}};
@@ -213,7 +146,7 @@ TEST(Tracing, HasTheStagesOfAFrameThatWasCutOff) {
 }
 
 TEST(Tracing, LeavesOutWhatTheCallerDoesNotRecord) {
-  Collector collector;
+  SpanCollector collector;
   const Loopback loopback(FindOne, TracingTo(collector.url()));
   EXPECT_TRUE(Detect(loopback, Traceparent("00")).ok());
   EXPECT_TRUE(Detect(loopback, Traceparent("01")).ok());
@@ -221,7 +154,7 @@ TEST(Tracing, LeavesOutWhatTheCallerDoesNotRecord) {
 }
 
 TEST(Tracing, BeginsTracesOfItsOwn) {
-  Collector collector;
+  SpanCollector collector;
   const Loopback loopback(FindOne, TracingTo(collector.url()));
   EXPECT_TRUE(Detect(loopback, "malformed").ok());
   const std::vector<json> spans = collector.Next();
@@ -231,7 +164,7 @@ TEST(Tracing, BeginsTracesOfItsOwn) {
 }
 
 TEST(Tracing, BeginsNoneWhereTheShareIsZero) {
-  Collector collector;
+  SpanCollector collector;
   const Loopback loopback(FindOne, TracingTo(collector.url(), 0));
   EXPECT_TRUE(Detect(loopback, "").ok());
   EXPECT_TRUE(Detect(loopback, Traceparent("01")).ok());
@@ -241,7 +174,7 @@ TEST(Tracing, BeginsNoneWhereTheShareIsZero) {
 }
 
 TEST(Tracing, FramesOfAStreamBelongToItsCall) {
-  Collector collector;
+  SpanCollector collector;
   const Loopback loopback(FindOne, TracingTo(collector.url()));
   const auto stream = loopback.client.OpenStream(kPatience, {.traceparent = Traceparent("01")});
   std::vector<json> spans;
@@ -273,7 +206,7 @@ TEST(Tracing, GoesOnWithoutACollector) {
 
 TEST(Tracing, CountsWhatTheCollectorRefusesAndSaysSoOnce) {
   const CapturedLog log;
-  Collector collector(R"({"partialSuccess":{"rejectedSpans":"1","errorMessage":"no\nroom"}})");
+  SpanCollector collector(R"({"partialSuccess":{"rejectedSpans":"1","errorMessage":"no\nroom"}})");
   const Loopback loopback(FindOne, TracingTo(collector.url()));
   EXPECT_TRUE(Detect(loopback, "").ok());
   AwaitMetric(*loopback.server.metrics(), "fovea_traces_dropped_total", 1);

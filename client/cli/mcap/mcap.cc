@@ -82,8 +82,9 @@ class Parser {
       if (is_none || size > records.size - place) return at;
       if (kind == kDataEnd) return std::nullopt;  // what follows says the same once more
       try {
-        if (kind >= kSchema && kind <= kChunk)
+        if (kind >= kSchema && kind <= kChunk) {
           Add(kind, Content(records, place, size), place, chunk);
+        }
       } catch (const std::invalid_argument& error) {
         NoteDamage(chunk.chunk == 0 ? at : chunk.chunk - kRecordHead, error.what());
       }

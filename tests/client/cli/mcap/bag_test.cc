@@ -10,20 +10,9 @@
 #include "tests/client/cli/mcap/small_bags.h"
 #include "tests/support/bag_writer.h"
 
-namespace fovea::cli {
+namespace fovea::cli::small_bags {
 namespace {
 
-using small_bags::BagOf;
-using small_bags::Color;
-using small_bags::Depth;
-using small_bags::kColor;
-using small_bags::kDepth;
-using small_bags::kFirst_ns;
-using small_bags::kMillisecond_ns;
-using small_bags::kRgb;
-using small_bags::kUnits;
-using small_bags::Read;
-using small_bags::WhyNot;
 using testing::BagWriter;
 using testing::CameraInfoMessage;
 using testing::CompressedMessage;
@@ -205,4 +194,4 @@ TEST(Topics, AreChosenByName) {
 }
 
 }  // namespace
-}  // namespace fovea::cli
+}  // namespace fovea::cli::small_bags

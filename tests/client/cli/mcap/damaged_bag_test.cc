@@ -10,18 +10,9 @@
 #include "tests/support/bag_writer.h"
 #include "tests/support/temporary_folder.h"
 
-namespace fovea::cli {
+namespace fovea::cli::small_bags {
 namespace {
 
-using small_bags::BagOf;
-using small_bags::Color;
-using small_bags::Depth;
-using small_bags::kFirst_ns;
-using small_bags::kMillisecond_ns;
-using small_bags::kRgb;
-using small_bags::kUnits;
-using small_bags::Read;
-using small_bags::WhyNot;
 using testing::BagWriter;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -155,4 +146,4 @@ TEST(DamagedBag, BelievesNoSizes) {
 }
 
 }  // namespace
-}  // namespace fovea::cli
+}  // namespace fovea::cli::small_bags
