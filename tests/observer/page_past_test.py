@@ -84,6 +84,15 @@ def test_the_past_is_in_3d_too(browser: Browser, past: Any) -> None:
     browser.until(lambda: browser.drawn(cloud)[:, :, :3].max() > 0)
 
 
+def test_what_stands_still_is_in_3d_from_the_history(browser: Browser, past: Any) -> None:
+    """It came without its depth, which nobody had asked for."""
+    browser.press("stop")
+    browser.press("3D")
+    browser.until(lambda: past.get_attribute("data-past") == "true")
+    cloud = browser.find("#cloud")
+    browser.until(lambda: browser.drawn(cloud)[:, :, :3].max() > 0)
+
+
 def test_saves_a_frame_and_the_seconds_around(browser: Browser, past: Any, tmp_path: Path) -> None:
     browser.downloads_to(tmp_path)
     browser.press("stop")

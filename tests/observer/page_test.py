@@ -104,58 +104,6 @@ def test_hovering_links_table_and_picture(browser: Browser, picture: Any, sendin
     assert changed[box.y + 2, box.x + 2 : box.x + box.width - 2].mean() > 0.5
 
 
-def test_points_in_3d_are_where_they_are(
-    browser: Browser, picture: Any, sending: Sending, scene: Scene
-) -> None:
-    browser.press("3D")
-    cloud = browser.find("#cloud")
-    point = browser.find("#point")
-    browser.until(lambda: browser.hover(cloud, 0.5, 0.5) or point.get_attribute("value"))
-    browser.press("stop")
-    height, width = scene.depth.shape
-    intrinsics = scene.intrinsics
-    tried = 0
-    # The eye stands where the camera does: a place of the canvas is a pixel of the frame, but the
-    # principal point is in the middle.
-    for u, v in itertools.product((0.2, 0.35, 0.5, 0.65, 0.8), (0.4, 0.5, 0.6, 0.7, 0.8, 0.9)):
-        x = (u - 0.5) * width + intrinsics.cx
-        y = (v - 0.5) * height + intrinsics.cy
-        near = scene.depth[int(y) - 4 : int(y) + 5, int(x) - 4 : int(x) + 5]
-        if near.min() == 0 or near.max() - near.min() > 60:
-            continue  # at an edge both sides are right
-        z = scene.depth[round(y), round(x)] / 1000
-        wanted = [
-            (x - intrinsics.cx) / intrinsics.fx * z,
-            (y - intrinsics.cy) / intrinsics.fy * z,
-            z,
-        ]
-        browser.hover(cloud, u, v)
-        shown = [float(number) for number in point.get_attribute("value").split()[:3]]
-        assert np.linalg.norm(np.subtract(shown, wanted)) < 0.01, (shown, wanted)
-        tried += 1
-    assert tried >= 5
-
-
-def test_the_cloud_is_turned_and_measured_by_keys(
-    browser: Browser, picture: Any, scene: Scene
-) -> None:
-    browser.press("3D")
-    cloud = browser.find("#cloud")
-    browser.until(lambda: browser.drawn(cloud)[:, :, :3].max() > 0)
-    browser.press("stop")
-    point = browser.find("#point")
-    cloud.send_keys(Keys.HOME)
-    browser.until(lambda: point.get_attribute("value"))
-    z = float(point.get_attribute("value").split()[2])
-    middle = scene.depth[115:125, 155:165] / 1000  # metres around the middle of the picture
-    assert middle.min() - 0.01 < z < middle.max() + 0.01
-    seen = browser.drawn(cloud)
-    for keys in (Keys.ARROW_LEFT, "+", Keys.SHIFT + Keys.ARROW_UP + Keys.NULL):
-        cloud.send_keys(keys)
-        browser.until(lambda: (browser.drawn(cloud) != seen).any())
-        seen = browser.drawn(cloud)
-
-
 def test_stops_and_steps_by_key(browser: Browser, picture: Any) -> None:
     body = browser.find("body")
     first = int(picture.get_attribute("data-id"))
@@ -209,71 +157,26 @@ def test_without_a_history_its_flags_are_told(browser: Browser, picture: Any) ->
     assert "--history FOLDER" in told and "--history-token-file" in told
 
 
-@pytest.mark.parametrize(
-    "lens",
-    [
-        fovea.LensDistortion("plumb_bob", [-0.3, 0.1, 0.002, -0.003, 0.0]),
-        fovea.LensDistortion("equidistant", [-0.05, 0.02, 0.0, 0.0]),
-    ],
-)
-def test_points_have_the_colours_of_their_pixels_with_any_lens(
-    browser: Browser, observer: ObserverProcess, robots: Robots, lens: fovea.LensDistortion
-) -> None:
-    """A wall whose colour says which pixel of the picture it is in."""
-    width, height, focal = 320, 240, 200.0
-    us, vs = np.meshgrid(np.arange(width), np.arange(height))
-    color = np.stack([us * 255 // width, vs * 255 // height, np.full_like(us, 128)], 2)
-    camera = fovea.CameraIntrinsics(focal, focal, 159.5, 119.5, lens)
-    frame = fovea.Frame(color.astype(np.uint8), np.full((height, width), 1000, np.uint16), camera)
-    browser.log_in(observer.url, OBSERVERS["ann"][0])
-    with Sending(robots, "wall", frame):
-        browser.find("[data-robot=wall] button").click()
-        browser.find("#picture[data-id]")
-        browser.press("3D")
-        cloud = browser.find("#cloud")
-        browser.until(lambda: browser.drawn(cloud)[:, :, 2].max() > 100)
-        browser.press("stop")
-        drawn = browser.drawn(cloud).astype(int)
-    rows, columns = drawn.shape[:2]
-    tried = 0
-    for x, y in itertools.product((0.08, 0.2, 0.5, 0.8, 0.92), (0.08, 0.2, 0.8, 0.92)):
-        # The eye stands in the camera, and looks through no lens.
-        ray = ((x - 0.5) * width / focal, (y - 0.5) * height / focal)
-        u, v = bent(lens, ray, focal, (159.5, 119.5))
-        red, green, blue = drawn[int(y * rows), int(x * columns), :3]
-        if abs(blue - 128) > 8:
-            continue  # a line of the grid on what it takes for a support
-        assert abs(red - u * 255 / width) < 8 and abs(green - v * 255 / height) < 8, (x, y)
-        tried += 1
-    assert tried >= 5
-
-
-def bent(
-    lens: fovea.LensDistortion, ray: tuple[float, float], focal: float, middle: tuple[float, float]
-) -> tuple[float, float]:
-    """The pixel of the picture that was sent."""
-    x, y = ray
-    r2 = x * x + y * y
-    k = list(lens.coefficients)
-    if lens.model == "equidistant":
-        theta = np.arctan(np.sqrt(r2))
-        bend = theta * (1 + sum(k[i] * theta ** (2 * i + 2) for i in range(4)))
-        scale = bend / np.sqrt(r2) if r2 > 0 else 1.0
-        x, y = x * scale, y * scale
-    else:
-        radial = 1 + k[0] * r2 + k[1] * r2**2 + k[4] * r2**3
-        x, y = (
-            x * radial + 2 * k[2] * x * y + k[3] * (r2 + 2 * x * x),
-            y * radial + k[2] * (r2 + 2 * y * y) + 2 * k[3] * x * y,
-        )
-    return focal * x + middle[0], focal * y + middle[1]
-
-
 def luminance(color: str) -> float:
     """Of #rrggbb, as WCAG 2 has it."""
     shares = [int(color[i : i + 2], 16) / 255 for i in (1, 3, 5)]
     linear = [x / 12.92 if x <= 0.04045 else ((x + 0.055) / 1.055) ** 2.4 for x in shares]
     return float(np.dot(linear, (0.2126, 0.7152, 0.0722)))
+
+
+def test_pages_that_were_left_hold_no_connections(
+    browser: Browser, observer: ObserverProcess, picture: Any
+) -> None:
+    """Of which a browser has six for a host, while it keeps pages to go back to."""
+    addresses = [f"{observer.url}?{number}" for number in range(7)]
+    for address in addresses:
+        browser.driver.get(address)
+        browser.find("[data-robot=kitchen-1]")
+    browser.driver.back()
+    assert browser.driver.current_url == addresses[-2]
+    browser.find("[data-robot=kitchen-1] canvas[data-id]")
+    opened = "return performance.getEntriesByType('navigation')[0].type"
+    assert browser.driver.execute_script(opened) != "navigate"  # it is not as it was left
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])

@@ -21115,6 +21115,7 @@ var Cloud = class {
   element;
   canvas = el("canvas", { id: "cloud", tabindex: "0", role: "application", "aria-label": `cloud of points; ${HELP}` });
   readout = el("output", { id: "point" });
+  why = el("div", { id: "no-cloud", role: "status" });
   renderer;
   scene = new Scene();
   // Turns the camera frame, y down and z forward, into that of three, y up and z backward.
@@ -21128,7 +21129,7 @@ var Cloud = class {
   placed = "";
   waiting = false;
   constructor() {
-    this.element = el("div", { class: "view" }, el("div", { class: "aim" }, this.canvas), el("div", { class: "soft" }, HELP), this.readout);
+    this.element = el("div", { class: "view" }, el("div", { class: "aim" }, this.canvas), this.why, el("div", { class: "soft" }, HELP), this.readout);
     this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, preserveDrawingBuffer: true });
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.world.scale.set(1, -1, -1);
@@ -21165,6 +21166,7 @@ var Cloud = class {
   }
   show(frame, depth, picture) {
     if (!frame.depth || depth.length !== frame.depth.width * frame.depth.height) return;
+    this.why.textContent = "";
     this.frame = frame;
     this.depth = depth;
     const { width, height, unit_m, intrinsics } = frame.depth;
@@ -21189,6 +21191,15 @@ var Cloud = class {
     this.points.geometry.setDrawRange(0, width * height);
     this.place(frame);
     this.addThings(frame);
+    this.redraw();
+  }
+  // Nothing, rather than another frame than the one that is shown beside it.
+  clear(why) {
+    this.why.textContent = why;
+    this.frame = null;
+    this.points.geometry.setDrawRange(0, 0);
+    this.clearThings();
+    this.tell(null);
     this.redraw();
   }
   choose(label) {
@@ -21236,9 +21247,12 @@ var Cloud = class {
     const way = new Vector3(right, up, 0).applyQuaternion(this.eye.quaternion);
     this.controls.target.addScaledVector(way, meters);
   }
-  addThings(frame) {
+  clearThings() {
     this.things.traverse((thing) => thing.geometry?.dispose());
     this.things.clear();
+  }
+  addThings(frame) {
+    this.clearThings();
     const detections = frame.detections;
     for (const object of detections?.objects ?? []) {
       const [r, g, b] = colorOf(object.label);
@@ -21954,6 +21968,7 @@ var SWITCHES = [
   ["saliency", "s"]
 ];
 var WITHOUT_HISTORY = "No history is kept here. fovea-observer keeps the last minutes of each robot with --history FOLDER and --history-token-file FILE: frames can then be stepped back to, saved, and tried with other options.";
+var WITHOUT_DEPTH = "Depth comes with frames from when 3D was switched on; this one is older.";
 var mayTry = (me2) => me2.history !== null && me2.rights.includes("try");
 var RobotView = class {
   constructor(robot, me2) {
@@ -22037,7 +22052,7 @@ var RobotView = class {
     };
     return [
       ...switches,
-      add("3D", "3", false, (on) => this.showCloud(on)),
+      add("3D", "3", false, (on) => void this.openCloud(on)),
       add("stop", " ", false, (on) => {
         this.say("");
         this.reel.stop(on);
@@ -22127,14 +22142,14 @@ var RobotView = class {
     void this.reel.step(by);
   }
   show(seen) {
-    const { line, frame, depth, picture, past } = seen;
+    const { line, frame, past } = seen;
     const detections = frame.detections;
     this.labels = detections ? labelsOf(detections.objects, detections.width, detections.height) : new Uint8Array();
     this.facts.textContent = `frame ${line.frame_id || "without a name"} · ${line.took_ms.toFixed(0)} ms · ${past ? "of the history" : `${line.rate_hz.toFixed(1)} a second`} · ${counted(line.objects, "object")}`;
     this.reasons.replaceChildren(...line.reasons.map((text) => el("li", {}, text)));
     this.table.show(frame);
     this.draw();
-    if (this.cloud && depth && picture) this.cloud.show(frame, depth, picture);
+    this.showCloud(seen);
     this.timeline.draw();
     const tries = this.buttons.get("t")?.getAttribute("aria-pressed") === "true";
     if (past && tries) void this.trial.open(seen);
@@ -22162,12 +22177,22 @@ var RobotView = class {
     const y = Math.floor((event.clientY - bounds.top) / bounds.height * this.picture.height);
     return this.labels[y * this.picture.width + x] ?? 0;
   }
-  showCloud(on) {
+  async openCloud(on) {
     this.cloud?.element.remove();
     this.cloud = on ? new Cloud() : null;
     if (this.cloud) this.left.append(this.cloud.element);
-    this.reel.again();
     this.onDepth(on);
+    const shown = this.reel.current;
+    if (!on || !shown) return;
+    if (shown.past) return this.reel.again();
+    this.showCloud(shown);
+    if (this.reel.stopped && !shown.depth && await this.reel.toPast()) {
+      this.say(nearestInstead(shown, Number(this.reel.current?.line.answered_at_ms)));
+    }
+  }
+  showCloud({ frame, depth, picture }) {
+    if (depth && picture) this.cloud?.show(frame, depth, picture);
+    else this.cloud?.clear(WITHOUT_DEPTH);
   }
 };
 
@@ -22362,6 +22387,10 @@ events.onState = onState;
 events.onEnd = () => askForToken("The token does not hold any more, or the observer has started anew.");
 addEventListener("hashchange", () => {
   if (tiles) show();
+});
+addEventListener("pagehide", () => events.stop());
+addEventListener("pageshow", (event) => {
+  if (event.persisted) location.reload();
 });
 addEventListener("keydown", (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey) return;

@@ -64,6 +64,7 @@ export class Cloud {
   readonly element: HTMLElement;
   private readonly canvas = el("canvas", { id: "cloud", tabindex: "0", role: "application", "aria-label": `cloud of points; ${HELP}` });
   private readonly readout = el("output", { id: "point" });
+  private readonly why = el("div", { id: "no-cloud", role: "status" });
   private readonly renderer: THREE.WebGLRenderer;
   private readonly scene = new THREE.Scene();
   // Turns the camera frame, y down and z forward, into that of three, y up and z backward.
@@ -78,7 +79,7 @@ export class Cloud {
   private waiting = false;
 
   constructor() {
-    this.element = el("div", { class: "view" }, el("div", { class: "aim" }, this.canvas), el("div", { class: "soft" }, HELP), this.readout);
+    this.element = el("div", { class: "view" }, el("div", { class: "aim" }, this.canvas), this.why, el("div", { class: "soft" }, HELP), this.readout);
     this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, antialias: true, preserveDrawingBuffer: true });
     this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace; // colours as the camera took them
     this.world.scale.set(1, -1, -1);
@@ -117,6 +118,7 @@ export class Cloud {
 
   show(frame: Frame, depth: Uint16Array, picture: ImageBitmap): void {
     if (!frame.depth || depth.length !== frame.depth.width * frame.depth.height) return;
+    this.why.textContent = "";
     this.frame = frame;
     this.depth = depth;
     const { width, height, unit_m, intrinsics } = frame.depth;
@@ -141,6 +143,16 @@ export class Cloud {
     this.points.geometry.setDrawRange(0, width * height);
     this.place(frame);
     this.addThings(frame);
+    this.redraw();
+  }
+
+  // Nothing, rather than another frame than the one that is shown beside it.
+  clear(why: string): void {
+    this.why.textContent = why;
+    this.frame = null;
+    this.points.geometry.setDrawRange(0, 0);
+    this.clearThings();
+    this.tell(null);
     this.redraw();
   }
 
@@ -194,9 +206,13 @@ export class Cloud {
     this.controls.target.addScaledVector(way, meters);
   }
 
-  private addThings(frame: Frame): void {
+  private clearThings(): void {
     this.things.traverse((thing) => (thing as THREE.LineSegments).geometry?.dispose());
     this.things.clear();
+  }
+
+  private addThings(frame: Frame): void {
+    this.clearThings();
     const detections = frame.detections;
     for (const object of detections?.objects ?? []) {
       const [r, g, b] = colorOf(object.label);

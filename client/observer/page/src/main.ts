@@ -112,6 +112,11 @@ events.onEnd = () => askForToken("The token does not hold any more, or the obser
 addEventListener("hashchange", () => {
   if (tiles) show();
 });
+// Browsers keep pages that were left for a while, and six connections for all pages of a host.
+addEventListener("pagehide", () => events.stop());
+addEventListener("pageshow", (event) => {
+  if (event.persisted) location.reload();
+});
 addEventListener("keydown", (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   if (event.target instanceof HTMLInputElement) return;

@@ -26,6 +26,8 @@ const WITHOUT_HISTORY =
   "No history is kept here. fovea-observer keeps the last minutes of each robot with --history FOLDER " +
   "and --history-token-file FILE: frames can then be stepped back to, saved, and tried with other options.";
 
+const WITHOUT_DEPTH = "Depth comes with frames from when 3D was switched on; this one is older.";
+
 const mayTry = (me: Who) => me.history !== null && me.rights.includes("try");
 
 export class RobotView {
@@ -112,7 +114,7 @@ export class RobotView {
     };
     return [
       ...switches,
-      add("3D", "3", false, (on) => this.showCloud(on)),
+      add("3D", "3", false, (on) => void this.openCloud(on)),
       add("stop", " ", false, (on) => {
         this.say("");
         this.reel.stop(on);
@@ -215,14 +217,14 @@ export class RobotView {
   }
 
   private show(seen: Seen): void {
-    const { line, frame, depth, picture, past } = seen;
+    const { line, frame, past } = seen;
     const detections = frame.detections;
     this.labels = detections ? labelsOf(detections.objects, detections.width, detections.height) : new Uint8Array();
     this.facts.textContent = `frame ${line.frame_id || "without a name"} · ${line.took_ms.toFixed(0)} ms · ${past ? "of the history" : `${line.rate_hz.toFixed(1)} a second`} · ${counted(line.objects, "object")}`;
     this.reasons.replaceChildren(...line.reasons.map((text) => el("li", {}, text)));
     this.table.show(frame);
     this.draw();
-    if (this.cloud && depth && picture) this.cloud.show(frame, depth, picture);
+    this.showCloud(seen);
     this.timeline.draw();
     const tries = this.buttons.get("t")?.getAttribute("aria-pressed") === "true";
     if (past && tries) void this.trial.open(seen);
@@ -254,11 +256,23 @@ export class RobotView {
     return this.labels[y * this.picture.width + x] ?? 0;
   }
 
-  private showCloud(on: boolean): void {
+  private async openCloud(on: boolean): Promise<void> {
     this.cloud?.element.remove();
     this.cloud = on ? new Cloud() : null;
     if (this.cloud) this.left.append(this.cloud.element);
-    this.reel.again();
     this.onDepth(on);
+    const shown = this.reel.current;
+    if (!on || !shown) return;
+    if (shown.past) return this.reel.again();
+    this.showCloud(shown);
+    // What stands still has its depth in the history alone.
+    if (this.reel.stopped && !shown.depth && (await this.reel.toPast())) {
+      this.say(nearestInstead(shown, Number(this.reel.current?.line.answered_at_ms)));
+    }
+  }
+
+  private showCloud({ frame, depth, picture }: Seen): void {
+    if (depth && picture) this.cloud?.show(frame, depth, picture);
+    else this.cloud?.clear(WITHOUT_DEPTH);
   }
 }
