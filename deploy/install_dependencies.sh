@@ -8,7 +8,7 @@ packages="
 build-essential cmake ninja-build ccache pkg-config
 libeigen3-dev libhwy-dev libopencv-dev libpcl-dev
 libgrpc-dev libgrpc++-dev libprotobuf-dev protobuf-compiler protobuf-compiler-grpc grpc-proto
-libssl-dev libsystemd-dev prometheus-cpp-dev libspdlog-dev libfmt-dev libcli11-dev libzstd-dev zlib1g-dev liblz4-dev libzip-dev libturbojpeg0-dev libspng-dev nlohmann-json3-dev
+libssl-dev libsystemd-dev prometheus-cpp-dev libspdlog-dev libfmt-dev libcli11-dev libzstd-dev zlib1g-dev liblz4-dev libsqlite3-dev libzip-dev libturbojpeg0-dev libspng-dev nlohmann-json3-dev
 libboost-dev
 libopenni2-dev libyaml-cpp-dev
 libgtest-dev libgmock-dev libbenchmark-dev libmatio-dev libdlib-dev

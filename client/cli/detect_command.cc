@@ -10,12 +10,12 @@
 #include <optional>
 #include <stdexcept>
 
+#include "client/cli/bag/bag_files.h"
+#include "client/cli/bag/topics.h"
 #include "client/cli/batch.h"
 #include "client/cli/bundled_frames.h"
 #include "client/cli/explain.h"
 #include "client/cli/intrinsics_flag.h"
-#include "client/cli/mcap/bag.h"
-#include "client/cli/mcap/topics.h"
 #include "client/cli/output_check.h"
 #include "client/cli/report.h"
 #include "client/client.h"
@@ -167,7 +167,7 @@ int DetectMany(const DetectFlags& flags, const client::Client& client) {
   if (batch.sent_before) batch.list = ListBundle(flags.input);
   Require(
       IsBag(flags.input) || batch.sent_before || (flags.color_topic + flags.depth_topic).empty(),
-      "--color-topic and --depth-topic are for bags (FILE.mcap), not for folders");
+      "--color-topic and --depth-topic are for bags, not for folders of images");
   if (IsBag(flags.input)) {
     bag = OpenBag(flags.input,
                   {flags.color_topic, flags.depth_topic, flags.depth_unit_m.value_or(kMillimetre)});

@@ -102,10 +102,11 @@ void AddFolderFlags(CLI::App& command, DetectFlags& flags) {
   const char* group = "A folder of frames, a bag or a bundle";
   CLI::Option* const input =
       AddFlag(
-          command, "--input", flags.input, "FOLDER|FILE.mcap|FILE.zip",
+          command, "--input", flags.input, "FOLDER|FILE.mcap|FILE.db3|FILE.zip",
           "Every NAME_color.png (or .jpg) with its NAME_depth.png; or TUM RGB-D (rgb.txt and "
           "depth.txt); or folders rgb (or color) and depth with images of the same names or named "
-          "by their times; or a ROS 2 bag (MCAP) with images; or a bundle that fovea-observer "
+          "by their times; or a ROS 2 bag (its folder, or a file of MCAP or SQLite) with images; "
+          "or a bundle that fovea-observer "
           "saved, whose frames are sent as they were, with the options of then, which --set "
           "changes, and whose answers are compared")
           ->group(group);

@@ -13,7 +13,7 @@ namespace {
 constexpr const char* kPlumbBob = "plumb_bob";
 constexpr const char* kRational = "rational_polynomial";
 constexpr const char* kEquidistant = "equidistant";
-constexpr std::size_t kMostOfPlumbBob = 5, kMost = 8;
+constexpr std::size_t kMostOfPlumbBob = 5, kMostOfAll = 8;
 
 bool IsZero(double value) { return value == 0; }
 
@@ -28,12 +28,12 @@ std::optional<v1::LensDistortion> MakeDistortion(const std::string& model,
                    [](double value) { return std::isfinite(value); })) {
     throw std::invalid_argument("distortion coefficients must be finite");
   }
-  if (coefficients.size() > kMost) {  // thin prisms and tilts
-    if (!std::all_of(coefficients.begin() + kMost, coefficients.end(), IsZero)) {
+  if (coefficients.size() > kMostOfAll) {  // thin prisms and tilts
+    if (!std::all_of(coefficients.begin() + kMostOfAll, coefficients.end(), IsZero)) {
       throw std::invalid_argument(
           "of distortion only the first 8 coefficients may be other than 0");
     }
-    coefficients.resize(kMost);
+    coefficients.resize(kMostOfAll);
   }
   return client::MakeLensDistortion(model.empty() ? kPlumbBob : model, coefficients);
 }

@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "client/cli/bag/bag_files.h"
 #include "client/cli/bundled_frames.h"
 #include "client/cli/files.h"
-#include "client/cli/mcap/bag.h"
 #include "client/cli/output_check.h"
 #include "tests/support/temporary_folder.h"
 
@@ -58,7 +58,7 @@ TEST(Endings, SayWhichCloudIsWritten) {
 }
 
 TEST(Endings, OfInputsHaveEitherCase) {
-  EXPECT_TRUE(IsBag("a.mcap") && IsBag("B.MCAP"));
+  EXPECT_TRUE(IsBag("a.mcap") && IsBag("B.MCAP") && IsBag("a.db3") && IsBag("B.DB3"));
   EXPECT_TRUE(IsBundle("a.zip") && IsBundle("B.ZIP"));
   EXPECT_FALSE(IsBag("mcap") || IsBundle("zip") || IsBundle("a.zip.d"));
 }

@@ -1,4 +1,4 @@
-#include "client/cli/mcap/decompression.h"
+#include "client/cli/bag/decompression.h"
 
 #include <lz4frame.h>
 #include <zstd.h>

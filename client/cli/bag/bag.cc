@@ -1,4 +1,4 @@
-#include "client/cli/mcap/bag.h"
+#include "client/cli/bag/bag.h"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "client/cli/endings.h"
-#include "client/cli/mcap/ros_messages.h"
-#include "client/cli/mcap/topics.h"
+#include "client/cli/bag/ros_messages.h"
+#include "client/cli/bag/topics.h"
 #include "client/cli/timed_images.h"
 
 namespace fovea::cli {
@@ -25,15 +24,23 @@ struct BrokenImages {
   std::string first;  // "image 3 of /rgb: it ends too early"
 };
 
+struct ImagePlace {
+  std::shared_ptr<const BagFile> file;
+  MessagePlace at;
+  bool is_compressed = false;
+
+  std::string Data() const { return file->DataAt(at); }
+};
+
 struct Index {
   std::map<std::string, std::vector<TimedImage>, std::less<>> images;  // by topic
   std::map<std::string, std::string, std::less<>> infos;               // the first message each
   std::map<std::string, std::string, std::less<>> frames;              // of the first image each
-  std::map<std::string, std::pair<McapPlace, bool>> places;  // by TimedImage.path; compressed
-  std::map<std::string, BrokenImages, std::less<>> broken;   // by topic
+  std::map<std::string, ImagePlace> places;                            // by TimedImage.path
+  std::map<std::string, BrokenImages, std::less<>> broken;             // by topic
 };
 
-std::int64_t TimeOf(const Header& header, const McapMessage& message) {
+std::int64_t TimeOf(const Header& header, const BagMessage& message) {
   constexpr std::int64_t kLatest = 4'000'000'000'000'000'000;  // the year 2096
   const std::int64_t time = header.stamp_ns != 0 ? header.stamp_ns : message.log_time_ns;
   if (time < 0 || time > kLatest) throw std::invalid_argument("an image's time is none");
@@ -45,7 +52,7 @@ std::string Seconds(std::int64_t time_ns) {
   return fmt::format("{}.{:09}", time_ns / kNsPerSecond, time_ns % kNsPerSecond);
 }
 
-void Note(const McapMessage& message, const std::string& name, Index* index) {
+void Note(const BagMessage& message, const NamedBagFile& bag, Index* index) {
   const bool compressed = message.type == kCompressed;
   const bool is_image = compressed || message.type == kImage;
   if (message.encoding != "cdr" || (!is_image && message.type != kInfo)) return;
@@ -60,8 +67,8 @@ void Note(const McapMessage& message, const std::string& name, Index* index) {
     const Header header = HeaderOf(message.data);
     const std::int64_t time = TimeOf(header, message);
     index->frames.try_emplace(topic, header.frame);
-    const std::string path = name + ": " + image;
-    index->places[path] = {message.place, compressed};
+    const std::string path = bag.name + ": " + image;
+    index->places[path] = {bag.file, message.place, compressed};
     images.push_back({time, Seconds(time), path});
   } catch (const std::invalid_argument& error) {
     BrokenImages& broken = index->broken[topic];
@@ -75,30 +82,43 @@ std::vector<std::string> TopicsOf(const Index& index) {
   return topics;
 }
 
-// What there is to say of the bag.
-std::vector<std::string> FaultsOf(const McapFaults& faults, std::uint64_t size) {
-  std::vector<std::string> said;
-  if (faults.num_damaged > 0) {
-    said.push_back(fmt::format("has damaged records: {}, the first {}", faults.num_damaged,
-                               faults.first_damage));
+// What is wrong with the bag, for people.
+std::vector<std::string> NoteAll(const std::vector<NamedBagFile>& files, Index* index) {
+  std::vector<std::string> faults;
+  for (const NamedBagFile& bag : files) {
+    const auto note = [&](const BagMessage& message) { Note(message, bag, index); };
+    for (const std::string& fault : bag.file->ForEachMessage(note)) {
+      faults.push_back(bag.name + " " + fault);
+    }
   }
-  if (faults.end) said.push_back(fmt::format("breaks off at byte {} of {}", *faults.end, size));
-  return said;
+  return faults;
+}
+
+void RequireFrames(const Bag& bag, const std::vector<std::string>& faults) {
+  if (!bag.list.frames.empty()) return;
+  std::vector<std::string> why = bag.list.notes;
+  why.insert(why.end(), faults.begin(), faults.end());
+  throw std::invalid_argument(fmt::format("it has no frames; {}", fmt::join(why, "; ")));
+}
+
+void NoteBroken(const Index& index, Bag* bag) {
+  for (const std::string& topic : {bag->color_topic, bag->depth_topic}) {
+    const auto broken = index.broken.find(topic);
+    if (broken == index.broken.end()) continue;
+    bag->list.notes.push_back(fmt::format("broken images are left out: {}, the first is {}",
+                                          broken->second.number, broken->second.first));
+  }
 }
 
 }  // namespace
 
-bool IsBag(const std::string& path) { return LowerEnding(path) == ".mcap"; }
-
-Bag ReadBag(const McapBytes& bytes, const std::string& name, const BagFlags& flags) {
+Bag ReadBag(const std::vector<NamedBagFile>& files, const BagFlags& flags) {
   Index index;
-  const std::vector<std::string> faults = FaultsOf(
-      ForEachMessage(bytes, [&](const McapMessage& message) { Note(message, name, &index); }),
-      bytes.size);
+  const std::vector<std::string> faults = NoteAll(files, &index);
   const std::vector<std::string> all = TopicsOf(index);
   if (all.empty()) {
     std::string why = "it has no images of ROS 2";
-    for (const std::string& fault : faults) why += "; it " + fault;
+    for (const std::string& fault : faults) why += "; " + fault;
     throw std::invalid_argument(why);
   }
   Bag bag;
@@ -107,26 +127,17 @@ Bag ReadBag(const McapBytes& bytes, const std::string& name, const BagFlags& fla
   bag.list = PairByTime(index.images.at(bag.color_topic), index.images.at(bag.depth_topic));
   bag.color_frame = index.frames[bag.color_topic];
   bag.depth_frame = index.frames[bag.depth_topic];
-  for (const std::string& topic : {bag.color_topic, bag.depth_topic}) {
-    const auto broken = index.broken.find(topic);
-    if (broken == index.broken.end()) continue;
-    bag.list.notes.push_back(fmt::format("broken images are left out: {}, the first is {}",
-                                         broken->second.number, broken->second.first));
-  }
+  NoteBroken(index, &bag);
+  RequireFrames(bag, faults);
   for (const std::string& fault : faults) {
-    bag.list.notes.push_back(fmt::format("{} {}; what else it has is read", name, fault));
-  }
-  if (bag.list.frames.empty()) {
-    throw std::invalid_argument(
-        fmt::format("it has no frames; {}", fmt::join(bag.list.notes, "; ")));
+    bag.list.notes.push_back(fault + "; what else it has is read");
   }
   for (FrameFiles& frame : bag.list.frames) {
-    frame.read_color = [bytes, at = index.places.at(frame.color_path)] {
-      return ColorFile(DataAt(bytes, at.first), at.second);
+    frame.read_color = [image = index.places.at(frame.color_path)] {
+      return ColorFile(image.Data(), image.is_compressed);
     };
-    frame.read_depth = [bytes, at = index.places.at(frame.depth_path),
-                        unit_m = flags.depth_unit_m] {
-      return DepthFile(DataAt(bytes, at.first), at.second, unit_m);
+    frame.read_depth = [image = index.places.at(frame.depth_path), unit_m = flags.depth_unit_m] {
+      return DepthFile(image.Data(), image.is_compressed, unit_m);
     };
   }
   std::vector<std::string> infos;
@@ -152,14 +163,6 @@ std::optional<Calibration> ColorCameraOf(const Bag& bag) {
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(bag.info_topic + ": " + error.what() +
                                 "; give --intrinsics instead");
-  }
-}
-
-Bag OpenBag(const std::string& path, const BagFlags& flags) {
-  try {
-    return ReadBag(McapInFile(path), path, flags);
-  } catch (const std::exception& error) {
-    throw std::runtime_error(path + ": " + error.what());
   }
 }
 

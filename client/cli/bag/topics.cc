@@ -1,4 +1,4 @@
-#include "client/cli/mcap/topics.h"
+#include "client/cli/bag/topics.h"
 
 #include <algorithm>
 #include <iterator>

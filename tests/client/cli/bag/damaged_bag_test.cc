@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <opencv2/core.hpp>
 
-#include "client/cli/mcap/bag.h"
-#include "tests/client/cli/mcap/small_bags.h"
+#include "client/cli/bag/bag_files.h"
+#include "tests/client/cli/bag/small_bags.h"
 #include "tests/support/bag_writer.h"
 #include "tests/support/temporary_folder.h"
 
@@ -139,8 +139,8 @@ TEST(DamagedBag, BelievesNoSizes) {
   std::string larger = bytes;
   larger[size_at + 3] = '\x0F';  // 240 MB
   EXPECT_EQ(WhyNot(larger),
-            "it has no images of ROS 2; it has damaged records: 1, the first at byte 33: a chunk "
-            "holds less than it says");
+            "it has no images of ROS 2; b.mcap has damaged records: 1, the first at byte 33: a "
+            "chunk holds less than it says");
   larger[size_at + 5] = '\1';
   EXPECT_THAT(WhyNot(larger), HasSubstr("larger than 256 MiB"));
 }

@@ -1,4 +1,4 @@
-#include "client/cli/mcap/bag.h"
+#include "client/cli/bag/bag.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 #include <cstring>
 #include <opencv2/core.hpp>
 
-#include "client/cli/mcap/topics.h"
-#include "tests/client/cli/mcap/small_bags.h"
+#include "client/cli/bag/topics.h"
+#include "tests/client/cli/bag/small_bags.h"
 #include "tests/support/bag_writer.h"
 
 namespace fovea::cli::small_bags {
@@ -145,7 +145,7 @@ TEST(Bag, SaysWhyThereIsNoFrame) {
   writer.EndChunk("zstd");
   const std::string alone = writer.Finish();
   EXPECT_EQ(WhyNot(alone.substr(0, 100)),
-            "it has no images of ROS 2; it breaks off at byte 33 of 100");
+            "it has no images of ROS 2; b.mcap breaks off at byte 33 of 100");
   EXPECT_EQ(WhyNot(BagOf("String", "a", "String", "b")), "it has no images of ROS 2");
   const std::string late = ImageMessage(kFirst_ns + 50 * kMillisecond_ns, "16UC1", 2, 1, 4, kUnits);
   EXPECT_EQ(WhyNot(BagOf("Image", ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb), "Image", late)),

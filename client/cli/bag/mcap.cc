@@ -1,4 +1,4 @@
-#include "client/cli/mcap/mcap.h"
+#include "client/cli/bag/mcap.h"
 
 #include <fmt/format.h>
 #include <zlib.h>
@@ -8,10 +8,13 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
-#include "client/cli/mcap/byte_reader.h"
-#include "client/cli/mcap/decompression.h"
+#include "client/cli/bag/byte_reader.h"
+#include "client/cli/bag/decompression.h"
 
 namespace fovea::cli {
 namespace {
@@ -53,12 +56,30 @@ void RequireChecksum(const Chunk& chunk, const std::string& records) {
   throw std::invalid_argument("a chunk is damaged: its checksum is another");
 }
 
+// What of a file could not be read.
+struct Faults {
+  std::optional<std::uint64_t> end;  // where it breaks off, as there is no whole record
+  std::uint64_t num_damaged = 0;     // records that contradict themselves or their checksum
+  std::string first_damage = {};     // "at byte 33: a chunk holds less than it says"
+
+  std::vector<std::string> Said(std::uint64_t size) const {
+    std::vector<std::string> said;
+    if (num_damaged > 0) {
+      said.push_back(
+          fmt::format("has damaged records: {}, the first {}", num_damaged, first_damage));
+    }
+    if (end) said.push_back(fmt::format("breaks off at byte {} of {}", *end, size));
+    return said;
+  }
+};
+
+// `chunk` of a place is that of its chunk's content in the file, or 0 where it is in none.
 class Parser {
  public:
-  Parser(const McapBytes& file, const std::function<void(const McapMessage&)>& use)
+  Parser(const McapBytes& file, const std::function<void(const BagMessage&)>& use)
       : file_(file), use_(use) {}
 
-  McapFaults Parse() {
+  Faults Parse() {
     if (file_.size < kMagic.size() || file_.part(0, kMagic.size()) != kMagic) {
       throw std::invalid_argument("it is no MCAP file");
     }
@@ -70,7 +91,7 @@ class Parser {
   // From byte `at` on. `chunk`: the one whose records they are, if any. Returns where they break
   // off, as the file does.
   std::optional<std::uint64_t> Records(const McapBytes& records, std::uint64_t at,
-                                       const McapPlace& chunk) {
+                                       const MessagePlace& chunk) {
     while (at < records.size) {
       if (records.size - at < kRecordHead) return at;
       const std::string head = records.part(at, kRecordHead);
@@ -105,7 +126,7 @@ class Parser {
   }
 
   void Add(std::uint8_t kind, std::string_view content, std::uint64_t place,
-           const McapPlace& chunk) {
+           const MessagePlace& chunk) {
     if (kind == kSchema) AddSchema(content);
     if (kind == kChannel) AddChannel(content);
     if (kind == kMessage) AddMessage(content, place, chunk);
@@ -128,7 +149,7 @@ class Parser {
     channel.encoding = reader.Text();
   }
 
-  void AddMessage(std::string_view content, std::uint64_t place, McapPlace chunk) {
+  void AddMessage(std::string_view content, std::uint64_t place, MessagePlace chunk) {
     ByteReader reader(content);
     const auto channel = channels_.find(reader.Number<std::uint16_t>());
     if (channel == channels_.end()) throw std::invalid_argument("a message is of no channel");
@@ -152,10 +173,30 @@ class Parser {
   }
 
   const McapBytes& file_;
-  const std::function<void(const McapMessage&)>& use_;
+  const std::function<void(const BagMessage&)>& use_;
   std::map<std::uint16_t, std::string> schemas_;
   std::map<std::uint16_t, Channel> channels_;
-  McapFaults faults_;
+  Faults faults_;
+};
+
+class Mcap : public BagFile {
+ public:
+  explicit Mcap(McapBytes bytes) : bytes_(std::move(bytes)) {}
+
+  std::vector<std::string> ForEachMessage(
+      const std::function<void(const BagMessage&)>& use) const override {
+    return Parser(bytes_, use).Parse().Said(bytes_.size);
+  }
+
+  std::string DataAt(const MessagePlace& place) const override {
+    if (place.chunk == 0) return bytes_.part(place.start, place.size);
+    const std::string chunk = bytes_.part(place.chunk, place.chunk_bytes);
+    const std::string records = RecordsOf(ParseChunk(chunk));
+    return McapInMemory(records).part(place.start, place.size);
+  }
+
+ private:
+  McapBytes bytes_;
 };
 
 }  // namespace
@@ -190,16 +231,8 @@ McapBytes McapInFile(const std::string& path) {
           }};
 }
 
-McapFaults ForEachMessage(const McapBytes& file,
-                          const std::function<void(const McapMessage&)>& use) {
-  return Parser(file, use).Parse();
-}
-
-std::string DataAt(const McapBytes& file, const McapPlace& place) {
-  if (place.chunk == 0) return file.part(place.start, place.size);
-  const std::string chunk = file.part(place.chunk, place.chunk_bytes);
-  const std::string records = RecordsOf(ParseChunk(chunk));
-  return McapInMemory(records).part(place.start, place.size);
+std::shared_ptr<const BagFile> McapFile(McapBytes bytes) {
+  return std::make_shared<Mcap>(std::move(bytes));
 }
 
 }  // namespace fovea::cli

@@ -1,4 +1,4 @@
-#include "client/cli/mcap/ros_messages.h"
+#include "client/cli/bag/ros_messages.h"
 
 #include <array>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "client/cli/bag/byte_reader.h"
 #include "client/cli/distortion.h"
-#include "client/cli/mcap/byte_reader.h"
 
 namespace fovea::cli {
 namespace {

@@ -6,8 +6,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "client/cli/bag/bag.h"
+#include "client/cli/bag/mcap.h"
 #include "client/cli/files.h"
-#include "client/cli/mcap/bag.h"
 #include "tests/support/bag_writer.h"
 
 namespace fovea::cli::small_bags {
@@ -20,7 +21,7 @@ inline constexpr const char* kDepth = "/camera/aligned_depth_to_color/image_raw"
 inline const std::string kRgb{"\xFF\0\0\0\0\x40", 6}, kUnits{"\xE8\x03\xC4\x09", 4};
 
 inline Bag Read(const std::string& bytes, const BagFlags& flags = {}) {
-  return ReadBag(McapInMemory(bytes), "b.mcap", flags);
+  return ReadBag({{"b.mcap", McapFile(McapInMemory(bytes))}}, flags);
 }
 
 // Why it, or one of its images, cannot be read.

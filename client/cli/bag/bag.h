@@ -1,17 +1,21 @@
 // The frames of a ROS 2 bag.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "client/cli/bag/bag_file.h"
 #include "client/cli/calibration_file.h"
 #include "client/cli/frame_list.h"
-#include "client/cli/mcap/mcap.h"
 
 namespace fovea::cli {
 
-// "x.mcap".
-bool IsBag(const std::string& path);
+struct NamedBagFile {
+  std::string name;  // for people
+  std::shared_ptr<const BagFile> file;
+};
 
 // Topics of a bag, where empty is the only one that can be meant; metres per unit of its depth.
 struct BagFlags {
@@ -29,12 +33,9 @@ struct Bag {
 // Reads the bag once to see what it has. Of topics with images, those with "depth" in their names
 // are depth (where there are several, those with "aligned" or "registered"), the others, but for
 // infrared ones, colour. Images are paired by the times of their headers, else of the recorder.
-// Throws std::runtime_error that names the file, why it has no frames, and the topics where it is
-// not clear which are meant.
-Bag OpenBag(const std::string& path, const BagFlags& flags);
-
-// The same of bytes. `name` is for people. Throws std::invalid_argument.
-Bag ReadBag(const McapBytes& bytes, const std::string& name, const BagFlags& flags);
+// Throws std::invalid_argument: why it has no frames, and the topics where it is not clear which
+// are meant.
+Bag ReadBag(const std::vector<NamedBagFile>& files, const BagFlags& flags);
 
 // For people, where both headers name a frame and not the same one; else empty.
 std::string NoteOfUnregistered(const Bag& bag);
