@@ -166,6 +166,13 @@ std::size_t NameApart(std::vector<FrameFiles>& frames) {
 
 FrameList ListFrames(const std::string& folder) {
   const fs::path input(folder);
+  if (fs::is_regular_file(input)) {
+    throw std::runtime_error(
+        folder +
+        " is neither a folder nor by its name a bag of ROS 2 (.mcap, .db3) or "
+        "a bundle (.zip)" +
+        (LowerEnding(folder) == ".bag" ? "; bags of ROS 1 have to be converted" : ""));
+  }
   FrameList list = ListByName(input);
   if (!list.frames.empty()) {
     list.captured = ReadCaptureFile(folder);

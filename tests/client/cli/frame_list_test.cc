@@ -191,6 +191,19 @@ TEST_F(FrameListTest, SaysWhatItLookedFor) {
   }
 }
 
+TEST_F(FrameListTest, FilesOfOtherKindsAreNamed) {
+  const auto why_not = [](const std::string& path) -> std::string {
+    try {
+      ListFrames(path);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(why_not(folder_.Write("a.txt", "x")), ::testing::EndsWith("(.zip)"));
+  EXPECT_THAT(why_not(folder_.Write("a.bag", "x")), HasSubstr("of ROS 1 have to be converted"));
+}
+
 TEST(ParseTime, KnowsUnitsByTheirDigits) {
   EXPECT_EQ(ParseTime("12.5"), 12'500'000'000);
   EXPECT_EQ(ParseTime("1305031102.175304"), 1'305'031'102'175'304'000);
