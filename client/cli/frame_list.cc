@@ -77,7 +77,7 @@ FrameList ListByName(const fs::path& folder) {
   return list;
 }
 
-// Lines "time path"; # begins a comment.
+// Lines "time path", whose path may have spaces in it; # begins a comment.
 std::vector<TimedImage> ReadTumList(const fs::path& list) {
   std::istringstream lines(ReadFile(list.string()));
   std::vector<TimedImage> images;
@@ -87,7 +87,9 @@ std::vector<TimedImage> ReadTumList(const fs::path& list) {
     std::string time, path;
     if (!(words >> time) || time.front() == '#') continue;
     const auto time_ns = ParseTime(time);
-    if (!time_ns || !(words >> path)) {
+    std::getline(words >> std::ws, path);
+    path.erase(path.find_last_not_of(" \t\r") + 1);
+    if (!time_ns || path.empty()) {
       throw std::runtime_error(list.string() + ", line " + std::to_string(number) +
                                ": it is not \"time path\", for example \"1305031102.175304 "
                                "rgb/1305031102.175304.png\"");

@@ -123,6 +123,15 @@ TEST_F(FrameListTest, ReadsTumFoldersByTime) {
                                       "1 depth images without colour within 20 ms"));
 }
 
+TEST_F(FrameListTest, ReadsNamesWithSpacesInTumsLists) {
+  Write("rgb.txt", "1.5 rgb/desk left 1.png\n");
+  Write("depth.txt", "1.5\tdepth/desk left 1.png \r\n");
+  const FrameList list = ListFrames(Input());
+  ASSERT_EQ(list.frames.size(), 1U);
+  EXPECT_EQ(list.frames[0].color_path, folder_.At("rgb/desk left 1.png"));
+  EXPECT_EQ(list.frames[0].depth_path, folder_.At("depth/desk left 1.png"));
+}
+
 // Their folders alone would be read, with another unit of depth.
 TEST_F(FrameListTest, HalfOfTumsListsIsNone) {
   for (const char* name : {"rgb/1.5.png", "depth/1.5.png"}) Write(name);
