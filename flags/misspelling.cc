@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "flags/one_line.h"
 #include "flags/suggestion.h"
 
 namespace fovea::flags {
@@ -56,7 +57,7 @@ std::string Misspelling(const CLI::App& app, int argc, const char* const* argv) 
 
 void NameMisspellings(CLI::App& app, int argc, const char* const* argv) {
   app.failure_message([argc, argv](const CLI::App* failed, const CLI::Error& error) {
-    return failed->get_name() + ": " + error.what() + Misspelling(*failed, argc, argv) +
+    return failed->get_name() + ": " + OneLine(error.what() + Misspelling(*failed, argc, argv)) +
            " (--help lists the flags)\n";
   });
 }

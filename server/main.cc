@@ -13,6 +13,7 @@
 #include <string>
 #include <system_error>
 
+#include "flags/one_line.h"
 #include "server/build_info.h"
 #include "server/command_line.h"
 #include "server/compute_process.h"
@@ -169,7 +170,7 @@ int main(int argc, char** argv) {
   try {
     return Run(argc, argv);
   } catch (const std::exception& error) {
-    std::cerr << "fovea-server: " << error.what() << AdviceOn(error) << '\n';
+    std::cerr << "fovea-server: " << fovea::flags::OneLine(error.what()) << AdviceOn(error) << '\n';
     return EXIT_FAILURE;
   }
 }

@@ -4,6 +4,7 @@
 
 #include <exception>
 
+#include "flags/one_line.h"
 #include "server/command_line.h"
 #include "server/logging/logging.h"
 
@@ -27,7 +28,7 @@ void Reload(int argc, char** argv, Server& server, Settings* in_force) {
     spdlog::warn("read configuration, tokens and certificates again, log level is {}",
                  options->log_level);
   } catch (const std::exception& error) {
-    spdlog::error("the configuration stays as it was: {}", error.what());
+    spdlog::error("the configuration stays as it was: {}", flags::OneLine(error.what()));
   }
 }
 

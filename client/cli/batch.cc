@@ -21,6 +21,7 @@
 #include "client/cli/progress.h"
 #include "client/cli/report.h"
 #include "client/cli/resume.h"
+#include "flags/one_line.h"
 
 namespace fovea::cli {
 namespace {
@@ -194,7 +195,7 @@ bool DetectFolder(const client::Client& client, const Batch& batch, FrameSetting
                   std::chrono::milliseconds timeout,
                   const std::function<std::string(const client::RpcError&)>& explain) {
   FrameList list = batch.list ? *batch.list : ListFrames(batch.input);
-  for (const std::string& note : list.notes) std::cerr << "note: " << note << '\n';
+  for (const std::string& note : list.notes) std::cerr << "note: " << flags::OneLine(note) << '\n';
   if (const std::size_t renamed = NameApart(list.frames); renamed > 0) {
     std::cerr << "note: frames whose name is taken: " << renamed
               << "; they are called NAME_2, NAME_3, ...\n";

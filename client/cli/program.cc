@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "flags/misspelling.h"
+#include "flags/one_line.h"
 #include "flags/plain_values.h"
 
 namespace fovea::cli {
@@ -29,7 +30,7 @@ int RunProgram(CLI::App& app, int argc, char** argv, const std::function<int()>&
     flags::NameMisspellings(app, argc, argv);
     app.exit(error);
   } catch (const std::exception& error) {
-    std::cerr << app.get_name() << ": " << error.what() << '\n';
+    std::cerr << app.get_name() << ": " << flags::OneLine(error.what()) << '\n';
   }
   return EXIT_FAILURE;
 }

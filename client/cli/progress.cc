@@ -4,6 +4,8 @@
 
 #include <iostream>
 
+#include "flags/one_line.h"
+
 namespace fovea::cli {
 namespace {
 
@@ -23,7 +25,8 @@ void Progress::DrawBar(const std::string& text) const {
        << done_ << '/' << total_ << "  " << text << std::flush;
 }
 
-void Progress::Advance(const std::string& text, const std::vector<std::string>& notes) {
+void Progress::Advance(const std::string& what, const std::vector<std::string>& notes) {
+  const std::string text = flags::OneLine(what);  // names of files are in it
   ++done_;
   if (!on_terminal_) {
     out_ << done_ << '/' << total_ << "  " << text << '\n';
@@ -37,7 +40,7 @@ void Progress::Advance(const std::string& text, const std::vector<std::string>& 
 
 void Progress::Complain(const std::string& text) {
   if (on_terminal_) out_ << kClearLine << std::flush;
-  std::cerr << text << std::endl;
+  std::cerr << flags::OneLine(text) << std::endl;
 }
 
 void Progress::Finish() {

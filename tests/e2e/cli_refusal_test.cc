@@ -91,3 +91,12 @@ TEST_F(CliTest, AsksForHealth) {
 
 }  // namespace
 }  // namespace fovea::testing
+// They would steer a terminal, and look like lines that the program wrote.
+TEST_F(CliTest, ShowsControlCharactersAsText) {
+  ExpectOneLineError(Execute({FOVEA_CLI, "health", "--robot", "a\nb\x1B[2J"}),
+                     "--robot: \"a\\nb\\x1b[2J\" has characters");
+  ExpectOneLineError(Execute({FOVEA_CLI, "he\nalth"}), "did you mean health?");
+  ExpectOneLineError(DetectFrame({"--profile", "fast\n"}), "options.profile: ");
+  ExpectOneLineError(DetectFrame({"--fa\nst"}), "--fa\\nst");
+}
+
