@@ -154,7 +154,7 @@ Calibration CalibrationOf(const v1::CameraIntrinsics& k, const cv::Size& size) {
 }
 
 Calibration ReadCalibration(const std::string& path) {
-  const std::string text = ReadFile(path);
+  const std::string text = ReadFile(path, kLargestText);
   try {
     Calibration calibration = Parse(text);
     Check(calibration);

@@ -44,7 +44,7 @@ std::optional<CaptureFile> ReadCaptureFile(const std::string& folder) {
   file.path = (std::filesystem::path(folder) / kCaptureFileName).string();
   std::error_code error;
   if (!std::filesystem::is_regular_file(file.path, error)) return std::nullopt;
-  const std::string text = ReadFile(file.path);
+  const std::string text = ReadFile(file.path, kLargestText);
   try {
     const v1::Frame frame = ParseCaptureFile(text);
     file.depth_unit_m = frame.depth().unit_m();

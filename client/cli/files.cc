@@ -1,7 +1,6 @@
 #include "client/cli/files.h"
 
 #include <cerrno>
-#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -16,10 +15,12 @@ namespace {
   throw std::runtime_error(what + " " + path + reason);
 }
 
-// No server takes a larger message.
-void RequireSize(const std::string& path, std::uintmax_t size) {
-  constexpr std::uintmax_t kMost = std::uintmax_t{1} << 30;
-  if (size > kMost) throw std::runtime_error(path + " has more than 1 GiB");
+void RequireSize(const std::string& path, std::uintmax_t size, std::uintmax_t most) {
+  if (size <= most) return;
+  const std::uintmax_t mib = most >> 20;
+  throw std::runtime_error(
+      path + " has more than " +
+      (mib < 1024 ? std::to_string(mib) + " MiB" : std::to_string(mib / 1024) + " GiB"));
 }
 
 constexpr int kJpegQuality = 92;
@@ -35,12 +36,13 @@ cv::Mat Decode(const std::string& file, int flags) {
 
 }  // namespace
 
-std::string ReadFile(const std::string& path) {
+std::string ReadFile(const std::string& path, std::uintmax_t most) {
   // Opening a folder works; reading from it fails deep inside of the library.
   if (std::filesystem::is_directory(path)) {
     throw std::runtime_error("cannot read " + path + ": it is a folder");
   }
-  RequireSize(path, std::filesystem::is_regular_file(path) ? std::filesystem::file_size(path) : 0);
+  const bool has_size = std::filesystem::is_regular_file(path);
+  RequireSize(path, has_size ? std::filesystem::file_size(path) : 0, most);
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) FailOn("cannot read", path);
@@ -48,7 +50,7 @@ std::string ReadFile(const std::string& path) {
   while (file) {
     file.read(part.data(), static_cast<std::streamsize>(part.size()));
     bytes.append(part.data(), static_cast<std::size_t>(file.gcount()));
-    RequireSize(path, bytes.size());  // pipes and devices do not say theirs
+    RequireSize(path, bytes.size(), most);  // pipes and devices do not say theirs
   }
   if (file.bad()) FailOn("cannot read", path);
   if (bytes.empty()) throw std::runtime_error(path + " is empty");
@@ -57,7 +59,7 @@ std::string ReadFile(const std::string& path) {
 
 std::string ReadFlagFile(const std::string& flag, const std::string& path) {
   try {
-    return ReadFile(path);
+    return ReadFile(path, kLargestText);
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(flag + ": " + error.what());
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <opencv2/core/mat.hpp>
 #include <string>
 
@@ -7,9 +8,13 @@ namespace fovea::cli {
 
 // All throw std::runtime_error that names the file.
 
-// Of up to 1 GiB.
-std::string ReadFile(const std::string& path);
-// The same of the file that a flag names, which the error names, too.
+// No server takes a larger message; certificates, tokens, calibrations and lists are smaller.
+constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 30;
+constexpr std::uintmax_t kLargestText = std::uintmax_t{16} << 20;
+
+// Of up to `most` bytes, so that a device without an end is refused, too.
+std::string ReadFile(const std::string& path, std::uintmax_t most = kLargestFile);
+// Text of the file that a flag names, which the error names, too.
 std::string ReadFlagFile(const std::string& flag, const std::string& path);
 void WriteFile(const std::string& path, const std::string& bytes);
 

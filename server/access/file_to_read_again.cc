@@ -1,5 +1,6 @@
 #include "server/access/file_to_read_again.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <system_error>
 
@@ -14,6 +15,10 @@ void RequireFileToReadAgain(const std::string& flag, const std::string& path) {
   const bool is_none = std::filesystem::weakly_canonical(path, error) == "/dev/null";
   RequireField(type != file_type::fifo && (type != file_type::character || is_none), flag,
                path + " is no file that can be read again");
+  if (type != file_type::regular) return;
+  constexpr std::uintmax_t kLargest = std::uintmax_t{16} << 20;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  RequireField(error || size <= kLargest, flag, path + " has more than 16 MiB");
 }
 
 }  // namespace fovea::server

@@ -69,6 +69,17 @@ TEST_F(CliTest, SaysInOneLineWhatIsWrong) {
   ExpectOneLineError(Detect({"--input", At("empty"), "--output", At("out")}), "no NAME_color.png");
 }
 
+// A device that has no end took 2 GB of memory before it was refused.
+TEST_F(CliTest, ReadsTextOfFlagsUpToALimit) {
+  for (const char* flag : {"--token-file", "--tls-ca"}) {
+    ExpectOneLineError(DetectFrame({flag, "/dev/zero"}),
+                       flag + std::string(": /dev/zero has more than 16 MiB"));
+  }
+  ExpectOneLineError(Execute({FOVEA_CLI, "detect", "--color", At("a_color.png"), "--depth",
+                              At("a_depth.png"), "--intrinsics", "/dev/zero"}),
+                     "/dev/zero has more than 16 MiB");
+}
+
 TEST_F(CliTest, AsksForHealth) {
   const Finished healthy = Execute({FOVEA_CLI, "health", "--server", server_.address()});
   EXPECT_EQ(healthy.exit_code, 0);

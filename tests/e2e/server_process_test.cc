@@ -174,6 +174,12 @@ TEST(ServerProcess, WantsFilesThatItCanReadAgain) {
       EXPECT_THAT(refused.err, HasSubstr(error));
     }
   }
+  const std::string large = folder.Write("large", "");
+  std::filesystem::resize_file(large, (std::uintmax_t{16} << 20) + 1);
+  for (const std::string flag : {"--config", "--tokens"}) {
+    EXPECT_THAT(Execute({FOVEA_SERVER, "--check-config", flag, large}).err,
+                HasSubstr(flag + ": " + large + " has more than 16 MiB"));
+  }
 }
 
 TEST(ServerProcess, ShowsWhatAFlagHasWithItsFile) {
