@@ -2,8 +2,12 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdlib>
+#include <functional>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "client/cli/busy_machine.h"
 #include "client/cli/connection.h"
@@ -12,26 +16,52 @@
 #include "client/cli/json.h"
 #include "client/cli/options_command.h"
 #include "client/cli/program.h"
+#include "client/cli/server_address.h"
 #include "client/client.h"
+#include "flags/one_line.h"
 
 namespace fovea::cli {
 namespace {
 
-int CheckHealth(const ConnectionFlags& flags) {
-  if (!Connect(flags).IsServing()) {
-    throw std::runtime_error(flags.server + " answers, but does not serve (it is stopping)");
+void CheckHealth(const std::string& address, const client::Client& client) {
+  if (!client.IsServing()) {
+    throw std::runtime_error(address + " answers, but does not serve (it is stopping)");
   }
-  std::cout << flags.server << " is serving\n";
-  return EXIT_SUCCESS;
+  std::cout << address << " is serving\n";
 }
 
-int PrintInfo(const ConnectionFlags& flags) {
-  const client::Client client = Connect(flags);
+void PrintInfo(const std::string& address, const client::Client& client) {
   const v1::GetStatisticsResponse statistics = client.GetStatistics();
-  std::cout << "{\n\"server\": " << ToJson(client.GetServerInfo())
+  using nlohmann::json;
+  const std::string name = json(address).dump(-1, ' ', false, json::error_handler_t::replace);
+  std::cout << "{\n\"address\": " << name << ",\n\"server\": " << ToJson(client.GetServerInfo())
             << ",\n\"statistics\": " << ToJson(statistics) << "}\n";
   std::cerr << NoteOfBusyMachine(statistics);
-  return EXIT_SUCCESS;
+}
+
+// A client of several servers would ask one of them, and tell nothing of the others. Whatever is
+// wrong with one is said, and those after it are asked all the same.
+int AskEach(const ConnectionFlags& flags,
+            const std::function<void(const std::string&, const client::Client&)>& ask) {
+  int code = EXIT_SUCCESS;
+  ConnectionFlags one = flags;
+  const std::vector<std::string> addresses = SplitServerAddresses(flags.server);
+  const client::ClientOptions options = OptionsOf(flags);
+  const auto complain = [&](const std::string& what) {
+    std::cerr << "fovea: " << flags::OneLine(what) << '\n';
+    code = EXIT_FAILURE;
+  };
+  for (const std::string& address : addresses) {
+    one.server = address;
+    try {
+      ask(address, client::Client(address, options));
+    } catch (const client::RpcError& error) {
+      complain(Explain(error, one, DefaultLimit()));
+    } catch (const std::runtime_error& error) {
+      complain(error.what());
+    }
+  }
+  return code;
 }
 
 }  // namespace
@@ -42,8 +72,8 @@ int RunCommandLine(int argc, char** argv, const std::string& version) {
   app.require_subcommand(1);
 
   DetectFlags detect_flags;
-  CLI::App* detect = app.add_subcommand("detect", "Detect the objects of one frame or a folder");
-  AddDetectFlags(*detect, detect_flags);
+  AddDetectFlags(*app.add_subcommand("detect", "Detect the objects of one frame or a folder"),
+                 detect_flags);
 
   ConnectionFlags connection;
   CLI::App* health = app.add_subcommand("health", "Ask whether the server serves");
@@ -53,13 +83,16 @@ int RunCommandLine(int argc, char** argv, const std::string& version) {
 
   return RunProgram(app, argc, argv, [&] {
     try {
-      if (*health) return CheckHealth(connection);
-      if (*info) return PrintInfo(connection);
-      if (*options) return PrintOptions(connection);
+      if (*health) return AskEach(connection, CheckHealth);
+      if (*info) return AskEach(connection, PrintInfo);
+      if (*options) {
+        return AskEach(connection, [&](const std::string& address, const client::Client& client) {
+          PrintOptions(address == connection.server ? "" : address + ":\n", client);
+        });
+      }
       return RunDetect(detect_flags);
     } catch (const client::RpcError& error) {
-      throw std::runtime_error(*detect ? ExplainDetect(error, detect_flags)
-                                       : Explain(error, connection, DefaultLimit()));
+      throw std::runtime_error(ExplainDetect(error, detect_flags));
     }
   });
 }

@@ -1,14 +1,11 @@
 #include "client/cli/options_command.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
 #include <string>
 #include <vector>
-
-#include "client/client.h"
 
 namespace fovea::cli {
 namespace {
@@ -50,8 +47,7 @@ void Print(const std::vector<Row>& rows) {
 
 }  // namespace
 
-int PrintOptions(const ConnectionFlags& flags) {
-  const client::Client client = Connect(flags);
+void PrintOptions(const std::string& heading, const client::Client& client) {
   const v1::GetServerInfoResponse info = client.GetServerInfo();
   Row head{"option"};
   head.insert(head.end(), info.profiles().begin(), info.profiles().end());
@@ -59,8 +55,8 @@ int PrintOptions(const ConnectionFlags& flags) {
   std::vector<Row> rows{head};
   const v1::ListOptionsResponse list = client.ListOptions();
   for (const v1::Option& option : list.options()) rows.push_back(RowOf(option, info));
+  std::cout << heading;
   Print(rows);
-  return EXIT_SUCCESS;
 }
 
 }  // namespace fovea::cli

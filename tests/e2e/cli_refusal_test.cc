@@ -93,6 +93,16 @@ TEST_F(CliTest, AsksForHealth) {
   const std::string text = "no server answers at " + server_.address();
   server_.process().Signal(SIGTERM);
   server_.process().Wait();
+  const ServerProcess other;
+  const std::string both = server_.address() + "," + other.address();
+  const Finished half = Execute({FOVEA_CLI, "health", "--server", both});
+  EXPECT_EQ(half.exit_code, 1);
+  EXPECT_EQ(half.out, other.address() + " is serving\n") << "and the other one is not";
+  EXPECT_THAT(half.err, StartsWith("fovea: " + text + ";"));
+  EXPECT_THAT(Execute({FOVEA_CLI, "info", "--server", both}).out,
+              StartsWith("{\n\"address\": \"" + other.address() + "\","));
+  EXPECT_THAT(Execute({FOVEA_CLI, "options", "--server", both}).out,
+              StartsWith(other.address() + ":\noption "));
   ExpectOneLineError(Execute({FOVEA_CLI, "health", "--server", server_.address()}), text);
   ExpectOneLineError(DetectFrame(), text);
   const Finished folder = Detect({"--input", Folder(), "--output", At("out")});
@@ -100,8 +110,6 @@ TEST_F(CliTest, AsksForHealth) {
   EXPECT_THAT(folder.err, StartsWith("fovea: a: " + text));
 }
 
-}  // namespace
-}  // namespace fovea::testing
 // They would steer a terminal, and look like lines that the program wrote.
 TEST_F(CliTest, ShowsControlCharactersAsText) {
   ExpectOneLineError(Execute({FOVEA_CLI, "health", "--robot", "a\nb\x1B[2J"}),
@@ -111,3 +119,5 @@ TEST_F(CliTest, ShowsControlCharactersAsText) {
   ExpectOneLineError(DetectFrame({"--fa\nst"}), "--fa\\nst");
 }
 
+}  // namespace
+}  // namespace fovea::testing

@@ -15,6 +15,12 @@ TEST(CheckServerAddress, TakesHostsWithPortAndTargetsOfGrpc) {
   }
 }
 
+TEST(SplitServerAddresses, GivesEachOnItsOwn) {
+  const std::string both = "[::1]:1,unix:/run/fovea";
+  EXPECT_EQ(SplitServerAddresses(both), (std::vector<std::string>{"[::1]:1", "unix:/run/fovea"}));
+  EXPECT_THROW(SplitServerAddresses("[::1]:1,"), std::invalid_argument);
+}
+
 TEST(CheckServerAddress, RefusesTheRest) {
   for (const char* address :
        {"", "localhost", "localhost:", ":50051", "localhost:0", "localhost:99999", "localhost:-1",
