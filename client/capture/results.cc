@@ -98,7 +98,7 @@ void Results::Take(const Result& result, Tally& tally) {
        << std::endl;
   if (response.has_error()) EndIfHopeless(response.error());
   if (response.has_error()) return;
-  PrintNote(response.detections());
+  PrintNotes(response.detections());
   out_ << busy_watch_.Take(response.detections()) << std::flush;
   if (!Draws() || is_too_late) return;
 
@@ -110,14 +110,14 @@ void Results::Take(const Result& result, Tally& tally) {
 }
 
 // A camera that sees nothing would repeat itself thirty times a second; only the counts differ.
-void Results::PrintNote(const v1::Detections& detections) {
-  const auto& messages = detections.diagnostics().messages();
-  const bool lacks = detections.objects().empty() || !detections.has_support_surface();
-  const std::string note = lacks && !messages.empty() ? messages.Get(0) : "";
-  std::string without_numbers = note;
+void Results::PrintNotes(const v1::Detections& detections) {
+  std::string notes;
+  for (const std::string& message : detections.diagnostics().messages()) {
+    notes += "note: " + message + "\n";
+  }
+  std::string without_numbers = notes;
   std::erase_if(without_numbers, [](char c) { return c >= '0' && c <= '9'; });
-  if (without_numbers == std::exchange(last_note_, without_numbers)) return;
-  if (!note.empty()) out_ << "note: " << note << std::endl;
+  if (without_numbers != std::exchange(last_notes_, without_numbers)) out_ << notes << std::flush;
 }
 
 void Results::Save(const Picture& picture, const v1::Detections& detections, const cv::Mat& color,

@@ -33,7 +33,7 @@ class Results {
   void Take(const Result& result, Tally& tally);
 
  private:
-  void PrintNote(const v1::Detections& detections);
+  void PrintNotes(const v1::Detections& detections);
   bool Draws() const { return viewer_ != nullptr || !save_folder_.empty(); }
   void Save(const Picture& picture, const v1::Detections& detections, const cv::Mat& color,
             const cv::Mat& overlay);
@@ -44,7 +44,7 @@ class Results {
   std::ostream& out_;
   bool saved_cameras_ = false;
   BusyWatch busy_watch_;
-  std::string last_note_;  // what was said last about few objects, without its numbers
+  std::string last_notes_;  // what the server said of the last frame, without its numbers
 };
 
 }  // namespace fovea::capture

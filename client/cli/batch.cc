@@ -36,12 +36,6 @@ struct Outcome {
   std::string json_line;
 };
 
-std::vector<std::string> NotesOf(const v1::Detections& found) {
-  if (!found.objects().empty() && found.has_support_surface()) return {};
-  const auto& messages = found.diagnostics().messages();
-  return {messages.begin(), messages.end()};
-}
-
 // How the answer compares with that of a frame that was sent before.
 std::vector<std::string> ComparisonOf(const FrameFiles& files, const v1::Detections& found) {
   if (!files.sent_before) return {};
@@ -128,7 +122,7 @@ Outcome DetectFrame(const Run& run, const FrameFiles& files) {
     CheckSize(run.settings, found);
     WriteFiles(outputs, files, SettingsFor(files, run.settings), request, found);
     std::vector<std::string> notes = ComparisonOf(files, found);
-    const std::vector<std::string> reasons = NotesOf(found);
+    const auto& reasons = found.diagnostics().messages();
     notes.insert(notes.end(), reasons.begin(), reasons.end());
     return {{},
             found.objects_size(),

@@ -34,8 +34,8 @@ struct Batch {
 //
 // Answers every frame → NAME.png (labels), NAME_overlay.jpg and NAME.json, the last of which is
 // there only if all are, and fovea_request.json, what was asked. Results are printed in the order
-// of the frames. A frame that fails is named and the run goes on; one without objects or support
-// surface is printed with what the server says about that. `explain` words a call that failed.
+// of the frames. A frame that fails is named and the run goes on; others are printed with what the
+// server says about them. `explain` words a call that failed.
 // Returns whether none failed; throws std::exception where there is nothing to do, or where
 // --resume would mix answers to different requests.
 bool DetectFolder(const client::Client& client, const Batch& batch, FrameSettings settings,

@@ -113,7 +113,6 @@ double ServerMs(const v1::Detections& detections) {
 }
 
 std::string Report(const v1::Detections& detections, double round_trip_ms) {
-  constexpr int kFew = 3;
   std::string text =
       fmt::sprintf("%s in %.0f ms (stages of the server: %.0f ms)\n",
                    NumObjects(detections.objects_size()), round_trip_ms, ServerMs(detections));
@@ -126,11 +125,8 @@ std::string Report(const v1::Detections& detections, double round_trip_ms) {
   for (const v1::FreePlace& place : detections.free_places()) text += PlaceLine(place);
   text += PlanningLines(detections);
   text += GravityLine(detections.gravity()) + SupportLine(detections);
-  if (detections.objects_size() < kFew || !detections.has_support_surface() ||
-      detections.incomplete()) {
-    for (const std::string& message : detections.diagnostics().messages()) {
-      text += "note: " + message + "\n";
-    }
+  for (const std::string& message : detections.diagnostics().messages()) {
+    text += "note: " + message + "\n";
   }
   return text;
 }

@@ -53,8 +53,10 @@ TEST_F(ResultsTest, SaysWhyThereAreNoneOnceUntilThatChanges) {
   EXPECT_THAT(Take(0, "only 12.3 % have depth"), HasSubstr("\nnote: only 12.3 % have depth\n"));
   EXPECT_THAT(Take(0, "only 9.8 % have depth"), Not(HasSubstr("note")));
   EXPECT_THAT(Take(0, "nothing stands out"), HasSubstr("note: nothing stands out"));
-  EXPECT_THAT(Take(3, "nothing stands out"), Not(HasSubstr("note")));
+  EXPECT_THAT(Take(3, ""), Not(HasSubstr("note")));
   EXPECT_THAT(Take(0, "nothing stands out"), HasSubstr("note: nothing stands out"));
+  EXPECT_THAT(Take(3, "the colour is blank"), HasSubstr("note: the colour is blank"))
+      << "of many objects, too";
 }
 
 // Else a misspelt option would fail thirty times a second.

@@ -23,10 +23,14 @@ TEST(Report, CountsObjects) {
   EXPECT_THAT(Report(Found(2, true), 5), HasSubstr("2 objects in 5 ms"));
 }
 
-TEST(Report, SaysWhyWhereLittleWasFoundOrNoSupport) {
-  EXPECT_THAT(Report(Found(2, true), 5), HasSubstr("note: why"));
-  EXPECT_THAT(Report(Found(3, true), 5), Not(HasSubstr("note: ")));
-  EXPECT_THAT(Report(Found(3, false), 5), HasSubstr("note: why"));
+// That the colour image is blank, say, of however many objects.
+TEST(Report, SaysWhatTheServerDoes) {
+  for (const int number : {0, 3}) {
+    EXPECT_THAT(Report(Found(number, true), 5), HasSubstr("note: why\n")) << number;
+  }
+  v1::Detections silent = Found(3, true);
+  silent.clear_diagnostics();
+  EXPECT_THAT(Report(silent, 5), Not(HasSubstr("note: ")));
 }
 
 TEST(Report, TellsShapeSizeAndBestGraspOrWhyNone) {
