@@ -68,6 +68,7 @@ void RunEveryFrame(const SessionOptions& options, const Session& session) {
     session.results.Take({*picture, response, 0}, session.tally);
     session.source.SkipWaiting();
   }
+    response.mutable_error()->set_request_id(error.request_id());
 }
 
 }  // namespace fovea::capture

@@ -17,9 +17,15 @@
 #include "client/cli/labels.h"
 #include "client/cli/overlay/overlay.h"
 #include "client/cli/report.h"
+#include "flags/one_line.h"
 
 namespace fovea::capture {
 namespace {
+
+std::string TextOf(const v1::FrameError& error) {
+  const std::string text = flags::OneLine(error.message());
+  return error.request_id().empty() ? text : text + " (request " + error.request_id() + ")";
+}
 
 // "000012  5 objects  143 ms, 3 dropped by the server".
 std::string Line(const Result& result, double latency_ms) {
@@ -27,7 +33,7 @@ std::string Line(const Result& result, double latency_ms) {
   char time[48];
   std::snprintf(time, sizeof time, "  %.0f ms", latency_ms);
   std::string line = response.frame_id() + "  ";
-  line += response.has_error() ? "failed: " + response.error().message()
+  line += response.has_error() ? "failed: " + TextOf(response.error())
                                : cli::NumObjects(response.detections().objects_size());
   line += time;
   if (response.dropped() > 0) {
@@ -49,7 +55,7 @@ void EndIfHopeless(const v1::FrameError& error) {
   if (error.code() != grpc::StatusCode::INVALID_ARGUMENT) return;
   const std::string& text = error.field().empty() ? error.message() : error.field();
   if (IsAbout("frame.color.data", text) || IsAbout("frame.depth.data", text)) return;
-  throw std::runtime_error(error.message());
+  throw std::runtime_error(TextOf(error));
 }
 
 void SaveFrame(const std::string& prefix, const Picture& picture, const v1::Detections& detections,

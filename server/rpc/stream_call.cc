@@ -233,6 +233,7 @@ void StreamCall::DeliverOrEnd() {
 void StreamCall::Deliver() {
   if (listening_) pick_ = environment_.picks->Take(caller_.robot());
   if (pick_) *response_.mutable_pick() = pick_->pick();
+  if (response_.has_error()) response_.mutable_error()->set_request_id(caller_.request_id());
   const grpc::ByteBuffer bytes = BytesOf(response_);
   response_ = {};
   environment_.metrics.OnSent(bytes.Length());

@@ -70,6 +70,18 @@ TEST(RequestId, IsThatOfAllFramesOfAStream) {
             "stream-2");
 }
 
+// The server's metadata say it at the end of the stream, which may be days later.
+TEST(RequestId, ThatTheServerMadeUpStandsInErrorsOfAStreamsFrames) {
+  const Loopback loopback;
+  const testing::CapturedLog log;
+  const auto stream = loopback.client.OpenStream(kPatience);
+  stream->Send({});
+  const auto answer = stream->Receive();
+  ASSERT_TRUE(answer && answer->has_error());
+  EXPECT_GT(std::stoi(answer->error().request_id()), 0);
+  log.Await("request=\"" + answer->error().request_id() + "\" ");
+}
+
 // Nobody says it back then.
 TEST(RequestId, IsKnownWhereNoAnswerComesInTime) {
   const Loopback loopback;

@@ -205,5 +205,5 @@ def _error_of_frame(proto: detection_service_pb2.FrameError, request_id: str) ->
     has_time = proto.HasField("retry_after")
     retry_after = proto.retry_after.ToMilliseconds() / 1000 if has_time else None
     error = error_of(proto.code, proto.message, proto.field, retry_after)
-    error.request_id = request_id
+    error.request_id = proto.request_id or request_id  # older servers do not say it
     return error

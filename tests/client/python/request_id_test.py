@@ -48,9 +48,13 @@ def test_an_id_of_the_callers_choice_stands_in_log_and_error(tmp_path: Path, sce
 def test_an_id_that_the_server_made_up_stands_in_the_error(tmp_path: Path, scene: Scene) -> None:
     with logging_to(tmp_path / "log") as client:
         error = detect_nothing(client, scene)
+        (answer,) = client.stream([scene.frame(id="f1", gravity=(0, 2, 0))])
     assert error.request_id.isdecimal()
     assert str(error) == f"{error.code}: {error.message} (request {error.request_id})"
-    assert f'request="{error.request_id}"' in (tmp_path / "log").read_text()
+    log = (tmp_path / "log").read_text()
+    assert f'request="{error.request_id}"' in log
+    assert answer.error and answer.error.request_id != error.request_id
+    assert f'request="{answer.error.request_id}" robot="ipv4:127.0.0.1" frame="f1"' in log
 
 
 def test_the_callers_id_is_known_where_no_answer_comes(scene: Scene) -> None:
