@@ -22,6 +22,7 @@ void CatchStopSignals() {
   action.sa_flags = SA_RESTART;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  sigaction(SIGPIPE, &action, nullptr);  // whoever read what is printed has gone
   // A terminal that closes leaves what is being written complete; with nohup it ends nothing.
   struct sigaction before {};
   sigaction(SIGHUP, nullptr, &before);

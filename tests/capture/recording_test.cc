@@ -1,6 +1,7 @@
 // Recordings: made from the test camera, played by OpenNI2's own driver for files.
 #include <gmock/gmock.h>
 #include <signal.h>
+#include <sys/stat.h>
 
 #include <chrono>
 #include <filesystem>
@@ -159,6 +160,17 @@ TEST_F(RecordingTest, UnpluggingLeavesARecordingThatPlays) {
   folder_.Write("unplugged", "");
   ExpectOneLineError(record.Wait(), "fovea/test@0/1 was unplugged");
   EXPECT_GE(SavedByReplay(At("a.oni"), At("out")).size(), 2U);
+}
+
+TEST_F(RecordingTest, APipeWithoutAReaderLeavesNoRecordingThatDoesNotPlay) {
+  ASSERT_EQ(mkfifo(At("pipe").c_str(), S_IRUSR | S_IWUSR), 0);
+  // The reading end is closed before anything is written.
+  std::vector<std::string> command{"/bin/sh", "-c",
+                                   R"(exec 3<>"$0" 4>"$0" 3>&-; exec "$@" >&4 4>&-)", At("pipe")};
+  const std::vector<std::string> record = CommandLine(Record(At("a.oni")));
+  command.insert(command.end(), record.begin(), record.end());
+  EXPECT_EQ(Execute(command).exit_code, 1);
+  if (fs::exists(At("a.oni"))) SavedByReplay(At("a.oni"), At("out"));
 }
 
 TEST_F(RecordingTest, LeavesNoFileWithoutFrames) {
