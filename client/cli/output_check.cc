@@ -79,7 +79,9 @@ void CheckOutputs(const Outputs& outputs, const FrameFiles& files) {
     if (path.empty() || path == kStandardOutput) return;
     RequireWritable(flag, path);
     RequireOther(flag, path, files);
-    const auto [other, is_new] = written.emplace(fs::weakly_canonical(fs::absolute(path)), flag);
+    std::error_code error;  // of /dev/stdout where it is a pipe
+    const fs::path canonical = fs::weakly_canonical(fs::absolute(path), error);
+    const auto [other, is_new] = written.emplace(error ? fs::path(path) : canonical, flag);
     if (!is_new) FailToWrite(flag, path, std::string("it is what ") + other->second + " writes");
   };
   if (!outputs.labels.empty()) RequireLossless("--labels", outputs.labels);

@@ -45,6 +45,13 @@ TEST_F(CliTest, WritesEveryOutputOfAFrame) {
   EXPECT_EQ(bytes.size() - bytes.find("end_header\n") - 11, num_points * 15);
 }
 
+// Whose links lead to no file where it is a pipe.
+TEST_F(CliTest, WritesToStandardOutputByItsPath) {
+  const Finished finished = DetectFrame({"--json", "/dev/stdout"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_THAT(finished.out, HasSubstr("\"objects\": []"));
+}
+
 TEST_F(CliTest, ExplainsEveryStep) {
   const cv::Size frame(kWidth, kHeight);
   for (const std::string profile : {"default", "paper"}) {
