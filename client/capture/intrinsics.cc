@@ -9,7 +9,6 @@
 #include "client/cli/calibration_file.h"
 #include "client/cli/distortion.h"
 #include "client/cli/files.h"
-#include "client/cli/intrinsics_flag.h"
 #include "client/cli/parsing.h"
 #include "client/images.h"
 
@@ -20,13 +19,17 @@ std::string Text(int width, int height) {
   return std::to_string(width) + "x" + std::to_string(height);
 }
 
-ChosenIntrinsics FromFile(const std::string& path, const cv::Size& size) {
+cli::GivenIntrinsics FromFile(const std::string& path) {
   const cli::Calibration c = cli::ReadCalibration(path);
-  if (c.width > 0 && cv::Size(c.width, c.height) != size) {
-    throw std::runtime_error("calibration file " + path + ": it is for " + Text(c.width, c.height) +
-                             ", the camera sends " + Text(size.width, size.height));
-  }
-  return {cli::IntrinsicsOf(c), "from the calibration file " + path, ""};
+  return {cli::IntrinsicsOf(c), path, {c.width, c.height}};
+}
+
+cli::GivenIntrinsics FromNumbers(const std::string& numbers) {
+  const auto k = cli::ParseNumbers(numbers, 4, "--intrinsics", "FX,FY,CX,CY");
+  const v1::CameraIntrinsics values = client::MakeIntrinsics(k[0], k[1], k[2], k[3]);
+  if (cli::IsCamera(cli::CalibrationOf(values, {}))) return {values, {}, {}};
+  throw std::invalid_argument("--intrinsics: \"" + numbers +
+                              "\": focal lengths must be above 0 and all numbers finite");
 }
 
 bool IsAngle(double rad) { return rad > 0 && rad < std::numbers::pi; }
@@ -42,12 +45,13 @@ v1::CameraIntrinsics FromFieldOfView(const FieldOfView& view, const cv::Size& si
 
 namespace {
 
-ChosenIntrinsics Choose(const IntrinsicsFlags& flags, const FieldOfView& view,
+ChosenIntrinsics Choose(const KnownIntrinsics& known, const FieldOfView& view,
                         const cv::Size& size) {
-  if (!flags.calibration_path.empty()) return FromFile(flags.calibration_path, size);
-  if (!flags.numbers.empty()) {
-    const auto k = cli::ParseNumbers(flags.numbers, 4, "--intrinsics", "FX,FY,CX,CY");
-    return {client::MakeIntrinsics(k[0], k[1], k[2], k[3]), "as given by --intrinsics", ""};
+  if (known.camera) {
+    RequireSize(known, size);
+    const std::string& path = known.camera->path;
+    return {known.camera->values,
+            path.empty() ? "as given by --intrinsics" : "from the calibration file " + path, ""};
   }
   if (!IsAngle(view.horizontal_rad) || !IsAngle(view.vertical_rad)) {
     throw NoIntrinsics(
@@ -59,10 +63,26 @@ ChosenIntrinsics Choose(const IntrinsicsFlags& flags, const FieldOfView& view,
 
 }  // namespace
 
-ChosenIntrinsics ChooseIntrinsics(const IntrinsicsFlags& flags, const FieldOfView& view,
+KnownIntrinsics ReadIntrinsics(const IntrinsicsFlags& flags) {
+  if (!flags.distortion.empty()) cli::ParseDistortion(flags.distortion);
+  KnownIntrinsics known{.camera = std::nullopt, .distortion = flags.distortion};
+  if (!flags.calibration_path.empty()) known.camera = FromFile(flags.calibration_path);
+  if (!flags.numbers.empty()) known.camera = FromNumbers(flags.numbers);
+  return known;
+}
+
+void RequireSize(const KnownIntrinsics& known, const cv::Size& size) {
+  if (!known.camera || known.camera->size.empty() || known.camera->size == size) return;
+  const cv::Size& other = known.camera->size;
+  throw std::runtime_error("calibration file " + known.camera->path + ": it is for " +
+                           Text(other.width, other.height) + ", the camera sends " +
+                           Text(size.width, size.height));
+}
+
+ChosenIntrinsics ChooseIntrinsics(const KnownIntrinsics& known, const FieldOfView& view,
                                   const cv::Size& size) {
-  ChosenIntrinsics chosen = Choose(flags, view, size);
-  cli::SetDistortion(flags.distortion, &chosen.values);
+  ChosenIntrinsics chosen = Choose(known, view, size);
+  cli::SetDistortion(known.distortion, &chosen.values);
   return chosen;
 }
 

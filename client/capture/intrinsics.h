@@ -1,9 +1,11 @@
 #pragma once
 
 #include <opencv2/core/types.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
+#include "client/cli/intrinsics_flag.h"
 #include "fovea/v1/frame.pb.h"
 
 namespace fovea::capture {
@@ -14,6 +16,18 @@ struct IntrinsicsFlags {
   std::string numbers;     // FX,FY,CX,CY
   std::string distortion;  // MODEL=K1,… or none, in place of the calibration's
 };
+
+// What the flags say, read before there is a camera.
+struct KnownIntrinsics {
+  std::optional<cli::GivenIntrinsics> camera;  // none = what the camera states is taken
+  std::string distortion;                      // as the flag has it
+};
+
+// Throws std::exception with one line of text that names the flag or the file.
+KnownIntrinsics ReadIntrinsics(const IntrinsicsFlags& flags);
+
+// Throws std::runtime_error where a file is for another image size.
+void RequireSize(const KnownIntrinsics& known, const cv::Size& size);
 
 // What the camera states about its colour stream; 0 where it states nothing.
 struct FieldOfView {
@@ -35,9 +49,8 @@ class NoIntrinsics : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Throws std::exception with one line of text where a file is for another image size, and
-// NoIntrinsics.
-ChosenIntrinsics ChooseIntrinsics(const IntrinsicsFlags& flags, const FieldOfView& view,
+// Throws std::runtime_error where a file is for another image size, and NoIntrinsics.
+ChosenIntrinsics ChooseIntrinsics(const KnownIntrinsics& known, const FieldOfView& view,
                                   const cv::Size& size);
 
 // As a file that --calibration and `fovea detect --intrinsics` read. Throws std::runtime_error.

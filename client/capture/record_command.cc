@@ -28,11 +28,12 @@ void CheckPath(const std::string& path) {
 }
 
 // Beside the recording, so that a replay uses them, too.
-void SaveIntrinsicsOf(const Camera& camera, const RecordFlags& flags) {
-  const std::string path = IntrinsicsPathOf(flags.path);
+void SaveIntrinsicsOf(const Camera& camera, const KnownIntrinsics& known,
+                      const std::string& recording) {
+  const std::string path = IntrinsicsPathOf(recording);
   try {
     const ChosenIntrinsics chosen =
-        ChooseIntrinsics(flags.intrinsics, camera.StatedFieldOfView(), camera.size());
+        ChooseIntrinsics(known, camera.StatedFieldOfView(), camera.size());
     SaveIntrinsics(path, chosen.values, camera.size());
     std::cerr << "intrinsics: " << Describe(chosen) << ", in " << path << '\n';
   } catch (const NoIntrinsics& error) {
@@ -109,9 +110,12 @@ int RunRecord(const RecordFlags& flags) {
         "--device: only what OpenNI2 sees is recorded; fovea-capture --save keeps the frames of "
         "v4l2");
   }
+  const CameraOptions options = CameraOptionsOf(flags.camera);
+  const KnownIntrinsics intrinsics = ReadIntrinsics(flags.intrinsics);
+  RequireSize(intrinsics, options.size);
   const OpenNiRuntime runtime;
-  OpenNiCamera camera(CameraOptionsOf(flags.camera), std::cerr);
-  SaveIntrinsicsOf(camera, flags);
+  OpenNiCamera camera(options, std::cerr);
+  SaveIntrinsicsOf(camera, intrinsics, flags.path);
   Keep(Record(camera, flags), flags.path);
   return EXIT_SUCCESS;
 }

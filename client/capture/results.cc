@@ -83,11 +83,6 @@ Results::Results(std::string save_folder, v1::Frame cameras, Viewer* viewer, std
       viewer_(viewer),
       out_(out) {
   saved_cameras_ = save_folder_.empty();
-  if (save_folder_.empty()) return;
-  std::error_code error;
-  std::filesystem::create_directories(save_folder_, error);
-  if (error)
-    throw std::runtime_error("--save: cannot make " + save_folder_ + ": " + error.message());
 }
 
 void Results::RequestFor(v1::DetectOptions* options) const { options->set_return_masks(Draws()); }

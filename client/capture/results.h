@@ -21,7 +21,7 @@ struct Result {
 // What a person gets to see of the answers: a line each, files, the window.
 class Results {
  public:
-  // `save_folder` is made where it is missing; empty = no files. `viewer` may be null.
+  // `save_folder` is there; empty = no files. `viewer` may be null.
   // `cameras`: a frame without images, with what all frames say of the cameras.
   Results(std::string save_folder, v1::Frame cameras, Viewer* viewer, std::ostream& out);
 

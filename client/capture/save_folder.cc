@@ -7,10 +7,12 @@
 #include <system_error>
 
 #include "client/cli/frame_list.h"
+#include "client/cli/output_check.h"
 
 namespace fovea::capture {
 
-void RequireNoFramesIn(const std::string& folder) {
+void PrepareSaveFolder(const std::string& folder) {
+  if (folder.empty()) return;
   std::error_code error;  // of a folder that is not there or cannot be read: making it says why
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename().string();
@@ -19,6 +21,7 @@ void RequireNoFramesIn(const std::string& folder) {
         fmt::format("--save: {} holds frames already, such as {}; choose a folder without frames",
                     folder, name));
   }
+  cli::MakeFolder("--save", folder);
 }
 
 }  // namespace fovea::capture

@@ -49,9 +49,15 @@ IntrinsicsFlags FlagsOrBeside(const StreamFlags& flags) {
   return {std::filesystem::exists(path) ? path : "", "", flags.intrinsics.distortion};
 }
 
-ChosenIntrinsics Choose(const StreamFlags& flags, const Camera& camera) {
-  ChosenIntrinsics chosen =
-      ChooseIntrinsics(FlagsOrBeside(flags), camera.StatedFieldOfView(), camera.size());
+// Recordings alone have a size of their own.
+KnownIntrinsics IntrinsicsFor(const StreamFlags& flags, const CameraOptions& camera) {
+  const KnownIntrinsics known = ReadIntrinsics(FlagsOrBeside(flags));
+  if (!IsRecording(camera.device)) RequireSize(known, camera.size);
+  return known;
+}
+
+ChosenIntrinsics Choose(const KnownIntrinsics& known, const Camera& camera) {
+  ChosenIntrinsics chosen = ChooseIntrinsics(known, camera.StatedFieldOfView(), camera.size());
   std::cerr << "intrinsics: " << Describe(chosen) << '\n';
   if (!chosen.warning.empty()) std::cerr << "note: " << chosen.warning << '\n';
   return chosen;
@@ -81,7 +87,9 @@ int RunStream(const StreamFlags& flags) {
   RequireStream(flags);
   SessionOptions options = SessionOptionsOf(flags);
   CameraOptions camera_options = CameraOptionsOf(flags.camera);
-  RequireNoFramesIn(flags.save_folder);
+  if (IsRecording(camera_options.device)) CheckRecording(camera_options.device);
+  const KnownIntrinsics intrinsics = IntrinsicsFor(flags, camera_options);
+  PrepareSaveFolder(flags.save_folder);
   if (flags.speed > 0) camera_options.speed = flags.speed;
   std::optional<Viewer> viewer;
   if (flags.view) viewer.emplace();
@@ -89,7 +97,7 @@ int RunStream(const StreamFlags& flags) {
   std::optional<OpenNiRuntime> openni;
   if (!IsV4l2(camera_options.device)) openni.emplace();
   CameraSource source(camera_options, options.patience, std::cerr);
-  options.intrinsics = Choose(flags, source.CurrentCamera()).values;
+  options.intrinsics = Choose(intrinsics, source.CurrentCamera()).values;
   Viewer* const window = viewer ? &*viewer : nullptr;
   v1::Frame cameras;
   SetCameras(options, &cameras);

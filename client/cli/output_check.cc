@@ -63,15 +63,14 @@ void RequireLossless(const std::string& flag, const std::string& path) {
   FailToWrite(flag, path, "labels need a format without loss; end it in .png");
 }
 
-// Makes it where it is missing.
+}  // namespace
+
 void MakeFolder(const std::string& flag, const std::string& path) {
   std::error_code error;
   fs::create_directories(path, error);
   if (error) FailToWrite(flag, path, error.message());
   RequireWritableFolder(flag, path, path);
 }
-
-}  // namespace
 
 void CheckOutputs(const Outputs& outputs, const FrameFiles& files) {
   std::map<fs::path, const char*> written;

@@ -14,6 +14,10 @@ namespace fovea::cli {
 // of the frame or another output.
 void CheckOutputs(const Outputs& outputs, const FrameFiles& files);
 
+// Makes the folder that `flag` names where it is missing. Throws std::invalid_argument that names
+// both where it cannot be written to.
+void MakeFolder(const std::string& flag, const std::string& path);
+
 // Makes `output` where it is missing. Throws std::invalid_argument where it cannot be written to,
 // or is `input` or a folder of the frames' files: NAME.png there may be an image, or the truth
 // about one.

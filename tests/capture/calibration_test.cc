@@ -187,21 +187,26 @@ TEST_F(CalibrationTest, SaysWhatIsMissing) {
 TEST_F(CalibrationTest, ChoosesTheBestThatIsKnown) {
   const std::string path = folder_.Write("c.yaml", kRos);
   const FieldOfView view{1.0, 0.8};
-  const ChosenIntrinsics from_file = ChooseIntrinsics({path, "", ""}, view, {640, 480});
+  const auto choose = [](const IntrinsicsFlags& flags, const FieldOfView& stated,
+                         const cv::Size& size) {
+    return ChooseIntrinsics(ReadIntrinsics(flags), stated, size);
+  };
+  const ChosenIntrinsics from_file = choose({path, "", ""}, view, {640, 480});
   EXPECT_EQ(from_file.values.fx(), 540.5);
   EXPECT_EQ(from_file.values.distortion().coefficients_size(), 5);
   EXPECT_THAT(Describe(from_file), HasSubstr("cy 238.8, plumb_bob distortion, from the calib"));
-  const ChosenIntrinsics without = ChooseIntrinsics({path, "", "none"}, view, {640, 480});
+  const ChosenIntrinsics without = choose({path, "", "none"}, view, {640, 480});
   EXPECT_FALSE(without.values.has_distortion());
   const ChosenIntrinsics other =
-      ChooseIntrinsics({"", "1,2,3,4", "plumb_bob=0.1,0,0,-0.5"}, view, {640, 480});
+      choose({"", "1,2,3,4", "plumb_bob=0.1,0,0,-0.5"}, view, {640, 480});
   EXPECT_THAT(other.values.distortion().coefficients(), ElementsAre(0.1, 0, 0, -0.5));
-  EXPECT_THROW(ChooseIntrinsics({path, "", "0.1,0,0,0"}, view, {640, 480}), std::invalid_argument);
-  EXPECT_EQ(ChooseIntrinsics({"", "1,2,3,4", ""}, view, {640, 480}).values.cy(), 4);
-  EXPECT_THAT(ChooseIntrinsics({}, view, {640, 480}).source, HasSubstr("field of view"));
-  EXPECT_THROW(ChooseIntrinsics({path, "", ""}, view, {320, 240}), std::runtime_error);
-  EXPECT_THROW(ChooseIntrinsics({"", "1,2", ""}, view, {640, 480}), std::invalid_argument);
-  EXPECT_THROW(ChooseIntrinsics({}, {0, 0}, {640, 480}), std::runtime_error);
+  EXPECT_THROW(choose({path, "", "0.1,0,0,0"}, view, {640, 480}), std::invalid_argument);
+  EXPECT_EQ(choose({"", "1,2,3,4", ""}, view, {640, 480}).values.cy(), 4);
+  EXPECT_THAT(choose({}, view, {640, 480}).source, HasSubstr("field of view"));
+  EXPECT_THROW(choose({path, "", ""}, view, {320, 240}), std::runtime_error);
+  EXPECT_THROW(choose({"", "1,2", ""}, view, {640, 480}), std::invalid_argument);
+  EXPECT_THROW(choose({"", "0,2,3,4", ""}, view, {640, 480}), std::invalid_argument);
+  EXPECT_THROW(choose({}, {0, 0}, {640, 480}), std::runtime_error);
 }
 
 TEST(FieldOfView, GivesTheFocalLengthWhoseRaysMeetTheImageBorder) {

@@ -43,6 +43,29 @@ TEST_F(MishapsTest, DevicesWithoutACamera) {
   EXPECT_THAT(Capture({"devcies"}).err, HasSubstr("did you mean devices?"));
 }
 
+// Neither camera nor server is there to be asked.
+TEST_F(MishapsTest, FlagsThatAreWrongEndItAtOnce) {
+  const std::string other =
+      folder_.Write("k.json", R"({"fx": 1, "fy": 1, "cx": 1, "cy": 1, "width": 4, "height": 4})");
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+      {{"--calibration", At("none")}, "cannot read " + At("none")},
+      {{"--calibration", other}, other + ": it is for 4x4, the camera sends 320x240"},
+      {{"--intrinsics", "1,2"}, "--intrinsics: \"1,2\" is not FX,FY,CX,CY"},
+      {{"--intrinsics", "0,1,1,1"}, "--intrinsics: \"0,1,1,1\": focal lengths must be above 0"},
+      {{"--distortion", "magic=1"}, "--distortion: "},
+      {{"--device", At("none.oni")}, "there is no recording " + At("none.oni")},
+      {{"--save", other}, "--save: cannot write " + other}};
+  for (auto [flags, error] : cases) {
+    flags.insert(flags.end(), {"--server", "unix:" + At("none"), "--resolution", "320x240"});
+    ExpectOneLineError(Capture(flags, {{"FOVEA_CAMERA_FAULTS", "no-device"}}), error);
+  }
+  for (const std::string flag : {"--calibration", "--intrinsics"}) {
+    ExpectOneLineError(
+        Capture(Record(At("a.oni"), {flag, "none"}), {{"FOVEA_CAMERA_FAULTS", "no-device"}}),
+        flag == "--calibration" ? "cannot read none" : "--intrinsics: \"none\"");
+  }
+}
+
 TEST_F(MishapsTest, AnOptionThatIsNone) {
   const Finished live = Capture(Live({"--set", "no.such=1", "--seconds", "60"}));
   EXPECT_EQ(live.exit_code, 1);
