@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -47,6 +48,9 @@ struct CallOptions {
   // W3C Trace Context, sent as `traceparent`: whose children the spans of the call's frames are,
   // where the server sends traces.
   std::string traceparent = {};
+  // Of Detect: ends the call under way with CANCELLED as soon as that is asked for, from any
+  // thread, and makes no other attempt. Streams have Cancel().
+  std::stop_token stop = {};
 };
 
 // Whether a call can have this as a value of its metadata; gRPC ends the process where not.

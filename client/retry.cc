@@ -4,6 +4,7 @@
 #include <charconv>
 #include <optional>
 #include <random>
+#include <stop_token>
 #include <thread>
 
 #include "client/channel.h"
@@ -61,6 +62,7 @@ class AttemptMaker {
                 std::chrono::duration_cast<milliseconds>(deadline_ - Servers::Clock::now()),
                 &context, call_options_);
     if (ask.only_if_room) context.AddMetadata("fovea-only-if-room", "1");
+    const std::stop_callback cancel(call_options_.stop, [&context] { context.TryCancel(); });
     const grpc::Status status = call_(*ask.server->stub, &context);
     if (status.ok()) {
       attempt->answered = true;
@@ -68,7 +70,8 @@ class AttemptMaker {
       return;
     }
     const auto retry_after = RetryAfter(context);
-    attempt->is_worth_another = IsWorthRetrying(status, context);
+    attempt->is_worth_another =
+        IsWorthRetrying(status, context) && !call_options_.stop.stop_requested();
     const bool refused = status.error_code() == grpc::StatusCode::RESOURCE_EXHAUSTED;
     if (attempt->is_worth_another && refused) {
       round.OnRefused(*retry_after);

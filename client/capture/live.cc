@@ -17,8 +17,6 @@ namespace {
 using std::chrono::steady_clock;
 
 constexpr std::chrono::hours kWholeLife{24 * 365};
-// For the answers that are under way when no more pictures are sent.
-constexpr std::chrono::seconds kLastAnswers{10};
 
 // The first error of several threads; the others are its consequences.
 class FirstError {

@@ -40,6 +40,9 @@ struct Session {
   std::ostream& notes;
 };
 
+// For the answers that are under way when no more pictures are sent; a server that hangs has none.
+constexpr std::chrono::seconds kLastAnswers{10};
+
 // Both return at the end of the recording, at the limits of `options`, when a person asks for it,
 // and throw std::exception when it cannot go on; what is under way is answered before.
 

@@ -2,8 +2,12 @@
 #include <gmock/gmock.h>
 #include <grpcpp/server.h>
 #include <grpcpp/server_builder.h>
+#include <signal.h>
 
+#include <algorithm>
 #include <atomic>
+#include <future>
+#include <thread>
 
 #include "fovea/v1/detection_service.grpc.pb.h"
 #include "tests/capture/capture_process.h"
@@ -37,6 +41,18 @@ class BusyService : public v1::DetectionService::Service {
   std::atomic<int> num_calls_ = 0;
 };
 
+// Answers nothing until the caller gives up.
+struct HangingService : v1::DetectionService::Service {
+  std::promise<void> called;
+
+  grpc::Status Detect(grpc::ServerContext* context, const v1::DetectRequest*,
+                      v1::DetectResponse*) override {
+    called.set_value();
+    while (!context->IsCancelled()) std::this_thread::yield();
+    return grpc::Status::CANCELLED;
+  }
+};
+
 class EveryFrameTest : public CaptureTest {
  protected:
   Finished CaptureFrom(BusyService& service, std::vector<std::string> flags) const {
@@ -58,6 +74,28 @@ TEST_F(EveryFrameTest, WaitsForRoomForLongerThanACall) {
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
   EXPECT_EQ(CountOf(finished.out, "answered"), 3) << finished.out;
   EXPECT_EQ(CountOf(finished.out, "failed;"), 0) << finished.out;
+}
+
+// The call has a minute.
+TEST_F(EveryFrameTest, EndsOnSignalsWhereItsServerHangs) {
+  HangingService service;
+  int port = 0;
+  const auto server = grpc::ServerBuilder()
+                          .AddListeningPort("127.0.0.1:0", grpc::InsecureServerCredentials(), &port)
+                          .RegisterService(&service)
+                          .BuildAndStart();
+  std::vector<std::string> command =
+      CommandLine({"--resolution", "320x240", "--every-frame", "--any-version", "--server",
+                   "127.0.0.1:" + std::to_string(port)});
+  const auto limit = std::ranges::find(command, "timeout");
+  command.erase(limit, limit + 3);  // it would kill what goes on for 5 s after a signal
+  Process capture(command);
+  service.called.get_future().wait();
+  capture.Signal(SIGINT);
+  const Finished finished = capture.Wait();
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_THAT(finished.err, HasSubstr("the last answer did not come in time\n"));
+  EXPECT_EQ(CountOf(finished.out, "lost\n"), 1) << finished.out;
 }
 
 TEST_F(EveryFrameTest, TheWaitForAnAnswerIsNoSilenceOfTheCamera) {

@@ -5,9 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <functional>
 #include <set>
 #include <stdexcept>
+#include <stop_token>
 #include <string>
+#include <thread>
 
 #include "client/cli/parsing.h"
 #include "client/images.h"
@@ -37,6 +40,24 @@ TEST(Client, SaysWhenNoServerIsThere) {
       testing::StatusOf([&] { client.WaitUntilReady(std::chrono::milliseconds(100)); });
   EXPECT_EQ(wait.error_code(), grpc::StatusCode::DEADLINE_EXCEEDED);
   EXPECT_THAT(wait.error_message(), StartsWith("the server is not ready"));
+}
+
+TEST(Client, EndsACallThatIsStopped) {
+  testing::Gate gate;
+  const Loopback loopback(std::ref(gate));
+  ClientOptions options = testing::PatientOptions();
+  options.retry.max_attempts = 5;
+  const Client client(loopback.server.Address(), options);
+  std::stop_source stop;
+  std::jthread stopping([&] {
+    gate.WaitUntilBegun();
+    stop.request_stop();
+  });
+  const auto detect = [&] { client.Detect(testing::TestRequest(), {.stop = stop.get_token()}); };
+  EXPECT_EQ(testing::StatusOf(detect).error_code(), grpc::StatusCode::CANCELLED);
+  gate.Let();
+  EXPECT_EQ(testing::StatusOf(detect).error_code(), grpc::StatusCode::CANCELLED) << "it stays so";
+  EXPECT_EQ(loopback.client.GetStatistics().frames_received(), 1U) << "no other attempt";
 }
 
 TEST(Client, RefusesWhatMetadataCannotHold) {
