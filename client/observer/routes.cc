@@ -114,6 +114,7 @@ HttpResponse Routes::LogIn(const HttpRequest& request) {
   std::string problem;
   const auto session = sessions_.LogIn(token, &problem);
   if (!session) return ErrorResponse(401, problem);
+  sessions_.LogOut(request.Cookie(kCookie));  // the browser forgets that one
   HttpResponse response = Who(*session);
   response.headers.emplace_back("Set-Cookie", CookieOf(session->id, /*ends=*/false));
   return response;

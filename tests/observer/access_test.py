@@ -73,6 +73,15 @@ def test_tells_who_is_logged_in(visitor: Visitor) -> None:
     assert who["name"] == "ben" and who["rights"] == ["view"] and who["robots"] == ["kitchen-*"]
 
 
+def test_who_logs_in_again_leaves_no_session_behind(visitor: Visitor) -> None:
+    """As a browser forgets its old cookie: nobody could end that session."""
+    visitor.log_in(OBSERVERS["ann"][0])
+    before = visitor.headers["Cookie"]
+    visitor.log_in(OBSERVERS["ben"][0])
+    assert visitor.get("/api/session", Cookie=before).status == 401
+    assert visitor.get("/api/session").json()["name"] == "ben"
+
+
 @pytest.mark.parametrize("host", ["evil.example", "evil.example:80", "", "127.0.0.1.evil.example"])
 def test_other_names_for_this_machine_are_refused(visitor: Visitor, host: str) -> None:
     assert visitor.get("/", Host=host).status == 421

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import base64
 import shutil
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -83,6 +84,15 @@ class Browser:
         self.driver.get("about:blank")
         self.driver.get(url)
         self.find("#token").send_keys(token + Keys.ENTER)
+
+    @contextmanager
+    def tab(self) -> Iterator[None]:
+        """Another one in front; it is closed at the end."""
+        before = self.driver.current_window_handle
+        self.driver.switch_to.new_window("tab")
+        yield
+        self.driver.close()
+        self.driver.switch_to.window(before)
 
     def press(self, label: str) -> None:
         """Waits for the button."""

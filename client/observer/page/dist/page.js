@@ -46,7 +46,8 @@ async function logIn(token) {
   return answer;
 }
 async function logOut() {
-  await fetch("/api/logout", { method: "POST", headers: { "X-Fovea-CSRF": csrf } });
+  const response = await fetch("/api/logout", { method: "POST", headers: { "X-Fovea-CSRF": csrf } });
+  if (!response.ok && response.status !== 401) throw new Error((await response.json()).error);
 }
 async function historyOf(robot) {
   const response = await get(`/api/history?robot=${encodeURIComponent(robot)}`);
@@ -22294,13 +22295,18 @@ var main = document.getElementById("main");
 var servers = document.getElementById("servers");
 var header = document.getElementById("who");
 var events = new Events();
+var pages = new BroadcastChannel("session");
 var tiles;
-var me;
+var me = null;
 var close = null;
 var hasNews = false;
-function robotInAddress() {
-  const match2 = /^#robot=(.*)$/.exec(location.hash);
-  return match2 ? decodeURIComponent(match2[1]) : "";
+function inAddress(name) {
+  const [, text = ""] = new RegExp(`^#${name}=(.*)$`).exec(location.hash) ?? [];
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    return text;
+  }
 }
 function say(lines) {
   const texts = lines.map(
@@ -22323,7 +22329,8 @@ function onState(connected) {
   servers.classList.add("bad");
 }
 function show() {
-  const robot = robotInAddress();
+  if (!me) return;
+  const robot = inAddress("robot");
   const before = close?.robot ?? "";
   if (robot && close?.robot === robot) return;
   close?.close();
@@ -22341,19 +22348,29 @@ function start(who2) {
   me = who2;
   const out = el("button", { type: "button" }, "log out");
   out.addEventListener("click", async () => {
-    await logOut();
-    askForToken("");
+    try {
+      await logOut();
+      askForToken("");
+    } catch {
+      servers.textContent = `the observer is away, and ${who2.name} is still logged in`;
+      servers.classList.add("bad");
+    }
   });
-  header.replaceChildren(`${me.name} `, out);
+  header.replaceChildren(`${who2.name} `, out);
   close?.close();
   tiles = new Tiles((robot) => location.hash = `robot=${encodeURIComponent(robot)}`);
   close = null;
   show();
 }
+async function startAnew(token) {
+  const who2 = await logIn(token);
+  pages.postMessage("");
+  start(who2);
+}
 function askForToken(problem) {
   events.stop();
   close?.close();
-  close = null;
+  close = me = null;
   header.replaceChildren();
   servers.textContent = "";
   const input = el("input", { id: "token", type: "password", autocomplete: "current-password", required: "" });
@@ -22362,7 +22379,7 @@ function askForToken(problem) {
   form.addEventListener("submit", async (event) => {
     event.preventDefault();
     try {
-      start(await logIn(input.value));
+      await startAnew(input.value);
     } catch (error) {
       failure.textContent = error.message;
     }
@@ -22371,22 +22388,24 @@ function askForToken(problem) {
   input.focus();
 }
 async function begin() {
-  const given = /^#token=(.*)$/.exec(location.hash);
-  if (given) history.replaceState(null, "", location.pathname);
-  const known = given ? null : await who().catch(() => null);
-  if (known) return start(known);
+  const token = inAddress("token");
+  if (token) history.replaceState(null, "", location.pathname);
   try {
-    if (given) return start(await logIn(decodeURIComponent(given[1])));
-    askForToken("");
+    if (token) return await startAnew(token);
+    const known = await who().catch(() => null);
+    if (known) start(known);
+    else askForToken("");
   } catch (error) {
     askForToken(error.message);
   }
 }
 events.onChanges = onChanges;
 events.onState = onState;
-events.onEnd = () => askForToken("The token does not hold any more, or the observer has started anew.");
+events.onEnd = () => askForToken("Logged out elsewhere, or the token does not hold any more, or the observer has started anew.");
+pages.addEventListener("message", () => void begin());
 addEventListener("hashchange", () => {
-  if (tiles) show();
+  if (inAddress("token")) void begin();
+  else show();
 });
 addEventListener("pagehide", () => events.stop());
 addEventListener("pageshow", (event) => {

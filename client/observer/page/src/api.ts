@@ -38,7 +38,8 @@ export async function logIn(token: string): Promise<Who> {
 }
 
 export async function logOut(): Promise<void> {
-  await fetch("/api/logout", { method: "POST", headers: { "X-Fovea-CSRF": csrf } });
+  const response = await fetch("/api/logout", { method: "POST", headers: { "X-Fovea-CSRF": csrf } });
+  if (!response.ok && response.status !== 401) throw new Error((await response.json()).error);
 }
 
 export async function historyOf(robot: string): Promise<HistoryList | null> {

@@ -8,14 +8,20 @@ const main = document.getElementById("main")!;
 const servers = document.getElementById("servers")!;
 const header = document.getElementById("who")!;
 const events = new Events();
+const pages = new BroadcastChannel("session"); // all of this browser
 let tiles: Tiles;
-let me: Who;
+let me: Who | null = null; // while the page asks for a token
 let close: RobotView | null = null;
 let hasNews = false; // from the observer, since it was away
 
-function robotInAddress(): string {
-  const match = /^#robot=(.*)$/.exec(location.hash);
-  return match ? decodeURIComponent(match[1]) : "";
+// What the address has after "#name="; as it stands where somebody wrote a "%" by hand.
+function inAddress(name: string): string {
+  const [, text = ""] = new RegExp(`^#${name}=(.*)$`).exec(location.hash) ?? [];
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    return text;
+  }
 }
 
 function say(lines: ServerLine[]): void {
@@ -42,7 +48,8 @@ function onState(connected: boolean): void {
 }
 
 function show(): void {
-  const robot = robotInAddress();
+  if (!me) return;
+  const robot = inAddress("robot");
   const before = close?.robot ?? "";
   if (robot && close?.robot === robot) return;
   close?.close();
@@ -61,20 +68,32 @@ function start(who: Who): void {
   me = who;
   const out = el("button", { type: "button" }, "log out");
   out.addEventListener("click", async () => {
-    await logOut();
-    askForToken("");
+    try {
+      await logOut();
+      askForToken("");
+    } catch {
+      servers.textContent = `the observer is away, and ${who.name} is still logged in`;
+      servers.classList.add("bad");
+    }
   });
-  header.replaceChildren(`${me.name} `, out);
+  header.replaceChildren(`${who.name} `, out);
   close?.close();
   tiles = new Tiles((robot) => (location.hash = `robot=${encodeURIComponent(robot)}`));
   close = null;
   show();
 }
 
+// One cookie is for all pages of a browser: the others go on as whoever it is now.
+async function startAnew(token: string): Promise<void> {
+  const who = await logIn(token);
+  pages.postMessage("");
+  start(who);
+}
+
 function askForToken(problem: string): void {
   events.stop();
   close?.close();
-  close = null;
+  close = me = null;
   header.replaceChildren();
   servers.textContent = "";
   const input = el("input", { id: "token", type: "password", autocomplete: "current-password", required: "" });
@@ -83,7 +102,7 @@ function askForToken(problem: string): void {
   form.addEventListener("submit", async (event) => {
     event.preventDefault();
     try {
-      start(await logIn(input.value));
+      await startAnew(input.value);
     } catch (error) {
       failure.textContent = (error as Error).message;
     }
@@ -94,13 +113,13 @@ function askForToken(problem: string): void {
 
 // "#token=…", as the demo prints it, logs in and does not stay in the address.
 async function begin(): Promise<void> {
-  const given = /^#token=(.*)$/.exec(location.hash);
-  if (given) history.replaceState(null, "", location.pathname);
-  const known = given ? null : await who().catch(() => null);
-  if (known) return start(known);
+  const token = inAddress("token");
+  if (token) history.replaceState(null, "", location.pathname);
   try {
-    if (given) return start(await logIn(decodeURIComponent(given[1])));
-    askForToken("");
+    if (token) return await startAnew(token);
+    const known = await who().catch(() => null);
+    if (known) start(known);
+    else askForToken("");
   } catch (error) {
     askForToken((error as Error).message);
   }
@@ -108,9 +127,11 @@ async function begin(): Promise<void> {
 
 events.onChanges = onChanges;
 events.onState = onState;
-events.onEnd = () => askForToken("The token does not hold any more, or the observer has started anew.");
+events.onEnd = () => askForToken("Logged out elsewhere, or the token does not hold any more, or the observer has started anew.");
+pages.addEventListener("message", () => void begin());
 addEventListener("hashchange", () => {
-  if (tiles) show();
+  if (inAddress("token")) void begin();
+  else show();
 });
 // Browsers keep pages that were left for a while, and six connections for all pages of a host.
 addEventListener("pagehide", () => events.stop());

@@ -1,0 +1,71 @@
+"""Who is logged in, in several pages of one real browser, and what hidden ones cost."""
+
+from __future__ import annotations
+
+import pytest
+from processes import OBSERVERS, ObserverProcess, ServerProcess
+
+pytest.importorskip("selenium", reason="python3-selenium is not installed")
+from browser import Browser  # noqa: E402
+
+
+def is_of(browser: Browser, name: str) -> None:
+    browser.until(lambda: browser.text("#who").startswith(name))
+
+
+def test_all_pages_of_a_browser_are_of_who_logged_in_last(
+    browser: Browser, observer: ObserverProcess
+) -> None:
+    """As they have one cookie: a page of another could do nothing, not even log out."""
+    browser.log_in(observer.url, OBSERVERS["ann"][0])
+    is_of(browser, "ann")
+    with browser.tab():
+        browser.driver.get(f"{observer.url}#token={OBSERVERS['ben'][0]}")
+        is_of(browser, "ben")
+    is_of(browser, "ben")
+    browser.find("#who button").click()
+    browser.find("#token")
+    browser.driver.refresh()
+    browser.find("#token")
+
+
+def test_logging_out_logs_out_all_pages(browser: Browser, observer: ObserverProcess) -> None:
+    browser.log_in(observer.url, OBSERVERS["ann"][0])
+    with browser.tab():
+        browser.driver.get(observer.url)
+        browser.find("#who button").click()
+        browser.find("#token")
+    browser.find("#token")
+    assert browser.text("#failure").startswith("Logged out elsewhere")
+
+
+def test_who_cannot_be_logged_out_is_told(browser: Browser, server: ServerProcess) -> None:
+    with ObserverProcess(server.address) as observer:
+        browser.log_in(observer.url, OBSERVERS["ann"][0])
+        is_of(browser, "ann")
+        observer.kill()
+        browser.find("#who button").click()
+        browser.until(lambda: "ann is still logged in" in browser.text("#servers"))
+
+
+def test_a_token_put_into_the_address_of_an_open_page_logs_in(
+    browser: Browser, observer: ObserverProcess
+) -> None:
+    """The page is not loaded again for it."""
+    browser.log_in(observer.url, "wrong")
+    browser.until(lambda: browser.text("#failure"))
+    for name in ("ann", "ben"):
+        browser.driver.get(f"{observer.url}#token={OBSERVERS[name][0]}")
+        is_of(browser, name)
+        assert "token" not in browser.driver.current_url
+
+
+def test_an_address_that_is_written_by_hand_is_shown(
+    browser: Browser, observer: ObserverProcess
+) -> None:
+    browser.log_in(observer.url, OBSERVERS["ann"][0])
+    is_of(browser, "ann")
+    browser.driver.get(f"{observer.url}#robot=50%")
+    browser.until(lambda: browser.text("h2") == "50%")
+    browser.driver.refresh()
+    browser.until(lambda: browser.text("h2") == "50%")
