@@ -107,19 +107,31 @@ var Events = class {
   source = null;
   silence = 0;
   // a timer
+  query = null;
+  // of what is wanted; null: nothing
   onChanges = () => {
   };
   onState = () => {
   };
   onEnd = () => {
   };
+  constructor() {
+    document.addEventListener("visibilitychange", () => {
+      if (document.hidden) this.disconnect();
+      else this.connect();
+    });
+  }
   open(close2, depth) {
-    this.stop();
-    const query = close2 ? `?close=${encodeURIComponent(close2)}${depth ? "&depth=1" : ""}` : "";
-    const source = new EventSource(`/api/events${query}`);
+    this.query = close2 ? `?close=${encodeURIComponent(close2)}${depth ? "&depth=1" : ""}` : "";
+    this.connect();
+  }
+  connect() {
+    this.disconnect();
+    if (this.query === null || document.hidden) return;
+    const source = new EventSource(`/api/events${this.query}`);
     const heard = (patience = SILENCE_MS) => {
       clearTimeout(this.silence);
-      this.silence = window.setTimeout(() => this.giveUp(close2, depth), patience);
+      this.silence = window.setTimeout(() => this.giveUp(), patience);
     };
     source.onopen = () => {
       heard();
@@ -133,28 +145,32 @@ var Events = class {
     source.addEventListener("ended", () => this.onEnd());
     source.onerror = () => {
       this.onState(false);
-      if (source.readyState === EventSource.CLOSED) this.reopen(source, close2, depth);
+      if (source.readyState === EventSource.CLOSED) this.reopen(source);
     };
     this.source = source;
     heard(OPENING_MS);
   }
   // An observer that hangs, and a network that loses everything, end no connection.
-  giveUp(close2, depth) {
+  giveUp() {
     this.onState(false);
     underWay.abort();
     underWay = new AbortController();
-    this.open(close2, depth);
+    this.connect();
   }
   // The browser gives up where it is answered with an error: the observer may have started anew.
-  reopen(source, close2, depth) {
+  reopen(source) {
     setTimeout(async () => {
       if (this.source !== source) return;
       const known = await fetch("/api/session").then((r) => r.status !== 401, () => true);
       if (!known) this.onEnd();
-      else this.open(close2, depth);
+      else this.connect();
     }, 1e3);
   }
   stop() {
+    this.query = null;
+    this.disconnect();
+  }
+  disconnect() {
     clearTimeout(this.silence);
     this.source?.close();
     this.source = null;

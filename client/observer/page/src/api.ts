@@ -114,21 +114,35 @@ export async function depthOf(robot: string, id: number, kind = "depth"): Promis
   return response ? new Uint16Array(await response.arrayBuffer()) : null;
 }
 
-// One for the whole page, as browsers have six connections for all pages of a host.
+// One for the whole page, as browsers have six connections for all pages of a host; none while
+// nobody sees the page.
 export class Events {
   private source: EventSource | null = null;
   private silence = 0; // a timer
+  private query: string | null = null; // of what is wanted; null: nothing
   onChanges: (changes: Changes) => void = () => {};
   onState: (connected: boolean) => void = () => {};
   onEnd: () => void = () => {};
 
+  constructor() {
+    document.addEventListener("visibilitychange", () => {
+      if (document.hidden) this.disconnect();
+      else this.connect();
+    });
+  }
+
   open(close: string, depth: boolean): void {
-    this.stop();
-    const query = close ? `?close=${encodeURIComponent(close)}${depth ? "&depth=1" : ""}` : "";
-    const source = new EventSource(`/api/events${query}`);
+    this.query = close ? `?close=${encodeURIComponent(close)}${depth ? "&depth=1" : ""}` : "";
+    this.connect();
+  }
+
+  private connect(): void {
+    this.disconnect();
+    if (this.query === null || document.hidden) return;
+    const source = new EventSource(`/api/events${this.query}`);
     const heard = (patience = SILENCE_MS) => {
       clearTimeout(this.silence);
-      this.silence = window.setTimeout(() => this.giveUp(close, depth), patience);
+      this.silence = window.setTimeout(() => this.giveUp(), patience);
     };
     source.onopen = () => {
       heard();
@@ -142,31 +156,36 @@ export class Events {
     source.addEventListener("ended", () => this.onEnd());
     source.onerror = () => {
       this.onState(false);
-      if (source.readyState === EventSource.CLOSED) this.reopen(source, close, depth);
+      if (source.readyState === EventSource.CLOSED) this.reopen(source);
     };
     this.source = source;
     heard(OPENING_MS);
   }
 
   // An observer that hangs, and a network that loses everything, end no connection.
-  private giveUp(close: string, depth: boolean): void {
+  private giveUp(): void {
     this.onState(false);
     underWay.abort();
     underWay = new AbortController();
-    this.open(close, depth);
+    this.connect();
   }
 
   // The browser gives up where it is answered with an error: the observer may have started anew.
-  private reopen(source: EventSource, close: string, depth: boolean): void {
+  private reopen(source: EventSource): void {
     setTimeout(async () => {
       if (this.source !== source) return;
       const known = await fetch("/api/session").then((r) => r.status !== 401, () => true);
       if (!known) this.onEnd();
-      else this.open(close, depth);
+      else this.connect();
     }, 1000);
   }
 
   stop(): void {
+    this.query = null;
+    this.disconnect();
+  }
+
+  private disconnect(): void {
     clearTimeout(this.silence);
     this.source?.close();
     this.source = null;
