@@ -16,6 +16,13 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kMaxRobots = 1024, kClose = 4, kToPickFrom = 300;
 
+// Since 1970.
+std::uint64_t NowUs() {
+  using std::chrono::microseconds, std::chrono::system_clock;
+  const auto now = std::chrono::floor<microseconds>(system_clock::now());
+  return static_cast<std::uint64_t>(now.time_since_epoch().count());
+}
+
 bool Has(const v1::Observer& observer, v1::ObserverRight right) {
   return std::ranges::find(observer.rights(), right) != observer.rights().end();
 }
@@ -88,10 +95,7 @@ void Board::OnFrame(std::size_t server, v1::WatchResponse response, bool is_clos
   auto shown = std::make_shared<ShownFrame>();
   shown->server = server;
   shown->dropped = response.dropped();
-  shown->came_at_us = static_cast<std::uint64_t>(
-      std::chrono::floor<std::chrono::microseconds>(std::chrono::system_clock::now())
-          .time_since_epoch()
-          .count());
+  shown->came_at_us = NowUs();
   shown->frame = std::move(*response.mutable_frame());
   const std::lock_guard lock(mutex_);
   shown->id = ++last_id_;
@@ -123,7 +127,9 @@ void Board::OnFrame(std::size_t server, v1::WatchResponse response, bool is_clos
 std::string Board::ChangesSince(std::uint64_t* version, const std::string& close) const {
   const std::lock_guard lock(mutex_);
   if (*version == version_) return {};
-  nlohmann::json changes{{"servers", nlohmann::json::array()}, {"robots", nlohmann::json::array()}};
+  nlohmann::json changes{{"now_us", NowUs()},
+                         {"servers", nlohmann::json::array()},
+                         {"robots", nlohmann::json::array()}};
   for (const Server& server : servers_) {
     changes["servers"].push_back(
         ServerJson(server.address, server.state, server.observer ? &*server.observer : nullptr));

@@ -177,6 +177,22 @@ var Events = class {
   }
 };
 
+// src/pace.ts
+var QUIET_MS = 1e4;
+var LEAST_HZ = 0.1;
+var ahead = 0;
+function setClock(observerUs) {
+  ahead = observerUs / 1e3 - Date.now();
+}
+var observerNow = () => Date.now() + ahead;
+var silenceOf = (line) => observerNow() - line.came_at_us / 1e3;
+var isQuiet = (line) => silenceOf(line) > QUIET_MS;
+function paceOf(line) {
+  if (isQuiet(line)) return `quiet for ${Math.round(silenceOf(line) / 1e3)} s`;
+  if (line.rate_hz === 0) return "how often is not known yet";
+  return line.rate_hz < LEAST_HZ ? `one in ${Math.round(1 / line.rate_hz)} s` : `${line.rate_hz.toFixed(1)} a second`;
+}
+
 // node_modules/three/build/three.module.js
 /**
  * @license
@@ -21575,7 +21591,7 @@ var Save = class {
     if (!shown) return;
     const at = shown.line.came_at_us;
     try {
-      const wait = around * 1e3 + LATE_MS - (Date.now() - at / 1e3);
+      const wait = around * 1e3 + LATE_MS - (observerNow() - at / 1e3);
       if (wait > 0) {
         this.say(`saving in ${Math.ceil(wait / 1e3)} s, when what follows is there`);
         await new Promise((done) => setTimeout(done, wait));
@@ -21743,7 +21759,7 @@ var Timeline = class {
   text = el("span", { class: "soft", id: "moment" });
   dragging = false;
   range() {
-    const to = Date.now() * 1e3;
+    const to = observerNow() * 1e3;
     const span = Math.max(1, this.reel.history.minutes) * 6e7;
     const first = this.reel.history.ids[0] ?? to;
     return [Math.min(to - span, first), to];
@@ -21779,7 +21795,7 @@ var Timeline = class {
     this.say(from, to, now ?? to);
   }
   say(from, to, now) {
-    const seconds = Math.max(0, Math.round((Date.now() * 1e3 - now) / 1e6));
+    const seconds = Math.max(0, Math.round((observerNow() * 1e3 - now) / 1e6));
     const clock = new Date(now / 1e3).toLocaleTimeString();
     const { ids, problem } = this.reel.history;
     if (!this.reel.isListed) this.text.textContent = "the history is being read";
@@ -22032,7 +22048,8 @@ var RobotView = class {
   onBack = () => {
   };
   picture = el("canvas", { id: "picture", role: "img" });
-  facts = el("span", { class: "soft", id: "facts" });
+  facts = el("span", { class: "soft", id: "facts" }, "no frame has come since this page was opened");
+  timer = window.setInterval(() => this.tellFacts(), 1e3);
   reasons = el("ul", { class: "reasons", id: "reasons" });
   table = new ObjectTable();
   stages = new Stages();
@@ -22047,6 +22064,9 @@ var RobotView = class {
   cloud = null;
   busy = false;
   newest = null;
+  // looked at closely
+  listed = null;
+  // as the list has it
   chosen = 0;
   labels = new Uint8Array();
   makeButtons(me2) {
@@ -22086,13 +22106,16 @@ var RobotView = class {
     else return false;
     return true;
   }
-  update(line) {
-    if (this.newest && line.id <= this.newest.id) return;
+  update(close2, listed) {
+    this.listed = listed ?? this.listed;
+    const line = close2;
+    if (!line || this.newest && line.id <= this.newest.id) return;
     this.newest = line;
     this.stages.add(line);
     void this.fetch();
   }
   close() {
+    clearInterval(this.timer);
     this.reel.close();
   }
   async fetch() {
@@ -22162,7 +22185,7 @@ var RobotView = class {
     const { line, frame, past } = seen;
     const detections = frame.detections;
     this.labels = detections ? labelsOf(detections.objects, detections.width, detections.height) : new Uint8Array();
-    this.facts.textContent = `frame ${line.frame_id || "without a name"} · ${line.took_ms.toFixed(0)} ms · ${past ? "of the history" : `${line.rate_hz.toFixed(1)} a second`} · ${counted(line.objects, "object")}`;
+    this.tellFacts();
     this.reasons.replaceChildren(...line.reasons.map((text) => el("li", {}, text)));
     this.table.show(frame);
     this.draw();
@@ -22174,6 +22197,14 @@ var RobotView = class {
     this.picture.dataset.past = String(past);
     this.picture.dataset.shownAt = String(Date.now());
     this.picture.dataset.answeredAt = String(line.answered_at_ms);
+  }
+  // Of the frame that is shown, and how often others come by now.
+  tellFacts() {
+    const seen = this.reel.current;
+    if (!seen) return;
+    const { frame_id, took_ms, objects } = seen.line;
+    const pace = seen.past ? "of the history" : paceOf(this.listed ?? seen.line);
+    this.facts.textContent = `frame ${frame_id || "without a name"} · ${took_ms.toFixed(0)} ms · ${pace} · ${counted(objects, "object")}`;
   }
   draw() {
     const seen = this.reel.current;
@@ -22215,7 +22246,8 @@ var RobotView = class {
 
 // src/tiles.ts
 var ON_TILES = { masks: true, boxes: true, labels: false, grasps: false, rejected: false, seeds: false, saliency: false };
-var QUIET_MS = 1e4;
+var PAUSE_MS = 50;
+var RETRY_MS = 1e3;
 var Tile = class {
   constructor(line, open) {
     this.line = line;
@@ -22240,14 +22272,9 @@ var Tile = class {
     this.describe();
     void this.draw();
   }
-  isQuiet() {
-    return Date.now() - Number(this.line.answered_at_ms) > QUIET_MS;
-  }
   describe() {
-    const { objects, took_ms, rate_hz, problem, reasons } = this.line;
-    const seconds = Math.round((Date.now() - Number(this.line.answered_at_ms)) / 1e3);
-    const pace = this.isQuiet() ? `quiet for ${seconds} s` : `${rate_hz.toFixed(1)} a second`;
-    this.facts.textContent = `${counted(objects, "object")} · ${took_ms.toFixed(0)} ms · ${pace}`;
+    const { objects, took_ms, problem, reasons } = this.line;
+    this.facts.textContent = `${counted(objects, "object")} · ${took_ms.toFixed(0)} ms · ${paceOf(this.line)}`;
     this.reason.textContent = problem ? reasons[0] ?? "" : "";
     this.button.classList.toggle("problem", problem);
   }
@@ -22256,6 +22283,7 @@ var Tile = class {
     const { robot, id } = this.line;
     if (this.busy || !this.visible || this.fetched === id) return;
     this.busy = true;
+    let pause = PAUSE_MS;
     try {
       const [frame, picture] = await Promise.all([answerOf(robot, id), this.line.has_picture ? pictureOf("preview", robot, id) : null]);
       if (frame) {
@@ -22266,10 +22294,11 @@ var Tile = class {
       }
       this.fetched = id;
     } catch {
+      pause = RETRY_MS;
     } finally {
       this.busy = false;
     }
-    if (this.fetched !== this.line.id) setTimeout(() => void this.draw(), 50);
+    if (this.fetched !== this.line.id) setTimeout(() => void this.draw(), pause);
   }
 };
 var Tiles = class {
@@ -22298,7 +22327,7 @@ var Tiles = class {
     this.tiles.get(robot)?.item.querySelector("button")?.focus();
   }
   sort() {
-    const order = (tile) => tile.line.problem ? 0 : tile.isQuiet() ? 1 : 2;
+    const order = (tile) => tile.line.problem ? 0 : isQuiet(tile.line) ? 1 : 2;
     const sorted = [...this.tiles.values()].sort((a, b) => order(a) - order(b) || a.line.robot.localeCompare(b.line.robot));
     sorted.forEach((tile, i) => {
       if (this.list.children[i] !== tile.item) this.list.insertBefore(tile.item, this.list.children[i] ?? null);
@@ -22333,9 +22362,10 @@ function say(lines) {
 }
 function onChanges(changes) {
   hasNews = true;
+  setClock(changes.now_us);
   say(changes.servers);
   tiles.update(changes.robots);
-  if (close && changes.close?.robot === close.robot) close.update(changes.close);
+  if (close) close.update(changes.close, changes.robots.find((line) => line.robot === close.robot));
 }
 function onState(connected) {
   if (connected && !hasNews) servers.textContent = "";

@@ -1,5 +1,6 @@
 import { Events, logIn, logOut, who } from "./api";
 import { el } from "./dom";
+import { setClock } from "./pace";
 import { RobotView } from "./robot";
 import { Tiles } from "./tiles";
 import type { Changes, ServerLine, Who } from "./types";
@@ -34,9 +35,10 @@ function say(lines: ServerLine[]): void {
 
 function onChanges(changes: Changes): void {
   hasNews = true;
+  setClock(changes.now_us);
   say(changes.servers);
   tiles.update(changes.robots);
-  if (close && changes.close?.robot === close.robot) close.update(changes.close);
+  if (close) close.update(changes.close, changes.robots.find((line) => line.robot === close!.robot));
 }
 
 function onState(connected: boolean): void {

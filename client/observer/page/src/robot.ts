@@ -4,6 +4,7 @@ import { Cloud } from "./cloud";
 import { counted, el, toggle } from "./dom";
 import { labelsOf } from "./masks";
 import { drawFrame, type Shown } from "./overlay";
+import { paceOf } from "./pace";
 import { nearestInstead, Reel } from "./reel";
 import { Save } from "./save";
 import { Stages } from "./stages";
@@ -35,7 +36,8 @@ export class RobotView {
   onDepth: (wanted: boolean) => void = () => {};
   onBack: () => void = () => {};
   private readonly picture = el("canvas", { id: "picture", role: "img" });
-  private readonly facts = el("span", { class: "soft", id: "facts" });
+  private readonly facts = el("span", { class: "soft", id: "facts" }, "no frame has come since this page was opened");
+  private readonly timer = window.setInterval(() => this.tellFacts(), 1000);
   private readonly reasons = el("ul", { class: "reasons", id: "reasons" });
   private readonly table = new ObjectTable();
   private readonly stages = new Stages();
@@ -49,7 +51,8 @@ export class RobotView {
   private readonly told = el("p", { role: "status", id: "picked" });
   private cloud: Cloud | null = null;
   private busy = false;
-  private newest: RobotLine | null = null;
+  private newest: RobotLine | null = null; // looked at closely
+  private listed: RobotLine | null = null; // as the list has it
   private chosen = 0;
   private labels = new Uint8Array();
 
@@ -133,14 +136,17 @@ export class RobotView {
     return true;
   }
 
-  update(line: RobotLine): void {
-    if (this.newest && line.id <= this.newest.id) return;
+  update(close: RobotLine | undefined, listed: RobotLine | undefined): void {
+    this.listed = listed ?? this.listed;
+    const line = close;
+    if (!line || (this.newest && line.id <= this.newest.id)) return;
     this.newest = line;
     this.stages.add(line);
     void this.fetch();
   }
 
   close(): void {
+    clearInterval(this.timer);
     this.reel.close();
   }
 
@@ -220,7 +226,7 @@ export class RobotView {
     const { line, frame, past } = seen;
     const detections = frame.detections;
     this.labels = detections ? labelsOf(detections.objects, detections.width, detections.height) : new Uint8Array();
-    this.facts.textContent = `frame ${line.frame_id || "without a name"} · ${line.took_ms.toFixed(0)} ms · ${past ? "of the history" : `${line.rate_hz.toFixed(1)} a second`} · ${counted(line.objects, "object")}`;
+    this.tellFacts();
     this.reasons.replaceChildren(...line.reasons.map((text) => el("li", {}, text)));
     this.table.show(frame);
     this.draw();
@@ -232,6 +238,15 @@ export class RobotView {
     this.picture.dataset.past = String(past);
     this.picture.dataset.shownAt = String(Date.now());
     this.picture.dataset.answeredAt = String(line.answered_at_ms);
+  }
+
+  // Of the frame that is shown, and how often others come by now.
+  private tellFacts(): void {
+    const seen = this.reel.current;
+    if (!seen) return;
+    const { frame_id, took_ms, objects } = seen.line;
+    const pace = seen.past ? "of the history" : paceOf(this.listed ?? seen.line);
+    this.facts.textContent = `frame ${frame_id || "without a name"} · ${took_ms.toFixed(0)} ms · ${pace} · ${counted(objects, "object")}`;
   }
 
   private draw(): void {

@@ -1,6 +1,7 @@
 // Bug reports: one frame, or the seconds around it, as a file.
 import { saveBundle } from "./api";
 import { el } from "./dom";
+import { observerNow } from "./pace";
 import { nearestInstead, type Reel } from "./reel";
 
 const LATE_MS = 1500; // frames of now are on disk by then
@@ -26,7 +27,7 @@ export class Save {
     if (!shown) return;
     const at = shown.line.came_at_us;
     try {
-      const wait = around * 1000 + LATE_MS - (Date.now() - at / 1000);
+      const wait = around * 1000 + LATE_MS - (observerNow() - at / 1000);
       if (wait > 0) {
         this.say(`saving in ${Math.ceil(wait / 1000)} s, when what follows is there`);
         await new Promise((done) => setTimeout(done, wait));

@@ -2,10 +2,12 @@
 import { answerOf, pictureOf } from "./api";
 import { counted, el } from "./dom";
 import { drawFrame, type Shown } from "./overlay";
+import { isQuiet, paceOf } from "./pace";
 import type { RobotLine } from "./types";
 
 const ON_TILES: Shown = { masks: true, boxes: true, labels: false, grasps: false, rejected: false, seeds: false, saliency: false };
-const QUIET_MS = 10_000;
+const PAUSE_MS = 50; // from one picture to the next
+const RETRY_MS = 1000; // where there is nobody to ask
 
 class Tile {
   readonly item: HTMLLIElement;
@@ -36,15 +38,9 @@ class Tile {
     void this.draw();
   }
 
-  isQuiet(): boolean {
-    return Date.now() - Number(this.line.answered_at_ms) > QUIET_MS;
-  }
-
   describe(): void {
-    const { objects, took_ms, rate_hz, problem, reasons } = this.line;
-    const seconds = Math.round((Date.now() - Number(this.line.answered_at_ms)) / 1000);
-    const pace = this.isQuiet() ? `quiet for ${seconds} s` : `${rate_hz.toFixed(1)} a second`;
-    this.facts.textContent = `${counted(objects, "object")} · ${took_ms.toFixed(0)} ms · ${pace}`;
+    const { objects, took_ms, problem, reasons } = this.line;
+    this.facts.textContent = `${counted(objects, "object")} · ${took_ms.toFixed(0)} ms · ${paceOf(this.line)}`;
     this.reason.textContent = problem ? (reasons[0] ?? "") : "";
     this.button.classList.toggle("problem", problem);
   }
@@ -54,6 +50,7 @@ class Tile {
     const { robot, id } = this.line;
     if (this.busy || !this.visible || this.fetched === id) return;
     this.busy = true;
+    let pause = PAUSE_MS;
     try {
       const [frame, picture] = await Promise.all([answerOf(robot, id), this.line.has_picture ? pictureOf("preview", robot, id) : null]);
       if (frame) {
@@ -65,11 +62,11 @@ class Tile {
       }
       this.fetched = id;
     } catch {
-      // the page says elsewhere that the observer is away
+      pause = RETRY_MS; // the page says elsewhere that the observer is away
     } finally {
       this.busy = false;
     }
-    if (this.fetched !== this.line.id) setTimeout(() => void this.draw(), 50);
+    if (this.fetched !== this.line.id) setTimeout(() => void this.draw(), pause);
   }
 }
 
@@ -102,7 +99,7 @@ export class Tiles {
   }
 
   private sort(): void {
-    const order = (tile: Tile) => (tile.line.problem ? 0 : tile.isQuiet() ? 1 : 2);
+    const order = (tile: Tile) => (tile.line.problem ? 0 : isQuiet(tile.line) ? 1 : 2);
     const sorted = [...this.tiles.values()].sort((a, b) => order(a) - order(b) || a.line.robot.localeCompare(b.line.robot));
     // Moved only where they must be, as moving takes the focus away.
     sorted.forEach((tile, i) => {

@@ -1,5 +1,6 @@
 // What the history holds of one robot: a bar a frame, as high as it has objects, and a line a minute.
 import { counted, el } from "./dom";
+import { observerNow } from "./pace";
 import type { Reel } from "./reel";
 
 const MAX_MINUTES = 120; // of which each has its line
@@ -35,7 +36,7 @@ export class Timeline {
   }
 
   private range(): [number, number] {
-    const to = Date.now() * 1000;
+    const to = observerNow() * 1000;
     const span = Math.max(1, this.reel.history.minutes) * 60e6;
     const first = this.reel.history.ids[0] ?? to;
     // Of a robot that is silent the last minutes, whenever those were.
@@ -76,7 +77,7 @@ export class Timeline {
   }
 
   private say(from: number, to: number, now: number): void {
-    const seconds = Math.max(0, Math.round((Date.now() * 1000 - now) / 1e6));
+    const seconds = Math.max(0, Math.round((observerNow() * 1000 - now) / 1e6));
     const clock = new Date(now / 1000).toLocaleTimeString();
     const { ids, problem } = this.reel.history;
     if (!this.reel.isListed) this.text.textContent = "the history is being read";

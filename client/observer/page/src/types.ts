@@ -93,6 +93,7 @@ export interface ServerLine {
   version: string;
 }
 export interface Changes {
+  now_us: number; // the observer's clock
   servers: ServerLine[];
   robots: RobotLine[];
   close?: RobotLine;

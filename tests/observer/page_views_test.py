@@ -1,0 +1,62 @@
+"""What the views of the page say of robots that are slow, or gone, in a real browser."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import pytest
+from conftest import Recorded, Robots, Scene
+from processes import OBSERVERS, ObserverProcess
+
+pytest.importorskip("selenium", reason="python3-selenium is not installed")
+from browser import Browser  # noqa: E402
+
+AN_HOUR = 3600 * 1000  # ms
+SET_ON = "const real = Date.now; Date.now = () => real() + "
+
+
+@contextmanager
+def clock_set_on(browser: Browser, ms: int) -> Iterator[None]:
+    command = {"source": f"{SET_ON}{ms};"}
+    added = browser.driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", command)
+    yield
+    browser.driver.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", added)
+
+
+def test_a_robot_that_has_gone_is_quiet(
+    browser: Browser, observer: ObserverProcess, robots: Robots, scene: Scene
+) -> None:
+    browser.log_in(observer.url, OBSERVERS["ann"][0])
+    browser.driver.get(f"{observer.url}#robot=leaves")
+    browser.until(lambda: browser.text("#facts") == "no frame has come since this page was opened")
+    robots.detect("leaves", scene.frame())
+    browser.until(lambda: "how often is not known yet" in browser.text("#facts"))
+    robots.detect("leaves", scene.frame())
+    browser.until(lambda: "a second" in browser.text("#facts"))
+    browser.driver.execute_script(SET_ON + str(AN_HOUR))  # which passes
+    browser.until(lambda: "quiet for 360" in browser.text("#facts"))
+
+
+@pytest.mark.parametrize("ms", [-AN_HOUR, AN_HOUR])
+def test_the_clock_of_the_browser_may_be_wrong(
+    browser: Browser, recorded: Recorded, scene: Scene, tmp_path: Path, ms: int
+) -> None:
+    """It is the observer's that says what is quiet, where in the history, and there to be saved."""
+    with clock_set_on(browser, ms):
+        browser.log_in(recorded.observer.url, OBSERVERS["ann"][0])
+        recorded.record("arm", scene.frame(), scene.frame())
+        browser.until(lambda: "a second" in browser.text("[data-robot=arm] .soft"))
+        browser.find("[data-robot=arm] button").click()
+        recorded.record("arm", scene.frame())
+        line = browser.find("#timeline")
+        browser.until(lambda: " recorded" in browser.text("#moment"))
+        newest = int(line.get_attribute("aria-valuemax"))
+        assert abs(newest - time.time()) < AN_HOUR / 1000 / 2
+        browser.find("#picture[data-id]")
+        browser.downloads_to(tmp_path)
+        browser.find("body").send_keys("f")
+        browser.until(lambda: browser.text("#saved").startswith("saved fovea_arm_"))
