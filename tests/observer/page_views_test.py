@@ -60,3 +60,45 @@ def test_the_clock_of_the_browser_may_be_wrong(
         browser.downloads_to(tmp_path)
         browser.find("body").send_keys("f")
         browser.until(lambda: browser.text("#saved").startswith("saved fovea_arm_"))
+
+
+def test_a_robot_that_sends_seldom_is_shown_at_once(
+    browser: Browser, observer: ObserverProcess, robots: Robots, scene: Scene
+) -> None:
+    """As the list has it, and not as it was looked at closely long ago."""
+    browser.log_in(observer.url, OBSERVERS["ann"][0])
+    browser.find("#who button")
+    robots.detect("seldom", scene.frame(id="first"))
+    for name in ("second", "third"):
+        browser.find("[data-robot=seldom] button").click()
+        browser.find("#picture[data-id]")
+        assert browser.all("#objects tbody tr")
+        browser.press("← all robots")
+        robots.detect("seldom", scene.frame(id=name))
+    browser.find("[data-robot=seldom] button").click()
+    browser.until(lambda: "frame third" in browser.text("#facts"))
+    robots.detect("seldom", scene.frame(id="fourth"))
+    browser.until(lambda: "frame fourth" in browser.text("#facts"))
+
+
+def test_a_frame_that_could_not_be_fetched_is_so_later(
+    browser: Browser, observer: ObserverProcess, robots: Robots, scene: Scene
+) -> None:
+    """With pauses, as many tiles would ask for nothing else."""
+    browser.log_in(observer.url, OBSERVERS["ann"][0])
+    browser.find("#who button")
+    browser.driver.execute_script(
+        """const asked = fetch, wait = setTimeout;
+        window.pauses = [];
+        window.setTimeout = (call, ms) => (window.pauses.push(ms), wait(call, ms));
+        window.fetch = () => Promise.reject(new TypeError("away"));
+        window.mend = () => (window.fetch = asked, window.setTimeout = wait);"""
+    )
+    robots.detect("unlucky", scene.frame())
+    pauses = "return window.pauses"
+    browser.until(lambda: len(browser.driver.execute_script(pauses)) > 4)
+    assert min(browser.driver.execute_script(pauses)) >= 1000
+    browser.find("[data-robot=unlucky] button").click()
+    browser.find("#picture:not([data-id])")
+    browser.driver.execute_script("window.mend()")
+    browser.find("#picture[data-id]")

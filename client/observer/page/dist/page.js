@@ -19,6 +19,7 @@ function toggle(label, key, on, change) {
 // src/api.ts
 var SILENCE_MS = 15e3;
 var OPENING_MS = 5e3;
+var RETRY_MS = 1e3;
 var csrf = "";
 var underWay = new AbortController();
 var Refused = class extends Error {
@@ -164,7 +165,7 @@ var Events = class {
       const known = await fetch("/api/session").then((r) => r.status !== 401, () => true);
       if (!known) this.onEnd();
       else this.connect();
-    }, 1e3);
+    }, RETRY_MS);
   }
   stop() {
     this.query = null;
@@ -21400,6 +21401,67 @@ function boxLines(box) {
   return lines;
 }
 
+// src/live.ts
+var Live = class {
+  constructor(robot, withDepth) {
+    this.robot = robot;
+    this.withDepth = withDepth;
+  }
+  listed = null;
+  // as the list of robots has it
+  onLine = () => {
+  };
+  onFrame = () => {
+  };
+  newest = null;
+  fetched = 0;
+  // its number
+  preview = 0;
+  // the number of a frame that only the list has
+  wasUpdated = false;
+  busy = false;
+  // What the list has counts at first, as the robot's next frame may be far away.
+  update(close2, listed) {
+    const isFirst = !this.wasUpdated;
+    this.wasUpdated = true;
+    this.listed = listed ?? this.listed;
+    const isListed = isFirst && (listed?.id ?? 0) > (close2?.id ?? 0);
+    const line = isListed ? listed : close2;
+    if (!line || this.newest && line.id <= this.newest.id) return;
+    if (isListed) this.preview = line.id;
+    this.newest = line;
+    this.onLine(line);
+    void this.fetch();
+  }
+  close() {
+    this.newest = null;
+  }
+  async fetch() {
+    const line = this.newest;
+    if (this.busy || !line || this.fetched === line.id) return;
+    this.busy = true;
+    try {
+      const seen = await this.load(line);
+      this.fetched = line.id;
+      if (seen) this.onFrame(seen);
+    } catch {
+      setTimeout(() => void this.fetch(), RETRY_MS);
+      return;
+    } finally {
+      this.busy = false;
+    }
+    if (this.newest !== line) void this.fetch();
+  }
+  async load(line) {
+    const [frame, picture, depth] = await Promise.all([
+      answerOf(this.robot, line.id),
+      line.has_picture ? pictureOf(line.id === this.preview ? "preview" : "picture", this.robot, line.id) : null,
+      this.withDepth() ? depthOf(this.robot, line.id) : null
+    ]);
+    return frame ? { line, frame, picture, depth, past: false } : null;
+  }
+};
+
 // src/reel.ts
 var MAX_KEPT = 30;
 var REFRESH_MS = 5e3;
@@ -21443,9 +21505,6 @@ var Reel = class {
   stopped = false;
   close() {
     clearInterval(this.timer);
-  }
-  get newestId() {
-    return this.kept[this.kept.length - 1]?.line.id ?? 0;
   }
   get isListed() {
     return this.listedAt > 0;
@@ -22006,6 +22065,7 @@ var mayTry = (me2) => me2.history !== null && me2.rights.includes("try");
 var RobotView = class {
   constructor(robot, me2) {
     this.robot = robot;
+    this.live = new Live(robot, () => this.cloud !== null);
     this.reel = new Reel(robot, me2.history !== null, () => this.cloud !== null);
     this.timeline = new Timeline(this.reel);
     this.save = new Save(robot, this.reel);
@@ -22023,6 +22083,8 @@ var RobotView = class {
     this.element = el("section", { "aria-label": robot }, el("h2", {}, robot), this.facts, bar, past, hint, this.told, el("div", { class: "close" }, this.left, right));
     if (mayTry(me2)) this.element.append(this.trial.element);
     if (me2.rights.includes("pick")) this.takePicks();
+    this.live.onLine = (line) => this.stages.add(line);
+    this.live.onFrame = (seen) => this.reel.add(seen);
     this.reel.onShow = (seen) => this.show(seen);
     this.reel.onHistory = () => this.timeline.draw();
     this.timeline.onSeek = (time) => {
@@ -22056,17 +22118,13 @@ var RobotView = class {
   left;
   buttons = /* @__PURE__ */ new Map();
   shown = { masks: true, boxes: true, labels: true, grasps: false, rejected: false, seeds: false, saliency: false };
+  live;
   reel;
   timeline;
   save;
   trial;
   told = el("p", { role: "status", id: "picked" });
   cloud = null;
-  busy = false;
-  newest = null;
-  // looked at closely
-  listed = null;
-  // as the list has it
   chosen = 0;
   labels = new Uint8Array();
   makeButtons(me2) {
@@ -22107,37 +22165,12 @@ var RobotView = class {
     return true;
   }
   update(close2, listed) {
-    this.listed = listed ?? this.listed;
-    const line = close2;
-    if (!line || this.newest && line.id <= this.newest.id) return;
-    this.newest = line;
-    this.stages.add(line);
-    void this.fetch();
+    this.live.update(close2, listed);
   }
   close() {
     clearInterval(this.timer);
+    this.live.close();
     this.reel.close();
-  }
-  async fetch() {
-    const line = this.newest;
-    if (this.busy || !line || this.reel.newestId === line.id) return;
-    this.busy = true;
-    try {
-      const seen = await this.load(line);
-      if (seen) this.reel.add(seen);
-    } catch {
-    } finally {
-      this.busy = false;
-    }
-    if (this.newest !== line) void this.fetch();
-  }
-  async load(line) {
-    const [frame, picture, depth] = await Promise.all([
-      answerOf(this.robot, line.id),
-      line.has_picture ? pictureOf("picture", this.robot, line.id) : null,
-      this.cloud ? depthOf(this.robot, line.id) : null
-    ]);
-    return frame ? { line, frame, picture, depth, past: false } : null;
   }
   // A click on an object marks it for the robot, where that has asked for it.
   takePicks() {
@@ -22203,7 +22236,7 @@ var RobotView = class {
     const seen = this.reel.current;
     if (!seen) return;
     const { frame_id, took_ms, objects } = seen.line;
-    const pace = seen.past ? "of the history" : paceOf(this.listed ?? seen.line);
+    const pace = seen.past ? "of the history" : paceOf(this.live.listed ?? seen.line);
     this.facts.textContent = `frame ${frame_id || "without a name"} · ${took_ms.toFixed(0)} ms · ${pace} · ${counted(objects, "object")}`;
   }
   draw() {
@@ -22247,7 +22280,6 @@ var RobotView = class {
 // src/tiles.ts
 var ON_TILES = { masks: true, boxes: true, labels: false, grasps: false, rejected: false, seeds: false, saliency: false };
 var PAUSE_MS = 50;
-var RETRY_MS = 1e3;
 var Tile = class {
   constructor(line, open) {
     this.line = line;

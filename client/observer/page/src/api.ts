@@ -5,6 +5,7 @@ import type { Changes, Detections, Frame, HistoryList, Option, RobotLine, Seen, 
 // a browser may try one lost connection after the other.
 const SILENCE_MS = 15_000;
 const OPENING_MS = 5_000;
+export const RETRY_MS = 1000; // where nobody answers
 
 let csrf = "";
 let underWay = new AbortController(); // of what is fetched
@@ -177,7 +178,7 @@ export class Events {
       const known = await fetch("/api/session").then((r) => r.status !== 401, () => true);
       if (!known) this.onEnd();
       else this.connect();
-    }, 1000);
+    }, RETRY_MS);
   }
 
   stop(): void {

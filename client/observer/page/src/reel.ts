@@ -48,10 +48,6 @@ export class Reel {
     clearInterval(this.timer);
   }
 
-  get newestId(): number {
-    return this.kept[this.kept.length - 1]?.line.id ?? 0;
-  }
-
   get isListed(): boolean {
     return this.listedAt > 0;
   }

@@ -1,7 +1,8 @@
 // One robot, large.
-import { answerOf, depthOf, pickObject, pictureOf } from "./api";
+import { pickObject } from "./api";
 import { Cloud } from "./cloud";
 import { counted, el, toggle } from "./dom";
+import { Live } from "./live";
 import { labelsOf } from "./masks";
 import { drawFrame, type Shown } from "./overlay";
 import { paceOf } from "./pace";
@@ -44,15 +45,13 @@ export class RobotView {
   private readonly left: HTMLElement;
   private readonly buttons = new Map<string, HTMLButtonElement>();
   private readonly shown: Shown = { masks: true, boxes: true, labels: true, grasps: false, rejected: false, seeds: false, saliency: false };
+  private readonly live: Live;
   private readonly reel: Reel;
   private readonly timeline: Timeline;
   private readonly save: Save;
   private readonly trial: Trial;
   private readonly told = el("p", { role: "status", id: "picked" });
   private cloud: Cloud | null = null;
-  private busy = false;
-  private newest: RobotLine | null = null; // looked at closely
-  private listed: RobotLine | null = null; // as the list has it
   private chosen = 0;
   private labels = new Uint8Array();
 
@@ -60,6 +59,7 @@ export class RobotView {
     readonly robot: string,
     me: Who,
   ) {
+    this.live = new Live(robot, () => this.cloud !== null);
     this.reel = new Reel(robot, me.history !== null, () => this.cloud !== null);
     this.timeline = new Timeline(this.reel);
     this.save = new Save(robot, this.reel);
@@ -77,6 +77,8 @@ export class RobotView {
     this.element = el("section", { "aria-label": robot }, el("h2", {}, robot), this.facts, bar, past, hint, this.told, el("div", { class: "close" }, this.left, right));
     if (mayTry(me)) this.element.append(this.trial.element);
     if (me.rights.includes("pick")) this.takePicks();
+    this.live.onLine = (line) => this.stages.add(line);
+    this.live.onFrame = (seen) => this.reel.add(seen);
     this.reel.onShow = (seen) => this.show(seen);
     this.reel.onHistory = () => this.timeline.draw();
     this.timeline.onSeek = (time) => {
@@ -137,41 +139,13 @@ export class RobotView {
   }
 
   update(close: RobotLine | undefined, listed: RobotLine | undefined): void {
-    this.listed = listed ?? this.listed;
-    const line = close;
-    if (!line || (this.newest && line.id <= this.newest.id)) return;
-    this.newest = line;
-    this.stages.add(line);
-    void this.fetch();
+    this.live.update(close, listed);
   }
 
   close(): void {
     clearInterval(this.timer);
+    this.live.close();
     this.reel.close();
-  }
-
-  private async fetch(): Promise<void> {
-    const line = this.newest;
-    if (this.busy || !line || this.reel.newestId === line.id) return;
-    this.busy = true;
-    try {
-      const seen = await this.load(line);
-      if (seen) this.reel.add(seen);
-    } catch {
-      // the page says elsewhere that the observer is away
-    } finally {
-      this.busy = false;
-    }
-    if (this.newest !== line) void this.fetch();
-  }
-
-  private async load(line: RobotLine): Promise<Seen | null> {
-    const [frame, picture, depth] = await Promise.all([
-      answerOf(this.robot, line.id),
-      line.has_picture ? pictureOf("picture", this.robot, line.id) : null,
-      this.cloud ? depthOf(this.robot, line.id) : null,
-    ]);
-    return frame ? { line, frame, picture, depth, past: false } : null;
   }
 
   // A click on an object marks it for the robot, where that has asked for it.
@@ -245,7 +219,7 @@ export class RobotView {
     const seen = this.reel.current;
     if (!seen) return;
     const { frame_id, took_ms, objects } = seen.line;
-    const pace = seen.past ? "of the history" : paceOf(this.listed ?? seen.line);
+    const pace = seen.past ? "of the history" : paceOf(this.live.listed ?? seen.line);
     this.facts.textContent = `frame ${frame_id || "without a name"} · ${took_ms.toFixed(0)} ms · ${pace} · ${counted(objects, "object")}`;
   }
 

@@ -1,5 +1,5 @@
 // All robots, those with problems first.
-import { answerOf, pictureOf } from "./api";
+import { answerOf, pictureOf, RETRY_MS } from "./api";
 import { counted, el } from "./dom";
 import { drawFrame, type Shown } from "./overlay";
 import { isQuiet, paceOf } from "./pace";
@@ -7,7 +7,6 @@ import type { RobotLine } from "./types";
 
 const ON_TILES: Shown = { masks: true, boxes: true, labels: false, grasps: false, rejected: false, seeds: false, saliency: false };
 const PAUSE_MS = 50; // from one picture to the next
-const RETRY_MS = 1000; // where there is nobody to ask
 
 class Tile {
   readonly item: HTMLLIElement;
