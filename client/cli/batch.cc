@@ -1,5 +1,7 @@
 #include "client/cli/batch.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <deque>
@@ -21,7 +23,6 @@
 #include "client/cli/progress.h"
 #include "client/cli/report.h"
 #include "client/cli/resume.h"
-#include "flags/one_line.h"
 
 namespace fovea::cli {
 namespace {
@@ -179,8 +180,8 @@ void SetDepthFrom(const FrameList& list, const Batch& batch, FrameSettings* sett
   if (!list.captured) return;
   const bool has_camera = list.captured->depth_camera && !settings->depth_camera;
   if (has_camera) settings->depth_camera = list.captured->depth_camera;
-  if (!batch.depth_unit_m) std::cerr << "note: depth unit from " << list.captured->path << '\n';
-  if (has_camera) std::cerr << "note: depth camera from " << list.captured->path << '\n';
+  if (!batch.depth_unit_m) PrintNote("depth unit from " + list.captured->path);
+  if (has_camera) PrintNote("depth camera from " + list.captured->path);
 }
 
 }  // namespace
@@ -189,10 +190,10 @@ bool DetectFolder(const client::Client& client, const Batch& batch, FrameSetting
                   std::chrono::milliseconds timeout,
                   const std::function<std::string(const client::RpcError&)>& explain) {
   FrameList list = batch.list ? *batch.list : ListFrames(batch.input);
-  for (const std::string& note : list.notes) std::cerr << "note: " << flags::OneLine(note) << '\n';
+  for (const std::string& note : list.notes) PrintNote(note);
   if (const std::size_t renamed = NameApart(list.frames); renamed > 0) {
-    std::cerr << "note: frames whose name is taken: " << renamed
-              << "; they are called NAME_2, NAME_3, ...\n";
+    PrintNote(fmt::format("frames whose name is taken: {}; they are called NAME_2, NAME_3, ...",
+                          renamed));
   }
   SetDepthFrom(list, batch, &settings);
   const auto request_for = batch.sent_before ? RequestForPictures : RequestFor;

@@ -17,6 +17,7 @@
 #include "client/cli/explain.h"
 #include "client/cli/intrinsics_flag.h"
 #include "client/cli/output_check.h"
+#include "client/cli/progress.h"
 #include "client/cli/report.h"
 #include "client/client.h"
 
@@ -33,8 +34,7 @@ void Require(bool holds, const std::string& message) {
 void SetLens(const DetectFlags& flags, const std::string& from, v1::CameraIntrinsics* intrinsics) {
   SetDistortion(flags.distortion, intrinsics);
   if (flags.distortion.empty() && intrinsics->has_distortion()) {
-    std::cerr << "note: lens distortion from " << from
-              << " (--distortion none where images are rectified)\n";
+    PrintNote("lens distortion from " + from + " (--distortion none where images are rectified)");
   }
 }
 
@@ -43,8 +43,9 @@ bool SetIntrinsicsFrom(const Bag& bag, const DetectFlags& flags, FrameSettings* 
   if (!flags.intrinsics.empty()) return false;
   const std::optional<Calibration> camera = ColorCameraOf(bag);
   if (!camera) return false;
-  std::cerr << "note: intrinsics" << (IsRectified(bag.color_topic) ? " of rectified images" : "")
-            << " from " << bag.info_topic << " of " << flags.input << '\n';
+  PrintNote(fmt::format("intrinsics{} from {} of {}",
+                        IsRectified(bag.color_topic) ? " of rectified images" : "", bag.info_topic,
+                        flags.input));
   settings->intrinsics = IntrinsicsOf(*camera);
   settings->intrinsics_path = flags.input;
   settings->size = {camera->width, camera->height};
@@ -55,7 +56,7 @@ bool SetIntrinsicsFrom(const Bag& bag, const DetectFlags& flags, FrameSettings* 
 void SetIntrinsics(const DetectFlags& flags, FrameSettings* settings) {
   const std::string beside =
       flags.intrinsics.empty() && !flags.input.empty() ? CalibrationIn(flags.input) : std::string();
-  if (!beside.empty()) std::cerr << "note: intrinsics from " << beside << '\n';
+  if (!beside.empty()) PrintNote("intrinsics from " + beside);
   Require(!flags.intrinsics.empty() || !beside.empty(),
           "--intrinsics is required: FX,FY,CX,CY of the colour camera in pixels, or a calibration "
           "file");
@@ -171,8 +172,7 @@ int DetectMany(const DetectFlags& flags, const client::Client& client) {
   if (IsBag(flags.input)) {
     bag = OpenBag(flags.input,
                   {flags.color_topic, flags.depth_topic, flags.depth_unit_m.value_or(kMillimetre)});
-    std::cerr << "note: colour of " << bag->color_topic << ", depth of " << bag->depth_topic
-              << '\n';
+    PrintNote(fmt::format("colour of {}, depth of {}", bag->color_topic, bag->depth_topic));
     batch.list = bag->list;
     const std::string note = NoteOfUnregistered(*bag);
     if (flags.depth_intrinsics.empty() && !note.empty()) batch.list->notes.push_back(note);

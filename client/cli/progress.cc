@@ -13,6 +13,8 @@ constexpr const char* kClearLine = "\r\x1B[K";
 
 }  // namespace
 
+void PrintNote(const std::string& text) { std::cerr << "note: " << flags::OneLine(text) << '\n'; }
+
 Progress::Progress(std::size_t total, Stream stream)
     : total_(total),
       out_(stream == Stream::kOut ? std::cout : std::cerr),

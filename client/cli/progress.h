@@ -7,6 +7,9 @@
 
 namespace fovea::cli {
 
+// A line "note: …" on stderr, before a run. Names of files and topics may hold any characters.
+void PrintNote(const std::string& text);
+
 // How far a run over many frames is: a bar that is drawn over itself on a terminal, else a line
 // per frame.
 class Progress {

@@ -181,7 +181,8 @@ TEST_F(CliTest, ReadsBags) {
   constexpr std::int64_t kTime_ns = 1'700'000'000'500'000'000;
   BagWriter writer;
   writer.Add("/color/camera_info", "CameraInfo", CameraInfoMessage(kWidth, kHeight, 30, -0.1));
-  writer.Add("/color/image", "Image",
+  writer.Add("/color/\x1bimage", "Image",  // no topic of ROS, but bags may be of anybody
+
              ImageMessage(kTime_ns, "rgb8", kWidth, kHeight, 3 * kWidth, data(TestColor())));
   writer.Add("/depth/image", "Image",
              ImageMessage(kTime_ns, "16UC1", kWidth, kHeight, 2 * kWidth, data(TestDepth())));
@@ -194,7 +195,7 @@ TEST_F(CliTest, ReadsBags) {
   };
   const Finished finished = detect({});
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
-  EXPECT_THAT(finished.err, HasSubstr("note: colour of /color/image, depth of /depth/image"));
+  EXPECT_THAT(finished.err, HasSubstr("note: colour of /color/\\x1bimage, depth of /depth/image"));
   EXPECT_THAT(finished.err, HasSubstr("note: intrinsics from /color/camera_info of"));
   std::ifstream file(At("out/1700000000.500000000.json"));
   const auto json = nlohmann::json::parse(file);
