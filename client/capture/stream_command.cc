@@ -51,7 +51,7 @@ IntrinsicsFlags FlagsOrBeside(const StreamFlags& flags) {
 
 // Recordings alone have a size of their own.
 KnownIntrinsics IntrinsicsFor(const StreamFlags& flags, const CameraOptions& camera) {
-  const KnownIntrinsics known = ReadIntrinsics(FlagsOrBeside(flags));
+  KnownIntrinsics known = ReadIntrinsics(FlagsOrBeside(flags));
   if (!IsRecording(camera.device)) RequireSize(known, camera.size);
   return known;
 }
