@@ -113,37 +113,6 @@ def test_saves_a_frame_and_the_seconds_around(browser: Browser, past: Any, tmp_p
         assert len(json.loads(file.read("bundle.json"))["frames"]) > 1
 
 
-def test_tries_options_beside_the_answer(
-    browser: Browser, past: Any, recorded: Recorded, scene: Scene
-) -> None:
-    browser.press("try")
-    browser.until(lambda: browser.all("#options tbody tr"))
-    before = browser.pixels(browser.find("#before"))
-    assert browser.all("#options tbody tr .words")[0].text
-    browser.find("#run").click()
-    browser.until(lambda: "nothing changed" in browser.text("#tried"))
-    rows = browser.texts("#changes tbody tr td:last-child")
-    assert rows and set(rows) == {"the same"}
-    assert np.array_equal(browser.pixels(browser.find("#after")), before)
-    find = browser.find("#find")
-    find.send_keys("min_probability")
-    assert 0 < len(browser.all("#options tbody tr")) < 5
-    changes = {"objects.min_probability": 0.97}
-    wanted = recorded.robots.detect("other", scene.frame(), parameters=changes).objects
-    assert 0 < len(wanted) < len(rows)
-    set_option(browser, *changes.popitem())
-    browser.until(lambda: browser.text("#command").endswith("objects.min_probability=0.97"))
-    browser.find("#run").click()
-    browser.until(lambda: "gone" in browser.texts("#changes tbody tr td:last-child"))
-    assert "changed" in browser.text("#tried")
-    tried = browser.texts("#changes tbody tr td:nth-child(2)")
-    assert {text for text in tried if text != "–"} == {str(found.label) for found in wanted}
-    set_option(browser, "objects.min_probability", 7)
-    browser.find("#run").click()
-    browser.until(lambda: browser.texts("#tried.bad"))
-    assert "objects.min_probability" in browser.text("#tried.bad")
-
-
 def test_a_day_of_frames_is_drawn(browser: Browser, past: Any) -> None:
     """As if the history had held them: two a second."""
     count = 24 * 60 * 60 * 2
@@ -184,12 +153,6 @@ def test_a_frame_that_is_not_recorded_is_saved_and_tried_by_the_nearest(
         browser.until(lambda: browser.text("#picked").endswith("before it"))
         assert browser.text("#picked").startswith("the history does not hold the frame")
         browser.until(lambda: browser.all("#options tbody tr"))
-
-
-def set_option(browser: Browser, name: str, value: float) -> None:
-    script = "arguments[0].value = arguments[1]; arguments[0].dispatchEvent(new Event('change'))"
-    field = browser.find(f"[data-option='{name}']")
-    browser.driver.execute_script(script, field, str(value))
 
 
 def is_gone(browser: Browser, robot: str, number: str) -> bool:

@@ -21953,6 +21953,8 @@ var Trial = class {
   find = el("input", { type: "search", id: "find", placeholder: "name or meaning", "aria-label": "find an option" });
   run = el("button", { type: "button", id: "run" }, "try");
   seen = null;
+  picture = null;
+  // its own, as that of a frame goes with it
   profile = DEFAULT;
   options = [];
   values = /* @__PURE__ */ new Map();
@@ -21967,14 +21969,15 @@ var Trial = class {
   // Of the history, as only such frames are there as they were sent.
   async open(seen) {
     this.element.hidden = false;
-    if (this.seen?.line.id === seen.line.id) return;
+    if (this.seen?.line.id === seen.line.id && this.options.length > 0) return;
     this.seen = seen;
     this.profile = seen.frame.options?.profile || DEFAULT;
     this.head.textContent = `Try other options on frame ${seen.line.frame_id || "without a name"}`;
     this.told.textContent = "";
     this.changes.replaceChildren();
-    drawFrame(this.before, seen.picture, seen.frame, SHOWN, 0);
-    drawFrame(this.after, seen.picture, { ...seen.frame, detections: void 0 }, SHOWN, 0);
+    this.picture = seen.picture && copyOf(seen.picture);
+    drawFrame(this.before, this.picture, seen.frame, SHOWN, 0);
+    drawFrame(this.after, this.picture, { ...seen.frame, detections: void 0 }, SHOWN, 0);
     try {
       this.options = (await optionsOf(this.robot, seen.line.id)).filter((option) => this.profile in option.defaults);
     } catch (error) {
@@ -21989,19 +21992,23 @@ var Trial = class {
     const wanted = this.find.value.toLowerCase();
     const shown = this.options.filter(({ name, description }) => `${name} ${description}`.toLowerCase().includes(wanted));
     this.list.replaceChildren(...shown.map((option) => this.row(option)));
+    this.tellCommand();
+  }
+  tellCommand() {
     const sets = [...this.values].map(([name, value]) => ` --set ${name}=${value}`).join("");
     this.command.textContent = `fovea detect --input bundle.zip --output tried${sets}`;
   }
   row(option) {
-    const value = this.values.get(option.name) ?? this.sent(option);
+    const value = () => String(this.values.get(option.name) ?? this.sent(option));
     const step = option.integral ? "1" : "any";
-    const input = el("input", { type: "number", step, value: String(value), "aria-label": option.name, "data-option": option.name });
+    const input = el("input", { type: "number", step, value: value(), "aria-label": option.name, "data-option": option.name });
     input.disabled = option.fixed;
     input.addEventListener("change", () => {
       if (Number(input.value) === this.sent(option) || input.value === "") this.values.delete(option.name);
       else this.values.set(option.name, Number(input.value));
-      this.fill();
-      this.list.querySelector(`[data-option="${option.name}"]`)?.focus();
+      input.value = value();
+      row.classList.toggle("chosen", this.values.has(option.name));
+      this.tellCommand();
     });
     input.addEventListener("keydown", (event) => {
       if (event.key === "Enter") input.dispatchEvent(new Event("change")), void this.try();
@@ -22020,6 +22027,7 @@ var Trial = class {
     try {
       this.show(seen, await tryOptions(this.robot, seen.line.id, Object.fromEntries(this.values)));
     } catch (error) {
+      this.changes.replaceChildren();
       this.say(error.message, true);
     } finally {
       this.busy = this.run.disabled = false;
@@ -22027,7 +22035,7 @@ var Trial = class {
   }
   show(seen, tried) {
     if (this.seen !== seen) return;
-    drawFrame(this.after, seen.picture, { ...seen.frame, detections: tried }, SHOWN, 0);
+    drawFrame(this.after, this.picture, { ...seen.frame, detections: tried }, SHOWN, 0);
     const before = seen.frame.detections;
     const pairs = before ? match(before, tried) : tried.objects.map((after) => ({ before: null, after, iou: 0 }));
     const changed = pairs.filter((pair) => describe2(pair) !== "the same").length;
@@ -22039,6 +22047,11 @@ var Trial = class {
     this.told.classList.toggle("bad", isBad);
   }
 };
+function copyOf(picture) {
+  const copy = new OffscreenCanvas(picture.width, picture.height);
+  copy.getContext("2d").drawImage(picture, 0, 0);
+  return copy;
+}
 function labelCell(label) {
   if (label === void 0) return el("td", {}, "–");
   const swatch = el("span", { class: "swatch" });

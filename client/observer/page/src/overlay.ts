@@ -18,7 +18,7 @@ const MASK_ALPHA = 110;
 
 export function drawFrame(
   canvas: HTMLCanvasElement,
-  picture: ImageBitmap | null,
+  picture: ImageBitmap | OffscreenCanvas | null,
   frame: Frame,
   shown: Shown,
   chosen: number,

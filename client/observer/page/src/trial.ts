@@ -22,6 +22,7 @@ export class Trial {
   private readonly find = el("input", { type: "search", id: "find", placeholder: "name or meaning", "aria-label": "find an option" });
   private readonly run = el("button", { type: "button", id: "run" }, "try");
   private seen: Seen | null = null;
+  private picture: OffscreenCanvas | null = null; // its own, as that of a frame goes with it
   private profile = DEFAULT;
   private options: Option[] = [];
   private readonly values = new Map<string, number>(); // that are not the robot's
@@ -63,14 +64,15 @@ export class Trial {
   // Of the history, as only such frames are there as they were sent.
   async open(seen: Seen): Promise<void> {
     this.element.hidden = false;
-    if (this.seen?.line.id === seen.line.id) return;
+    if (this.seen?.line.id === seen.line.id && this.options.length > 0) return;
     this.seen = seen;
     this.profile = seen.frame.options?.profile || DEFAULT;
     this.head.textContent = `Try other options on frame ${seen.line.frame_id || "without a name"}`;
     this.told.textContent = "";
     this.changes.replaceChildren();
-    drawFrame(this.before, seen.picture, seen.frame, SHOWN, 0);
-    drawFrame(this.after, seen.picture, { ...seen.frame, detections: undefined }, SHOWN, 0);
+    this.picture = seen.picture && copyOf(seen.picture);
+    drawFrame(this.before, this.picture, seen.frame, SHOWN, 0);
+    drawFrame(this.after, this.picture, { ...seen.frame, detections: undefined }, SHOWN, 0);
     try {
       this.options = (await optionsOf(this.robot, seen.line.id)).filter((option) => this.profile in option.defaults);
     } catch (error) {
@@ -87,21 +89,26 @@ export class Trial {
     const wanted = this.find.value.toLowerCase();
     const shown = this.options.filter(({ name, description }) => `${name} ${description}`.toLowerCase().includes(wanted));
     this.list.replaceChildren(...shown.map((option) => this.row(option)));
+    this.tellCommand();
+  }
+
+  private tellCommand(): void {
     const sets = [...this.values].map(([name, value]) => ` --set ${name}=${value}`).join("");
     this.command.textContent = `fovea detect --input bundle.zip --output tried${sets}`;
   }
 
   private row(option: Option): HTMLTableRowElement {
-    const value = this.values.get(option.name) ?? this.sent(option);
+    const value = () => String(this.values.get(option.name) ?? this.sent(option));
     // The server says what it takes; the browser only helps.
     const step = option.integral ? "1" : "any";
-    const input = el("input", { type: "number", step, value: String(value), "aria-label": option.name, "data-option": option.name });
+    const input = el("input", { type: "number", step, value: value(), "aria-label": option.name, "data-option": option.name });
     input.disabled = option.fixed;
     input.addEventListener("change", () => {
       if (Number(input.value) === this.sent(option) || input.value === "") this.values.delete(option.name);
       else this.values.set(option.name, Number(input.value));
-      this.fill();
-      this.list.querySelector<HTMLInputElement>(`[data-option="${option.name}"]`)?.focus();
+      input.value = value();
+      row.classList.toggle("chosen", this.values.has(option.name));
+      this.tellCommand();
     });
     input.addEventListener("keydown", (event) => {
       if (event.key === "Enter") input.dispatchEvent(new Event("change")), void this.try();
@@ -121,6 +128,7 @@ export class Trial {
     try {
       this.show(seen, await tryOptions(this.robot, seen.line.id, Object.fromEntries(this.values)));
     } catch (error) {
+      this.changes.replaceChildren(); // which were those of other options
       this.say((error as Error).message, true);
     } finally {
       this.busy = this.run.disabled = false;
@@ -129,7 +137,7 @@ export class Trial {
 
   private show(seen: Seen, tried: Detections): void {
     if (this.seen !== seen) return;
-    drawFrame(this.after, seen.picture, { ...seen.frame, detections: tried }, SHOWN, 0);
+    drawFrame(this.after, this.picture, { ...seen.frame, detections: tried }, SHOWN, 0);
     const before = seen.frame.detections;
     const pairs = before ? match(before, tried) : tried.objects.map((after) => ({ before: null, after, iou: 0 }));
     const changed = pairs.filter((pair) => describe(pair) !== "the same").length;
@@ -141,6 +149,12 @@ export class Trial {
     this.told.textContent = text;
     this.told.classList.toggle("bad", isBad);
   }
+}
+
+function copyOf(picture: ImageBitmap): OffscreenCanvas {
+  const copy = new OffscreenCanvas(picture.width, picture.height);
+  copy.getContext("2d")!.drawImage(picture, 0, 0);
+  return copy;
 }
 
 function labelCell(label: number | undefined): HTMLTableCellElement {
