@@ -89,6 +89,15 @@ def test_the_cloud_is_turned_and_measured_by_keys(
         seen = browser.drawn(cloud)
 
 
+def test_a_cloud_that_is_left_is_so_for_the_browser(browser: Browser, picture: WebElement) -> None:
+    """Of such contexts it has sixteen, and holds the memory of all of them."""
+    browser.press("3D")
+    script = "arguments[0].addEventListener('webglcontextlost', () => (window.lost = true))"
+    browser.driver.execute_script(script, browser.find("#cloud"))
+    browser.press("← all robots")
+    browser.until(lambda: browser.driver.execute_script("return window.lost"))
+
+
 def test_a_frame_that_came_without_its_depth_has_no_cloud(
     browser: Browser, observer: ObserverProcess, robots: Robots, scene: Scene
 ) -> None:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
+from typing import Any
 
 import pytest
 from conftest import Recorded, Robots, Scene
@@ -102,3 +103,68 @@ def test_a_frame_that_could_not_be_fetched_is_so_later(
     browser.find("#picture:not([data-id])")
     browser.driver.execute_script("window.mend()")
     browser.find("#picture[data-id]")
+
+
+@pytest.fixture
+def phone(browser: Browser) -> Iterator[int]:
+    """The width of one."""
+    size = {"width": 400, "height": 850, "deviceScaleFactor": 1, "mobile": True}
+    browser.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
+    yield size["width"]
+    browser.driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+
+def test_long_names_are_whole_on_a_phone(
+    browser: Browser, phone: int, observer: ObserverProcess, robots: Robots, scene: Scene
+) -> None:
+    name = 64 * "n"
+    browser.log_in(observer.url, OBSERVERS["ann"][0])
+    browser.find("#who button")
+    robots.detect(name, scene.frame())
+    right = "return document.querySelector(arguments[0]).getBoundingClientRect().right"
+    tile = f"[data-robot={name}]"
+    browser.find(tile)
+    assert browser.driver.execute_script(right, f"{tile} strong") < phone
+    browser.find(f"{tile} button").click()
+    browser.until(lambda: browser.text("h2") == name)
+    width = "return document.documentElement.scrollWidth"
+    assert browser.driver.execute_script(width) <= phone
+
+
+def test_each_page_has_the_name_of_its_robot(browser: Browser, picture: Any) -> None:
+    """Tabs are told apart by it."""
+    assert browser.driver.title.startswith("kitchen-1 – ")
+    browser.press("← all robots")
+    browser.until(lambda: browser.driver.title.startswith("Fovea"))
+
+
+def test_what_the_robot_did_not_ask_for_is_told(browser: Browser, picture: Any) -> None:
+    for name in ("seeds", "saliency"):
+        browser.press(name)
+        assert browser.text("#picked").startswith(f"kitchen-1 did not ask for {name}")
+        browser.press(name)
+        assert not browser.text("#picked")
+    browser.press("rejected")
+    assert not browser.text("#picked")
+
+
+def test_a_key_that_is_held_steps_and_does_no_more(browser: Browser, picture: Any) -> None:
+    browser.press("stop")
+    hold = """const [key] = arguments;
+        document.body.dispatchEvent(new KeyboardEvent("keydown", { key, repeat: true, bubbles: true }))"""
+    browser.driver.execute_script(hold, "m")
+    assert browser.find(".bar [title='key m']").get_attribute("aria-pressed") == "true"
+    browser.driver.execute_script(hold, " ")
+    assert browser.find(".bar [title='key space']").get_attribute("aria-pressed") == "true"
+    at = int(picture.get_attribute("data-id"))
+    browser.driver.execute_script(hold, ",")
+    browser.until(lambda: int(picture.get_attribute("data-id")) < at)
+
+
+@pytest.mark.parametrize("seconds", ["0", "601", "1.5", ""])
+def test_seconds_that_cannot_be_saved_are_told(browser: Browser, past: Any, seconds: str) -> None:
+    browser.driver.execute_script(
+        "arguments[0].value = arguments[1]", browser.find("#around"), seconds
+    )
+    browser.press("save")
+    assert "from 1 to 600" in browser.text("#saved.bad")

@@ -21158,6 +21158,7 @@ var Cloud = class {
   eye = new PerspectiveCamera(50, 4 / 3, 0.01, 100);
   controls;
   points;
+  sizes = new ResizeObserver(() => this.redraw());
   depth = new Uint16Array();
   frame = null;
   placed = "";
@@ -21180,7 +21181,7 @@ var Cloud = class {
       event.preventDefault();
     });
     this.canvas.addEventListener("focus", () => this.measureMiddle());
-    new ResizeObserver(() => this.redraw()).observe(this.canvas);
+    this.sizes.observe(this.canvas);
   }
   material() {
     const uniforms = {
@@ -21235,6 +21236,14 @@ var Cloud = class {
     this.clearThings();
     this.tell(null);
     this.redraw();
+  }
+  // Browsers have few contexts for 3D, and do not see by themselves that one is not needed any more.
+  close() {
+    this.element.remove();
+    this.sizes.disconnect();
+    this.controls.dispose();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
   }
   choose(label) {
     this.points.material.uniforms.chosen.value = label;
@@ -21638,12 +21647,15 @@ var Save = class {
     this.reel = reel;
     this.element = el("span", { class: "bar" }, this.frame, this.seconds, el("label", {}, "± ", this.around, " s"), this.told);
     this.frame.addEventListener("click", () => void this.save(0));
-    this.seconds.addEventListener("click", () => void this.save(Math.round(Number(this.around.value)) || 5));
+    this.seconds.addEventListener("click", () => {
+      if (this.around.checkValidity()) void this.save(Number(this.around.value));
+      else this.say("seconds before and after: a whole number from 1 to 600", true);
+    });
   }
   element;
   frame = el("button", { type: "button", title: "key f" }, "save frame");
   seconds = el("button", { type: "button", title: "key w" }, "save");
-  around = el("input", { type: "number", id: "around", min: "1", max: "600", value: "5", "aria-label": "seconds before and after" });
+  around = el("input", { type: "number", id: "around", min: "1", max: "600", value: "5", required: "", "aria-label": "seconds before and after" });
   told = el("span", { role: "status", class: "soft", id: "saved" });
   async save(around) {
     const shown = this.reel.current;
@@ -21723,7 +21735,7 @@ var Stages = class {
       ...names.map((name, k) => {
         const swatch = el("span", { class: "swatch" });
         swatch.style.background = tintOf(k);
-        return el("span", {}, swatch, `${name} ${(last.stages[name] ?? 0).toFixed(1)}`);
+        return el("span", {}, swatch, `${name} ${(last.stages[name] ?? 0).toFixed(1)} ms`);
       })
     );
   }
@@ -22149,6 +22161,7 @@ var RobotView = class {
     const switches = SWITCHES.map(
       ([name, key]) => add(name, key, this.shown[name], (on) => {
         this.shown[name] = on;
+        this.say(on ? this.whyNothing(name) : "");
         this.draw();
       })
     );
@@ -22171,7 +22184,8 @@ var RobotView = class {
     ];
   }
   // True where the key means something here.
-  onKey(key) {
+  onKey(key, isRepeated) {
+    if (isRepeated && key !== "," && key !== ".") return this.buttons.has(key);
     if (key === "Escape") this.onBack();
     else if (this.buttons.has(key)) this.buttons.get(key).click();
     else return false;
@@ -22181,6 +22195,7 @@ var RobotView = class {
     this.live.update(close2, listed);
   }
   close() {
+    this.cloud?.close();
     clearInterval(this.timer);
     this.live.close();
     this.reel.close();
@@ -22218,6 +22233,12 @@ var RobotView = class {
     }
     const instead = nearestInstead(shown, Number(this.reel.current?.line.answered_at_ms));
     if (instead) this.say(instead);
+  }
+  // Of these the page has what the robot asked for, and nothing else.
+  whyNothing(name) {
+    const options = this.reel.current?.frame.options;
+    const isAsked = { seeds: options?.return_seeds, saliency: options?.return_saliency_maps }[name] ?? true;
+    return isAsked ? "" : `${this.robot} did not ask for ${name} with this frame, so there is none to be shown`;
   }
   // What is shown stays.
   hold() {
@@ -22272,7 +22293,7 @@ var RobotView = class {
     return this.labels[y * this.picture.width + x] ?? 0;
   }
   async openCloud(on) {
-    this.cloud?.element.remove();
+    this.cloud?.close();
     this.cloud = on ? new Cloud() : null;
     if (this.cloud) this.left.append(this.cloud.element);
     this.onDepth(on);
@@ -22384,6 +22405,7 @@ var Tiles = class {
 var main = document.getElementById("main");
 var servers = document.getElementById("servers");
 var header = document.getElementById("who");
+var title = document.title;
 var events = new Events();
 var pages = new BroadcastChannel("session");
 var tiles;
@@ -22426,6 +22448,7 @@ function show() {
   if (robot && close?.robot === robot) return;
   close?.close();
   close = robot ? new RobotView(robot, me) : null;
+  document.title = robot ? `${robot} – ${title}` : title;
   main.replaceChildren(close ? close.element : tiles.element);
   if (close) {
     close.onBack = () => location.hash = "";
@@ -22464,6 +22487,7 @@ function askForToken(problem) {
   close = me = null;
   header.replaceChildren();
   servers.textContent = "";
+  document.title = title;
   const input = el("input", { id: "token", type: "password", autocomplete: "current-password", required: "" });
   const failure = el("p", { class: "bad", role: "alert", id: "failure" }, problem);
   const form = el("form", {}, el("label", { for: "token" }, "Token of an observer"), input, el("button", {}, "Log in"), failure);
@@ -22506,6 +22530,6 @@ addEventListener("keydown", (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   if (event.target instanceof HTMLInputElement) return;
   if (event.key === " " && event.target instanceof HTMLButtonElement) return;
-  if (close?.onKey(event.key)) event.preventDefault();
+  if (close?.onKey(event.key, event.repeat)) event.preventDefault();
 });
 void begin();

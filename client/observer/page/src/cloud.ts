@@ -73,6 +73,7 @@ export class Cloud {
   private readonly eye = new THREE.PerspectiveCamera(50, 4 / 3, 0.01, 100);
   private readonly controls: OrbitControls;
   private readonly points: THREE.Points<THREE.BufferGeometry, THREE.ShaderMaterial>;
+  private readonly sizes = new ResizeObserver(() => this.redraw());
   private depth = new Uint16Array();
   private frame: Frame | null = null;
   private placed = "";
@@ -96,7 +97,7 @@ export class Cloud {
       event.preventDefault();
     });
     this.canvas.addEventListener("focus", () => this.measureMiddle());
-    new ResizeObserver(() => this.redraw()).observe(this.canvas);
+    this.sizes.observe(this.canvas);
   }
 
   private material(): THREE.ShaderMaterial {
@@ -154,6 +155,15 @@ export class Cloud {
     this.clearThings();
     this.tell(null);
     this.redraw();
+  }
+
+  // Browsers have few contexts for 3D, and do not see by themselves that one is not needed any more.
+  close(): void {
+    this.element.remove();
+    this.sizes.disconnect();
+    this.controls.dispose();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
   }
 
   choose(label: number): void {

@@ -8,6 +8,7 @@ import type { Changes, ServerLine, Who } from "./types";
 const main = document.getElementById("main")!;
 const servers = document.getElementById("servers")!;
 const header = document.getElementById("who")!;
+const title = document.title;
 const events = new Events();
 const pages = new BroadcastChannel("session"); // all of this browser
 let tiles: Tiles;
@@ -56,6 +57,7 @@ function show(): void {
   if (robot && close?.robot === robot) return;
   close?.close();
   close = robot ? new RobotView(robot, me) : null;
+  document.title = robot ? `${robot} – ${title}` : title;
   main.replaceChildren(close ? close.element : tiles.element);
   if (close) {
     close.onBack = () => (location.hash = "");
@@ -98,6 +100,7 @@ function askForToken(problem: string): void {
   close = me = null;
   header.replaceChildren();
   servers.textContent = "";
+  document.title = title;
   const input = el("input", { id: "token", type: "password", autocomplete: "current-password", required: "" });
   const failure = el("p", { class: "bad", role: "alert", id: "failure" }, problem);
   const form = el("form", {}, el("label", { for: "token" }, "Token of an observer"), input, el("button", {}, "Log in"), failure);
@@ -145,6 +148,6 @@ addEventListener("keydown", (event) => {
   if (event.target instanceof HTMLInputElement) return;
   // On a button, space presses that.
   if (event.key === " " && event.target instanceof HTMLButtonElement) return;
-  if (close?.onKey(event.key)) event.preventDefault();
+  if (close?.onKey(event.key, event.repeat)) event.preventDefault();
 });
 void begin();

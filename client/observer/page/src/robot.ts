@@ -108,6 +108,7 @@ export class RobotView {
     const switches = SWITCHES.map(([name, key]) =>
       add(name, key, this.shown[name], (on) => {
         this.shown[name] = on;
+        this.say(on ? this.whyNothing(name) : "");
         this.draw();
       }),
     );
@@ -131,7 +132,8 @@ export class RobotView {
   }
 
   // True where the key means something here.
-  onKey(key: string): boolean {
+  onKey(key: string, isRepeated: boolean): boolean {
+    if (isRepeated && key !== "," && key !== ".") return this.buttons.has(key); // one that is held steps, and does no more
     if (key === "Escape") this.onBack();
     else if (this.buttons.has(key)) this.buttons.get(key)!.click();
     else return false;
@@ -143,6 +145,7 @@ export class RobotView {
   }
 
   close(): void {
+    this.cloud?.close();
     clearInterval(this.timer);
     this.live.close();
     this.reel.close();
@@ -184,6 +187,13 @@ export class RobotView {
     }
     const instead = nearestInstead(shown, Number(this.reel.current?.line.answered_at_ms));
     if (instead) this.say(instead);
+  }
+
+  // Of these the page has what the robot asked for, and nothing else.
+  private whyNothing(name: keyof Shown): string {
+    const options = this.reel.current?.frame.options;
+    const isAsked = { seeds: options?.return_seeds, saliency: options?.return_saliency_maps }[name as string] ?? true;
+    return isAsked ? "" : `${this.robot} did not ask for ${name} with this frame, so there is none to be shown`;
   }
 
   // What is shown stays.
@@ -246,7 +256,7 @@ export class RobotView {
   }
 
   private async openCloud(on: boolean): Promise<void> {
-    this.cloud?.element.remove();
+    this.cloud?.close();
     this.cloud = on ? new Cloud() : null;
     if (this.cloud) this.left.append(this.cloud.element);
     this.onDepth(on);

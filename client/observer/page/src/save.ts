@@ -10,7 +10,7 @@ export class Save {
   readonly element: HTMLElement;
   readonly frame = el("button", { type: "button", title: "key f" }, "save frame");
   readonly seconds = el("button", { type: "button", title: "key w" }, "save");
-  private readonly around = el("input", { type: "number", id: "around", min: "1", max: "600", value: "5", "aria-label": "seconds before and after" });
+  private readonly around = el("input", { type: "number", id: "around", min: "1", max: "600", value: "5", required: "", "aria-label": "seconds before and after" });
   private readonly told = el("span", { role: "status", class: "soft", id: "saved" });
 
   constructor(
@@ -19,7 +19,10 @@ export class Save {
   ) {
     this.element = el("span", { class: "bar" }, this.frame, this.seconds, el("label", {}, "± ", this.around, " s"), this.told);
     this.frame.addEventListener("click", () => void this.save(0));
-    this.seconds.addEventListener("click", () => void this.save(Math.round(Number(this.around.value)) || 5));
+    this.seconds.addEventListener("click", () => {
+      if (this.around.checkValidity()) void this.save(Number(this.around.value));
+      else this.say("seconds before and after: a whole number from 1 to 600", true);
+    });
   }
 
   private async save(around: number): Promise<void> {

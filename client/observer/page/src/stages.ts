@@ -71,7 +71,7 @@ export class Stages {
       ...names.map((name, k) => {
         const swatch = el("span", { class: "swatch" });
         swatch.style.background = tintOf(k);
-        return el("span", {}, swatch, `${name} ${(last.stages[name] ?? 0).toFixed(1)}`);
+        return el("span", {}, swatch, `${name} ${(last.stages[name] ?? 0).toFixed(1)} ms`);
       }),
     );
   }

@@ -69,7 +69,7 @@ export interface Frame {
   detections?: Detections;
   error?: { code: number; message: string };
   intrinsics?: Intrinsics;
-  options?: { profile: string; parameters: Record<string, number> };
+  options?: { profile: string; parameters: Record<string, number>; return_seeds: boolean; return_saliency_maps: boolean };
   depth?: { width: number; height: number; unit_m: number; intrinsics: Intrinsics };
 }
 export interface RobotLine {
