@@ -10,6 +10,7 @@ from processes import OBSERVERS, ObserverProcess, ServerProcess
 
 pytest.importorskip("selenium", reason="python3-selenium is not installed")
 from browser import Browser  # noqa: E402
+from selenium.webdriver.common.keys import Keys  # noqa: E402
 
 
 def is_of(browser: Browser, name: str) -> None:
@@ -49,6 +50,18 @@ def test_who_cannot_be_logged_out_is_told(browser: Browser, server: ServerProces
         observer.kill()
         browser.find("#who button").click()
         browser.until(lambda: "ann is still logged in" in browser.text("#servers"))
+
+
+def test_an_observer_that_is_away_is_told_to_who_logs_in(
+    browser: Browser, server: ServerProcess
+) -> None:
+    with ObserverProcess(server.address) as observer:
+        browser.driver.delete_all_cookies()
+        browser.driver.get(observer.url)
+        field = browser.find("#token")
+        observer.kill()
+        field.send_keys(OBSERVERS["ann"][0] + Keys.ENTER)
+        browser.until(lambda: browser.text("#failure") == "the observer cannot be reached")
 
 
 def test_a_token_put_into_the_address_of_an_open_page_logs_in(

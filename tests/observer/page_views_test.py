@@ -39,7 +39,7 @@ def test_a_robot_that_has_gone_is_quiet(
     robots.detect("leaves", scene.frame())
     browser.until(lambda: "a second" in browser.text("#facts"))
     browser.driver.execute_script(SET_ON + str(AN_HOUR))  # which passes
-    browser.until(lambda: "quiet for 360" in browser.text("#facts"))
+    browser.until(lambda: "quiet for 60 min" in browser.text("#facts"))
 
 
 @pytest.mark.parametrize("ms", [-AN_HOUR, AN_HOUR])
@@ -136,6 +136,12 @@ def test_each_page_has_the_name_of_its_robot(browser: Browser, picture: Any) -> 
     assert browser.driver.title.startswith("kitchen-1 – ")
     browser.press("← all robots")
     browser.until(lambda: browser.driver.title.startswith("Fovea"))
+
+
+def test_buttons_of_signs_have_names(browser: Browser, picture: Any) -> None:
+    names = {"key ,": "the frame before", "key .": "the next frame"}
+    for title, name in names.items():
+        assert browser.find(f".bar [title='{title}']").accessible_name == name
 
 
 def test_what_the_robot_did_not_ask_for_is_told(browser: Browser, picture: Any) -> None:

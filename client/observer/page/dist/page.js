@@ -29,6 +29,11 @@ async function get(path) {
   if (response.status === 401) throw new Refused("not logged in");
   return response.ok ? response : null;
 }
+async function ask(path, init) {
+  return fetch(path, init).catch(() => {
+    throw new Error("the observer cannot be reached");
+  });
+}
 function ofFrame(kind, robot, id) {
   return `/api/${kind}?robot=${encodeURIComponent(robot)}&id=${id}`;
 }
@@ -40,7 +45,7 @@ async function who() {
   return answer;
 }
 async function logIn(token) {
-  const response = await fetch("/api/login", { method: "POST", body: JSON.stringify({ token }) });
+  const response = await ask("/api/login", { method: "POST", body: JSON.stringify({ token }) });
   const answer = await response.json();
   if (!response.ok) throw new Error(answer.error);
   csrf = answer.csrf;
@@ -66,7 +71,7 @@ async function pastFrame(robot, id, withDepth) {
 }
 async function saveBundle(robot, at, before, after) {
   const query = `robot=${encodeURIComponent(robot)}&at=${at}&before=${before}&after=${after}`;
-  const response = await fetch(`/api/history/bundle?${query}`);
+  const response = await ask(`/api/history/bundle?${query}`);
   if (!response.ok) throw new Error(response.status === 404 ? "the history holds nothing of that time" : (await response.json()).error);
   const name = /filename="([^"]+)"/.exec(response.headers.get("Content-Disposition") ?? "")?.[1] ?? "bundle.zip";
   const url = URL.createObjectURL(await response.blob());
@@ -79,9 +84,9 @@ async function answerOr(response) {
   if (!response.ok) throw new Error(response.status === 404 ? "this frame cannot be had any more" : answer.error);
   return answer;
 }
-var post = (path, body) => fetch(path, { method: "POST", headers: { "X-Fovea-CSRF": csrf }, body: JSON.stringify(body) });
+var post = (path, body) => ask(path, { method: "POST", headers: { "X-Fovea-CSRF": csrf }, body: JSON.stringify(body) });
 async function optionsOf(robot, id) {
-  return (await answerOr(await fetch(ofFrame("options", robot, id)))).options;
+  return (await answerOr(await ask(ofFrame("options", robot, id)))).options;
 }
 async function tryOptions(robot, id, parameters) {
   const response = await post("/api/try", { robot, id, options: { parameters } });
@@ -188,10 +193,15 @@ function setClock(observerUs) {
 var observerNow = () => Date.now() + ahead;
 var silenceOf = (line) => observerNow() - line.came_at_us / 1e3;
 var isQuiet = (line) => silenceOf(line) > QUIET_MS;
+function spanOf(ms) {
+  const seconds = Math.max(0, Math.round(ms / 1e3));
+  if (seconds < 120) return `${seconds} s`;
+  return seconds < 7200 ? `${Math.round(seconds / 60)} min` : `${Math.round(seconds / 3600)} h`;
+}
 function paceOf(line) {
-  if (isQuiet(line)) return `quiet for ${Math.round(silenceOf(line) / 1e3)} s`;
+  if (isQuiet(line)) return `quiet for ${spanOf(silenceOf(line))}`;
   if (line.rate_hz === 0) return "how often is not known yet";
-  return line.rate_hz < LEAST_HZ ? `one in ${Math.round(1 / line.rate_hz)} s` : `${line.rate_hz.toFixed(1)} a second`;
+  return line.rate_hz < LEAST_HZ ? `one in ${spanOf(1e3 / line.rate_hz)}` : `${line.rate_hz.toFixed(1)} a second`;
 }
 
 // node_modules/three/build/three.module.js
@@ -21866,16 +21876,16 @@ var Timeline = class {
     this.say(from, to, now ?? to);
   }
   say(from, to, now) {
-    const seconds = Math.max(0, Math.round((observerNow() * 1e3 - now) / 1e6));
+    const ago = `${spanOf(observerNow() - now / 1e3)} ago`;
     const clock = new Date(now / 1e3).toLocaleTimeString();
     const { ids, problem } = this.reel.history;
     if (!this.reel.isListed) this.text.textContent = "the history is being read";
-    else this.text.textContent = problem ? `nothing is recorded: ${problem}` : `${clock}, ${seconds} s ago · ${counted(ids.length, "frame")} recorded`;
+    else this.text.textContent = problem ? `nothing is recorded: ${problem}` : `${clock}, ${ago} · ${counted(ids.length, "frame")} recorded`;
     this.text.classList.toggle("bad", problem !== "");
     this.canvas.setAttribute("aria-valuemin", String(Math.round(from / 1e6)));
     this.canvas.setAttribute("aria-valuemax", String(Math.round(to / 1e6)));
     this.canvas.setAttribute("aria-valuenow", String(Math.round(now / 1e6)));
-    this.canvas.setAttribute("aria-valuetext", `${seconds} seconds ago`);
+    this.canvas.setAttribute("aria-valuetext", ago);
   }
 };
 
@@ -22165,8 +22175,8 @@ var RobotView = class {
         this.draw();
       })
     );
-    const step = (label, key, by) => {
-      const button = el("button", { type: "button", title: `key ${key}` }, label);
+    const step = (label, name, key, by) => {
+      const button = el("button", { type: "button", title: `key ${key}`, "aria-label": name }, label);
       button.addEventListener("click", () => this.step(by));
       this.buttons.set(key, button);
       return button;
@@ -22178,8 +22188,8 @@ var RobotView = class {
         this.say("");
         this.reel.stop(on);
       }),
-      step("◀", ",", -1),
-      step("▶", ".", 1),
+      step("◀", "the frame before", ",", -1),
+      step("▶", "the next frame", ".", 1),
       ...mayTry(me2) ? [add("try", "t", false, (on) => void this.openTrial(on))] : []
     ];
   }
@@ -22371,12 +22381,13 @@ var Tiles = class {
   constructor(open) {
     this.open = open;
     this.element = el("section", { "aria-label": "robots" }, this.hint, this.list);
-    setInterval(() => this.tiles.forEach((tile) => tile.describe()), 1e3);
+    this.timer = window.setInterval(() => this.tiles.forEach((tile) => tile.describe()), 1e3);
   }
   element;
   list = el("ul", { class: "tiles" });
   hint = el("p", { class: "soft" }, "No robot has sent a frame since this page was opened.");
   tiles = /* @__PURE__ */ new Map();
+  timer;
   update(lines) {
     for (const line of lines) {
       let tile = this.tiles.get(line.robot);
@@ -22388,6 +22399,9 @@ var Tiles = class {
     }
     this.hint.hidden = this.tiles.size > 0;
     this.sort();
+  }
+  close() {
+    clearInterval(this.timer);
   }
   focus(robot) {
     this.tiles.get(robot)?.item.querySelector("button")?.focus();
@@ -22408,7 +22422,7 @@ var header = document.getElementById("who");
 var title = document.title;
 var events = new Events();
 var pages = new BroadcastChannel("session");
-var tiles;
+var tiles = null;
 var me = null;
 var close = null;
 var hasNews = false;
@@ -22431,7 +22445,7 @@ function onChanges(changes) {
   hasNews = true;
   setClock(changes.now_us);
   say(changes.servers);
-  tiles.update(changes.robots);
+  tiles?.update(changes.robots);
   if (close) close.update(changes.close, changes.robots.find((line) => line.robot === close.robot));
 }
 function onState(connected) {
@@ -22442,7 +22456,7 @@ function onState(connected) {
   servers.classList.add("bad");
 }
 function show() {
-  if (!me) return;
+  if (!me || !tiles) return;
   const robot = inAddress("robot");
   const before = close?.robot ?? "";
   if (robot && close?.robot === robot) return;
@@ -22472,6 +22486,7 @@ function start(who2) {
   });
   header.replaceChildren(`${who2.name} `, out);
   close?.close();
+  tiles?.close();
   tiles = new Tiles((robot) => location.hash = `robot=${encodeURIComponent(robot)}`);
   close = null;
   show();

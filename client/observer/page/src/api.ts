@@ -18,6 +18,13 @@ async function get(path: string): Promise<Response | null> {
   return response.ok ? response : null; // 404: the frame has passed
 }
 
+// For what somebody waits to be told.
+async function ask(path: string, init?: RequestInit): Promise<Response> {
+  return fetch(path, init).catch(() => {
+    throw new Error("the observer cannot be reached");
+  });
+}
+
 function ofFrame(kind: string, robot: string, id: number): string {
   return `/api/${kind}?robot=${encodeURIComponent(robot)}&id=${id}`;
 }
@@ -31,7 +38,7 @@ export async function who(): Promise<Who | null> {
 }
 
 export async function logIn(token: string): Promise<Who> {
-  const response = await fetch("/api/login", { method: "POST", body: JSON.stringify({ token }) });
+  const response = await ask("/api/login", { method: "POST", body: JSON.stringify({ token }) });
   const answer = await response.json();
   if (!response.ok) throw new Error(answer.error);
   csrf = answer.csrf;
@@ -64,7 +71,7 @@ export async function pastFrame(robot: string, id: number, withDepth: boolean): 
 // when the frame in the middle was answered.
 export async function saveBundle(robot: string, at: number, before: number, after: number): Promise<{ name: string; answeredAtMs: number }> {
   const query = `robot=${encodeURIComponent(robot)}&at=${at}&before=${before}&after=${after}`;
-  const response = await fetch(`/api/history/bundle?${query}`);
+  const response = await ask(`/api/history/bundle?${query}`);
   if (!response.ok) throw new Error(response.status === 404 ? "the history holds nothing of that time" : (await response.json()).error);
   const name = /filename="([^"]+)"/.exec(response.headers.get("Content-Disposition") ?? "")?.[1] ?? "bundle.zip";
   const url = URL.createObjectURL(await response.blob());
@@ -80,10 +87,10 @@ async function answerOr<Answer>(response: Response): Promise<Answer> {
 }
 
 const post = (path: string, body: unknown) =>
-  fetch(path, { method: "POST", headers: { "X-Fovea-CSRF": csrf }, body: JSON.stringify(body) });
+  ask(path, { method: "POST", headers: { "X-Fovea-CSRF": csrf }, body: JSON.stringify(body) });
 
 export async function optionsOf(robot: string, id: number): Promise<Option[]> {
-  return (await answerOr<{ options: Option[] }>(await fetch(ofFrame("options", robot, id)))).options;
+  return (await answerOr<{ options: Option[] }>(await ask(ofFrame("options", robot, id)))).options;
 }
 
 // What would be answered to a frame of the history.

@@ -11,7 +11,7 @@ const header = document.getElementById("who")!;
 const title = document.title;
 const events = new Events();
 const pages = new BroadcastChannel("session"); // all of this browser
-let tiles: Tiles;
+let tiles: Tiles | null = null;
 let me: Who | null = null; // while the page asks for a token
 let close: RobotView | null = null;
 let hasNews = false; // from the observer, since it was away
@@ -38,7 +38,7 @@ function onChanges(changes: Changes): void {
   hasNews = true;
   setClock(changes.now_us);
   say(changes.servers);
-  tiles.update(changes.robots);
+  tiles?.update(changes.robots);
   if (close) close.update(changes.close, changes.robots.find((line) => line.robot === close!.robot));
 }
 
@@ -51,7 +51,7 @@ function onState(connected: boolean): void {
 }
 
 function show(): void {
-  if (!me) return;
+  if (!me || !tiles) return;
   const robot = inAddress("robot");
   const before = close?.robot ?? "";
   if (robot && close?.robot === robot) return;
@@ -82,6 +82,7 @@ function start(who: Who): void {
   });
   header.replaceChildren(`${who.name} `, out);
   close?.close();
+  tiles?.close();
   tiles = new Tiles((robot) => (location.hash = `robot=${encodeURIComponent(robot)}`));
   close = null;
   show();

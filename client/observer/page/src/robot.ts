@@ -112,8 +112,8 @@ export class RobotView {
         this.draw();
       }),
     );
-    const step = (label: string, key: string, by: number) => {
-      const button = el("button", { type: "button", title: `key ${key}` }, label);
+    const step = (label: string, name: string, key: string, by: number) => {
+      const button = el("button", { type: "button", title: `key ${key}`, "aria-label": name }, label);
       button.addEventListener("click", () => this.step(by));
       this.buttons.set(key, button);
       return button;
@@ -125,8 +125,8 @@ export class RobotView {
         this.say("");
         this.reel.stop(on);
       }),
-      step("◀", ",", -1),
-      step("▶", ".", 1),
+      step("◀", "the frame before", ",", -1),
+      step("▶", "the next frame", ".", 1),
       ...(mayTry(me) ? [add("try", "t", false, (on) => void this.openTrial(on))] : []),
     ];
   }

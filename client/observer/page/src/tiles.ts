@@ -74,10 +74,11 @@ export class Tiles {
   private readonly list = el("ul", { class: "tiles" });
   private readonly hint = el("p", { class: "soft" }, "No robot has sent a frame since this page was opened.");
   private readonly tiles = new Map<string, Tile>();
+  private readonly timer: number;
 
   constructor(private readonly open: (robot: string) => void) {
     this.element = el("section", { "aria-label": "robots" }, this.hint, this.list);
-    setInterval(() => this.tiles.forEach((tile) => tile.describe()), 1000);
+    this.timer = window.setInterval(() => this.tiles.forEach((tile) => tile.describe()), 1000);
   }
 
   update(lines: RobotLine[]): void {
@@ -91,6 +92,10 @@ export class Tiles {
     }
     this.hint.hidden = this.tiles.size > 0;
     this.sort();
+  }
+
+  close(): void {
+    clearInterval(this.timer);
   }
 
   focus(robot: string): void {

@@ -1,6 +1,6 @@
 // What the history holds of one robot: a bar a frame, as high as it has objects, and a line a minute.
 import { counted, el } from "./dom";
-import { observerNow } from "./pace";
+import { observerNow, spanOf } from "./pace";
 import type { Reel } from "./reel";
 
 const MAX_MINUTES = 120; // of which each has its line
@@ -77,15 +77,15 @@ export class Timeline {
   }
 
   private say(from: number, to: number, now: number): void {
-    const seconds = Math.max(0, Math.round((observerNow() * 1000 - now) / 1e6));
+    const ago = `${spanOf(observerNow() - now / 1000)} ago`;
     const clock = new Date(now / 1000).toLocaleTimeString();
     const { ids, problem } = this.reel.history;
     if (!this.reel.isListed) this.text.textContent = "the history is being read";
-    else this.text.textContent = problem ? `nothing is recorded: ${problem}` : `${clock}, ${seconds} s ago · ${counted(ids.length, "frame")} recorded`;
+    else this.text.textContent = problem ? `nothing is recorded: ${problem}` : `${clock}, ${ago} · ${counted(ids.length, "frame")} recorded`;
     this.text.classList.toggle("bad", problem !== "");
     this.canvas.setAttribute("aria-valuemin", String(Math.round(from / 1e6)));
     this.canvas.setAttribute("aria-valuemax", String(Math.round(to / 1e6)));
     this.canvas.setAttribute("aria-valuenow", String(Math.round(now / 1e6)));
-    this.canvas.setAttribute("aria-valuetext", `${seconds} seconds ago`);
+    this.canvas.setAttribute("aria-valuetext", ago);
   }
 }
