@@ -20877,6 +20877,25 @@ function interceptControlUp(event) {
   }
 }
 
+// src/box_lines.ts
+var vector = ({ x, y, z }) => new Vector3(x, y, z);
+function boxLines(box) {
+  const { position, orientation } = box.pose;
+  const turn = new Quaternion(orientation.x, orientation.y, orientation.z, orientation.w);
+  const corner = (i) => new Vector3(
+    (i & 1 ? 1 : -1) * box.size.x / 2,
+    (i & 2 ? 1 : -1) * box.size.y / 2,
+    (i & 4 ? 1 : -1) * box.size.z / 2
+  ).applyQuaternion(turn).add(vector(position));
+  const lines = [];
+  for (let i = 0; i < 8; ++i) {
+    for (const bit of [1, 2, 4]) {
+      if ((i & bit) === 0) lines.push(corner(i), corner(i | bit));
+    }
+  }
+  return lines;
+}
+
 // src/lens.ts
 var FISHEYE = "DISTORTION_MODEL_KANNALA_BRANDT";
 function modelOf(camera) {
@@ -20923,6 +20942,41 @@ vec2 bend(vec2 ray) {
   float t2 = theta * theta;
   return ray * (theta * (1.0 + t2 * (bends[0] + t2 * (bends[1] + t2 * (bends[2] + t2 * bends[3])))) / r);
 }`;
+
+// src/cloud_shader.ts
+var VERTEX = `
+precision highp usampler2D;
+uniform usampler2D depth;
+uniform sampler2D picture;
+uniform usampler2D labels;
+uniform vec4 camera; // fx, fy, cx, cy of the depth, which is without distortion
+uniform vec4 sent; // of the picture
+${BEND_IN_SHADER}
+uniform float unit;
+uniform int width;
+uniform float size;
+uniform uint chosen;
+out vec3 tint;
+void main() {
+  ivec2 pixel = ivec2(gl_VertexID % width, gl_VertexID / width);
+  float z = float(texelFetch(depth, pixel, 0).r) * unit;
+  vec2 ray = (vec2(pixel) - camera.zw) / camera.xy;
+  // Picture and masks are in the pixels that were sent.
+  ivec2 at = ivec2(floor(bend(ray) * sent.xy + sent.zw + 0.5));
+  ivec2 size_of_picture = textureSize(picture, 0);
+  bool is_inside = all(greaterThanEqual(at, ivec2(0))) && all(lessThan(at, size_of_picture));
+  tint = is_inside ? texelFetch(picture, at, 0).rgb : vec3(0.2);
+  bool is_chosen = is_inside && all(lessThan(at, textureSize(labels, 0))) && texelFetch(labels, at, 0).r == chosen;
+  if (chosen > 0u && !is_chosen) tint *= 0.35;
+  vec3 point = vec3(ray * z, z);
+  gl_Position = z > 0.0 ? projectionMatrix * modelViewMatrix * vec4(point, 1.0) : vec4(0.0, 0.0, 2.0, 1.0);
+  gl_PointSize = clamp(size / gl_Position.w, 1.0, 12.0);
+}`;
+var FRAGMENT = `
+precision highp float;
+in vec3 tint;
+out vec4 color;
+void main() { color = vec4(tint, 1.0); }`;
 
 // src/palette.ts
 var COLORS = [
@@ -21108,39 +21162,6 @@ function handLines(grasp, fingerLength = 0.04) {
 }
 
 // src/cloud.ts
-var VERTEX = `
-precision highp usampler2D;
-uniform usampler2D depth;
-uniform sampler2D picture;
-uniform usampler2D labels;
-uniform vec4 camera; // fx, fy, cx, cy of the depth, which is without distortion
-uniform vec4 sent; // of the picture
-${BEND_IN_SHADER}
-uniform float unit;
-uniform int width;
-uniform float size;
-uniform uint chosen;
-out vec3 tint;
-void main() {
-  ivec2 pixel = ivec2(gl_VertexID % width, gl_VertexID / width);
-  float z = float(texelFetch(depth, pixel, 0).r) * unit;
-  vec2 ray = (vec2(pixel) - camera.zw) / camera.xy;
-  // Picture and masks are in the pixels that were sent.
-  ivec2 at = ivec2(floor(bend(ray) * sent.xy + sent.zw + 0.5));
-  ivec2 size_of_picture = textureSize(picture, 0);
-  bool is_inside = all(greaterThanEqual(at, ivec2(0))) && all(lessThan(at, size_of_picture));
-  tint = is_inside ? texelFetch(picture, at, 0).rgb : vec3(0.2);
-  bool is_chosen = is_inside && all(lessThan(at, textureSize(labels, 0))) && texelFetch(labels, at, 0).r == chosen;
-  if (chosen > 0u && !is_chosen) tint *= 0.35;
-  vec3 point = vec3(ray * z, z);
-  gl_Position = z > 0.0 ? projectionMatrix * modelViewMatrix * vec4(point, 1.0) : vec4(0.0, 0.0, 2.0, 1.0);
-  gl_PointSize = clamp(size / gl_Position.w, 1.0, 12.0);
-}`;
-var FRAGMENT = `
-precision highp float;
-in vec3 tint;
-out vec4 color;
-void main() { color = vec4(tint, 1.0); }`;
 var PICK_PIXELS = 7;
 var HELP = "drag or arrow keys turn, wheel or + and - zoom, with shift they move, Home goes back";
 var TURN = 0.08;
@@ -21154,7 +21175,6 @@ function integerTexture(data, width, height) {
   texture.needsUpdate = true;
   return texture;
 }
-var vector = ({ x, y, z }) => new Vector3(x, y, z);
 var Cloud = class {
   element;
   canvas = el("canvas", { id: "cloud", tabindex: "0", role: "application", "aria-label": `cloud of points; ${HELP}` });
@@ -21403,22 +21423,6 @@ var Cloud = class {
     return best;
   }
 };
-function boxLines(box) {
-  const { position, orientation } = box.pose;
-  const turn = new Quaternion(orientation.x, orientation.y, orientation.z, orientation.w);
-  const corner = (i) => new Vector3(
-    (i & 1 ? 1 : -1) * box.size.x / 2,
-    (i & 2 ? 1 : -1) * box.size.y / 2,
-    (i & 4 ? 1 : -1) * box.size.z / 2
-  ).applyQuaternion(turn).add(vector(position));
-  const lines = [];
-  for (let i = 0; i < 8; ++i) {
-    for (const bit of [1, 2, 4]) {
-      if ((i & bit) === 0) lines.push(corner(i), corner(i | bit));
-    }
-  }
-  return lines;
-}
 
 // src/live.ts
 var Live = class {

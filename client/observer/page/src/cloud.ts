@@ -2,46 +2,14 @@
 // hands, the support and the way down. Positions are metres, x right, y down, z forward.
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { boxLines, vector } from "./box_lines";
+import { FRAGMENT, VERTEX } from "./cloud_shader";
 import { el } from "./dom";
-import { BEND_IN_SHADER, coefficientsOf, modelOf } from "./lens";
+import { coefficientsOf, modelOf } from "./lens";
 import { labelsOf } from "./masks";
 import { handLines } from "./overlay";
 import { colorOf } from "./palette";
-import type { Frame, OrientedBox, Vector3 } from "./types";
-
-const VERTEX = `
-precision highp usampler2D;
-uniform usampler2D depth;
-uniform sampler2D picture;
-uniform usampler2D labels;
-uniform vec4 camera; // fx, fy, cx, cy of the depth, which is without distortion
-uniform vec4 sent; // of the picture
-${BEND_IN_SHADER}
-uniform float unit;
-uniform int width;
-uniform float size;
-uniform uint chosen;
-out vec3 tint;
-void main() {
-  ivec2 pixel = ivec2(gl_VertexID % width, gl_VertexID / width);
-  float z = float(texelFetch(depth, pixel, 0).r) * unit;
-  vec2 ray = (vec2(pixel) - camera.zw) / camera.xy;
-  // Picture and masks are in the pixels that were sent.
-  ivec2 at = ivec2(floor(bend(ray) * sent.xy + sent.zw + 0.5));
-  ivec2 size_of_picture = textureSize(picture, 0);
-  bool is_inside = all(greaterThanEqual(at, ivec2(0))) && all(lessThan(at, size_of_picture));
-  tint = is_inside ? texelFetch(picture, at, 0).rgb : vec3(0.2);
-  bool is_chosen = is_inside && all(lessThan(at, textureSize(labels, 0))) && texelFetch(labels, at, 0).r == chosen;
-  if (chosen > 0u && !is_chosen) tint *= 0.35;
-  vec3 point = vec3(ray * z, z);
-  gl_Position = z > 0.0 ? projectionMatrix * modelViewMatrix * vec4(point, 1.0) : vec4(0.0, 0.0, 2.0, 1.0);
-  gl_PointSize = clamp(size / gl_Position.w, 1.0, 12.0);
-}`;
-const FRAGMENT = `
-precision highp float;
-in vec3 tint;
-out vec4 color;
-void main() { color = vec4(tint, 1.0); }`;
+import type { Frame, Vector3 } from "./types";
 
 const PICK_PIXELS = 7;
 const HELP = "drag or arrow keys turn, wheel or + and - zoom, with shift they move, Home goes back";
@@ -57,8 +25,6 @@ function integerTexture(data: Uint16Array | Uint8Array, width: number, height: n
   texture.needsUpdate = true;
   return texture;
 }
-
-const vector = ({ x, y, z }: Vector3) => new THREE.Vector3(x, y, z);
 
 export class Cloud {
   readonly element: HTMLElement;
@@ -295,9 +261,7 @@ export class Cloud {
   }
 
   private tell(point: THREE.Vector3 | null): void {
-    this.readout.value = point
-      ? `${point.x.toFixed(3)} ${point.y.toFixed(3)} ${point.z.toFixed(3)} m`
-      : "";
+    this.readout.value = point ? `${point.x.toFixed(3)} ${point.y.toFixed(3)} ${point.z.toFixed(3)} m` : "";
   }
 
   // The nearest point that is drawn at most some pixels beside this place of the canvas.
@@ -332,25 +296,4 @@ export class Cloud {
     }
     return best;
   }
-}
-
-// The twelve edges.
-function boxLines(box: OrientedBox): THREE.Vector3[] {
-  const { position, orientation } = box.pose;
-  const turn = new THREE.Quaternion(orientation.x, orientation.y, orientation.z, orientation.w);
-  const corner = (i: number) =>
-    new THREE.Vector3(
-      ((i & 1 ? 1 : -1) * box.size.x) / 2,
-      ((i & 2 ? 1 : -1) * box.size.y) / 2,
-      ((i & 4 ? 1 : -1) * box.size.z) / 2,
-    )
-      .applyQuaternion(turn)
-      .add(vector(position));
-  const lines: THREE.Vector3[] = [];
-  for (let i = 0; i < 8; ++i) {
-    for (const bit of [1, 2, 4]) {
-      if ((i & bit) === 0) lines.push(corner(i), corner(i | bit));
-    }
-  }
-  return lines;
 }
