@@ -47,7 +47,7 @@ std::string Misspelling(const CLI::App& app, int argc, const char* const* argv) 
       const std::vector<std::string> commands = CommandsOf(app);
       if (IsOneOf(word, commands)) {
         command = app.get_subcommand(word);
-      } else if (const std::string meant = Meant(word, commands); !meant.empty()) {
+      } else if (std::string meant = Meant(word, commands); !meant.empty()) {
         return meant;
       }
     }
