@@ -85,7 +85,7 @@ def test_options_that_could_not_be_had_are_asked_for_again(browser: Browser, pas
         window.mend = () => (window.fetch = asked);"""
     )
     browser.press("try")
-    browser.until(lambda: browser.text("#tried.bad") == "away")
+    browser.until(lambda: browser.text("#tried.bad") == "the observer cannot be reached")
     browser.driver.execute_script("window.mend()")
     browser.find("body").send_keys("tt")
     browser.until(lambda: browser.all("#options tbody tr"))
