@@ -16,14 +16,14 @@ using std::chrono::steady_clock;
 
 // Ends the call under way where its answer is not there some time after a stop was asked for.
 void StopLate(const std::stop_token& over, std::stop_source& call) {
-  constexpr std::chrono::milliseconds kMoment{20};
-  while (!StopAskedWithin(kMoment)) {
+  constexpr std::chrono::milliseconds kBetweenLooks{20};
+  while (!StopAskedWithin(kBetweenLooks)) {
     if (over.stop_requested()) return;
   }
   const steady_clock::time_point end = steady_clock::now() + kLastAnswers;
   while (steady_clock::now() < end) {
     if (over.stop_requested()) return;
-    std::this_thread::sleep_for(kMoment);
+    std::this_thread::sleep_for(kBetweenLooks);
   }
   call.request_stop();
 }
