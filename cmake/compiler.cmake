@@ -27,6 +27,11 @@ if(FOVEA_SANITIZE)
   endif()
 endif()
 
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  # Its garbage is collected from half a gigabyte on: a tenth of its time went into collecting less.
+  add_compile_options(--param=ggc-min-heapsize=524288)
+endif()
+
 # Called once per target of ours; generated and third-party code stays without it. To Clang a local
 # name shadows one in an unnamed namespace of another source, where several are compiled at a time.
 function(fovea_target target)
