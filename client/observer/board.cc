@@ -14,7 +14,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kMaxRobots = 1024, kClose = 4, kToPickFrom = 300;
+constexpr std::size_t kMaxRobots = 1024, kClose = 4, kListed = 20, kToPickFrom = 300;
 
 // Since 1970.
 std::uint64_t NowUs() {
@@ -112,6 +112,8 @@ void Board::OnFrame(std::size_t server, v1::WatchResponse response, bool is_clos
     if (to_pick_from_.size() > kToPickFrom) to_pick_from_.pop_front();
   } else {
     robot.newest = shown;
+    robot.listed.push_back(ToPickFrom(*shown));
+    if (robot.listed.size() > kListed) robot.listed.pop_front();
     // A server that has started anew counts from the beginning.
     const std::uint64_t sequence = shown->frame.sequence();
     if (!robot.arrivals.empty() && sequence <= robot.arrivals.back().sequence) {
@@ -159,10 +161,15 @@ ShownFramePtr Board::Frame(const std::string& robot, std::uint64_t id) const {
 ShownFramePtr Board::FrameToPickFrom(const std::string& robot, std::uint64_t id) const {
   if (ShownFramePtr whole = Frame(robot, id)) return whole;
   const std::lock_guard lock(mutex_);
-  const auto found =
-      std::ranges::find(to_pick_from_, id, [](const auto& each) { return each->id; });
-  const bool is_there = found != to_pick_from_.end() && (*found)->frame.robot() == robot;
-  return is_there && MaySee(*found) ? *found : nullptr;
+  const auto with_id = [id](const ShownFramePtr& each) { return each->id == id; };
+  auto found = std::ranges::find_if(to_pick_from_, with_id);
+  if (found == to_pick_from_.end()) {
+    const auto listed = robots_.find(robot);
+    if (listed == robots_.end()) return nullptr;
+    found = std::ranges::find_if(listed->second.listed, with_id);
+    if (found == listed->second.listed.end()) return nullptr;
+  }
+  return (*found)->frame.robot() == robot && MaySee(*found) ? *found : nullptr;
 }
 
 bool Board::MayDo(const std::string& address, const std::string& robot,

@@ -48,7 +48,7 @@ class Board {
   // Null where it is not there any more, or never was, or may not be seen any more.
   ShownFramePtr Frame(const std::string& robot, std::uint64_t id) const;
   // The same, or what a pick says of its objects where that is all that is left: of the last 300
-  // frames that were looked at closely.
+  // frames that were looked at closely, and the last 20 of each robot that the list had.
   ShownFramePtr FrameToPickFrom(const std::string& robot, std::uint64_t id) const;
 
   // Whether the one who watches has this right, and `view`, over a robot of this server, as that
@@ -83,7 +83,8 @@ class Board {
     std::uint64_t version = 0;
     ShownFramePtr newest;
     std::deque<ShownFramePtr> close;
-    std::deque<Arrival> arrivals;  // the last ones
+    std::deque<ShownFramePtr> listed;  // without pictures and masks
+    std::deque<Arrival> arrivals;      // the last ones
     double rate_hz = 0;
   };
 
