@@ -63,25 +63,6 @@ def test_the_clock_of_the_browser_may_be_wrong(
         browser.until(lambda: browser.text("#saved").startswith("saved fovea_arm_"))
 
 
-def test_a_robot_that_sends_seldom_is_shown_at_once(
-    browser: Browser, observer: ObserverProcess, robots: Robots, scene: Scene
-) -> None:
-    """As the list has it, and not as it was looked at closely long ago."""
-    browser.log_in(observer.url, OBSERVERS["ann"][0])
-    browser.find("#who button")
-    robots.detect("seldom", scene.frame(id="first"))
-    for name in ("second", "third"):
-        browser.find("[data-robot=seldom] button").click()
-        browser.find("#picture[data-id]")
-        assert browser.all("#objects tbody tr")
-        browser.press("← all robots")
-        robots.detect("seldom", scene.frame(id=name))
-    browser.find("[data-robot=seldom] button").click()
-    browser.until(lambda: "frame third" in browser.text("#facts"))
-    robots.detect("seldom", scene.frame(id="fourth"))
-    browser.until(lambda: "frame fourth" in browser.text("#facts"))
-
-
 def test_a_frame_that_could_not_be_fetched_is_so_later(
     browser: Browser, observer: ObserverProcess, robots: Robots, scene: Scene
 ) -> None:

@@ -21439,21 +21439,12 @@ var Live = class {
   newest = null;
   fetched = 0;
   // its number
-  preview = 0;
-  // the number of a frame that only the list has
-  wasUpdated = false;
   busy = false;
-  // What the list has counts at first, as the robot's next frame may be far away.
   update(close2, listed) {
-    const isFirst = !this.wasUpdated;
-    this.wasUpdated = true;
     this.listed = listed ?? this.listed;
-    const isListed = isFirst && (listed?.id ?? 0) > (close2?.id ?? 0);
-    const line = isListed ? listed : close2;
-    if (!line || this.newest && line.id <= this.newest.id) return;
-    if (isListed) this.preview = line.id;
-    this.newest = line;
-    this.onLine(line);
+    if (!close2 || this.newest && close2.id <= this.newest.id) return;
+    this.newest = close2;
+    this.onLine(close2);
     void this.fetch();
   }
   close() {
@@ -21478,7 +21469,7 @@ var Live = class {
   async load(line) {
     const [frame, picture, depth] = await Promise.all([
       answerOf(this.robot, line.id),
-      line.has_picture ? pictureOf(line.id === this.preview ? "preview" : "picture", this.robot, line.id) : null,
+      line.has_picture ? pictureOf("picture", this.robot, line.id) : null,
       this.withDepth() ? depthOf(this.robot, line.id) : null
     ]);
     return frame ? { line, frame, picture, depth, past: false } : null;

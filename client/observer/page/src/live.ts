@@ -8,8 +8,6 @@ export class Live {
   onFrame: (seen: Seen) => void = () => {};
   private newest: RobotLine | null = null;
   private fetched = 0; // its number
-  private preview = 0; // the number of a frame that only the list has
-  private wasUpdated = false;
   private busy = false;
 
   constructor(
@@ -17,17 +15,11 @@ export class Live {
     private readonly withDepth: () => boolean,
   ) {}
 
-  // What the list has counts at first, as the robot's next frame may be far away.
   update(close: RobotLine | undefined, listed: RobotLine | undefined): void {
-    const isFirst = !this.wasUpdated;
-    this.wasUpdated = true;
     this.listed = listed ?? this.listed;
-    const isListed = isFirst && (listed?.id ?? 0) > (close?.id ?? 0);
-    const line = isListed ? listed : close;
-    if (!line || (this.newest && line.id <= this.newest.id)) return;
-    if (isListed) this.preview = line.id;
-    this.newest = line;
-    this.onLine(line);
+    if (!close || (this.newest && close.id <= this.newest.id)) return;
+    this.newest = close;
+    this.onLine(close);
     void this.fetch();
   }
 
@@ -55,7 +47,7 @@ export class Live {
   private async load(line: RobotLine): Promise<Seen | null> {
     const [frame, picture, depth] = await Promise.all([
       answerOf(this.robot, line.id),
-      line.has_picture ? pictureOf(line.id === this.preview ? "preview" : "picture", this.robot, line.id) : null,
+      line.has_picture ? pictureOf("picture", this.robot, line.id) : null,
       this.withDepth() ? depthOf(this.robot, line.id) : null,
     ]);
     return frame ? { line, frame, picture, depth, past: false } : null;
