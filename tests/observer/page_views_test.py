@@ -7,10 +7,9 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
-from typing import Any
 
 import pytest
-from conftest import Recorded, Robots, Scene
+from conftest import Recorded, Robots, Scene, Sending
 from processes import OBSERVERS, ObserverProcess
 
 pytest.importorskip("selenium", reason="python3-selenium is not installed")
@@ -63,7 +62,7 @@ def test_the_clock_of_the_browser_may_be_wrong(
         browser.until(lambda: browser.text("#saved").startswith("saved fovea_arm_"))
 
 
-def test_a_frame_that_could_not_be_fetched_is_so_later(
+def test_goes_on_where_frames_could_not_be_fetched(
     browser: Browser, observer: ObserverProcess, robots: Robots, scene: Scene
 ) -> None:
     """With pauses, as many tiles would ask for nothing else."""
@@ -82,8 +81,9 @@ def test_a_frame_that_could_not_be_fetched_is_so_later(
     assert min(browser.driver.execute_script(pauses)) >= 1000
     browser.find("[data-robot=unlucky] button").click()
     browser.find("#picture:not([data-id])")
-    browser.driver.execute_script("window.mend()")
-    browser.find("#picture[data-id]")
+    with Sending(robots, "unlucky", scene.frame()):
+        browser.driver.execute_script("window.mend()")
+        browser.find("#picture[data-id]")
 
 
 @pytest.fixture
