@@ -53,7 +53,8 @@ SceneGeometry FindGeometry(const RgbdFrame& frame, const cv::Mat& depth_m, const
   scene.supports = FindSupports(points, wide_normals, scene.gravity.direction, options.support);
   // What cannot be measured leaves a hole in its support.
   scene.standing = StandInForMissing(depth_m, scene.supports, frame.intrinsics,
-                                     options.support.max_height_m, scene.points, normals);
+                                     {options.support.max_height_m, options.max_depth_m},
+                                     scene.points, normals);
   clock.Begin("voxels");
 
   RunTogether({[&] { scene.grid = BuildVoxelGrid(scene.points, normals, options.voxels); },

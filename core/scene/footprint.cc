@@ -116,10 +116,14 @@ std::vector<cv::Point> Footprint::CellsOf(const std::vector<Eigen::Vector3f>& po
 bool Footprint::Covers(const Eigen::Vector3f& point) const {
   if (is_covered_.empty()) return true;
   const Eigen::Vector2f cell = (axes_ * point - origin_) / cell_m_;
-  if (!(cell.minCoeff() >= 0)) return false;
-  const int x = static_cast<int>(cell.x());
-  const int y = static_cast<int>(cell.y());
-  return x < is_covered_.cols && y < is_covered_.rows && is_covered_.at<uchar>(y, x) != 0;
+  // Lines of sight along the surface meet it too far away for an int, or nowhere.
+  const auto is_within = [](float place, int size) {
+    return place >= 0 && place < static_cast<float>(size);
+  };
+  if (!is_within(cell.x(), is_covered_.cols) || !is_within(cell.y(), is_covered_.rows)) {
+    return false;
+  }
+  return is_covered_.at<uchar>(static_cast<int>(cell.y()), static_cast<int>(cell.x())) != 0;
 }
 
 }  // namespace fovea

@@ -124,14 +124,15 @@ std::optional<StandIn> FindStandIn(const std::vector<cv::Point>& hole,
   return nearest;
 }
 
-// Where a line of sight meets it; none above `max_height_m`.
+// Where a line of sight meets it within the limits.
 std::optional<Eigen::Vector3f> Meet(const Eigen::Vector3f& ray, const StandIn& stand_in,
-                                    double max_height_m) {
+                                    const StandInLimits& limits) {
   const float slope = stand_in.facing.dot(ray);
   if (slope >= 0) return std::nullopt;
   const Eigen::Vector3f point = ray * (stand_in.facing.dot(stand_in.base) / slope);
+  if (!(point.z() <= static_cast<float>(limits.max_depth_m))) return std::nullopt;
   const float height_m = stand_in.support->surface.HeightOf(point);
-  if (height_m > static_cast<float>(max_height_m)) return std::nullopt;
+  if (height_m > static_cast<float>(limits.max_height_m)) return std::nullopt;
   return point;
 }
 
@@ -150,8 +151,8 @@ cv::Vec3f ToCv(const Eigen::Vector3f& v) { return {v.x(), v.y(), v.z()}; }
 }  // namespace
 
 cv::Mat StandInForMissing(const cv::Mat& depth_m, const std::vector<Support>& supports,
-                          const CameraIntrinsics& intrinsics, double max_height_m, cv::Mat& points,
-                          NormalMap& normals) {
+                          const CameraIntrinsics& intrinsics, const StandInLimits& limits,
+                          cv::Mat& points, NormalMap& normals) {
   cv::Mat standing = cv::Mat::zeros(depth_m.size(), CV_8UC1);
   if (supports.empty()) return standing;
   const int step = normals.step_px;
@@ -169,7 +170,7 @@ cv::Mat StandInForMissing(const cv::Mat& depth_m, const std::vector<Support>& su
         shadow_end = EndOfShadow(depth_m, pixel, *stand_in, intrinsics.fx_px);
       }
       last = pixel;
-      const auto point = Meet(RayOf(pixel, intrinsics), *stand_in, max_height_m);
+      const auto point = Meet(RayOf(pixel, intrinsics), *stand_in, limits);
       if (!point || pixel.x < shadow_end) continue;
       standing.at<std::uint8_t>(pixel) = 255;
       points.at<cv::Vec3f>(pixel) = ToCv(*point);

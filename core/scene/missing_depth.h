@@ -10,6 +10,11 @@
 
 namespace fovea {
 
+struct StandInLimits {
+  double max_height_m = 0;  // above the support
+  double max_depth_m = 0;   // as of BackProject
+};
+
 // Stands an upright surface, which faces the camera, in each hole in front of a support, where the
 // line of sight through the lowest pixel of the hole meets it: the least that can be there. What a
 // second camera or projector beside does not see, behind the edge of something nearer, is no such
@@ -20,7 +25,7 @@ namespace fovea {
 // its pixels or some, get the surfaces; `points` in a copy of its own. Returns CV_8UC1, not 0 where
 // they are. Cost: proportional to the image.
 cv::Mat StandInForMissing(const cv::Mat& depth_m, const std::vector<Support>& supports,
-                          const CameraIntrinsics& intrinsics, double max_height_m, cv::Mat& points,
-                          NormalMap& normals);
+                          const CameraIntrinsics& intrinsics, const StandInLimits& limits,
+                          cv::Mat& points, NormalMap& normals);
 
 }  // namespace fovea

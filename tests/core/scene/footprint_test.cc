@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace fovea {
@@ -47,6 +48,15 @@ TEST(Footprint, CoversAHiddenMiddleButNotTheOutside) {
   for (const Eigen::Vector2f& outside :
        {Eigen::Vector2f(0.35F, 1.3F), {-0.35F, 1.3F}, {0, 0.95F}, {0, 1.65F}, {9, 9}, {-9, -9}}) {
     EXPECT_FALSE(footprint.Covers({outside.x(), 0.7F, outside.y()})) << outside.transpose();
+  }
+}
+
+TEST(Footprint, DoesNotReachWhereNoCellCanBe) {
+  const Footprint footprint(Ring(), {}, kTable, 0, 0);
+  for (const float far_m : {1e9F, 1e30F, std::numeric_limits<float>::infinity(),
+                            std::numeric_limits<float>::quiet_NaN()}) {
+    EXPECT_FALSE(footprint.Covers({far_m, 0.7F, far_m})) << far_m;
+    EXPECT_FALSE(footprint.Covers({-far_m, 0.7F, -far_m})) << far_m;
   }
 }
 

@@ -25,18 +25,20 @@ class MissingDepth : public ::testing::Test {
     support_.surface = {up.cast<float>(), 0.5F, 1000};
     for (int row = 0; row < depth_m_.rows; ++row) {
       for (int col = 0; col < depth_m_.cols; ++col) {
-        const Eigen::Vector3d ray((col - 80) / kFocal_px, (row - 60) / kFocal_px, 1);
+        const Eigen::Vector3d ray((col - 80) / intrinsics_.fx_px, (row - 60) / intrinsics_.fy_px,
+                                  1);
         depth_m_.at<float>(row, col) = static_cast<float>(-0.5 / up.dot(ray));
       }
     }
   }
 
   cv::Mat StandIn(double max_height_m = 0.5) {
-    points_ = BackProject(depth_m_, intrinsics_, 10);
+    points_ = BackProject(depth_m_, intrinsics_, kMaxDepth_m);
     normals_ = {cv::Mat(60, 80, CV_32FC3, cv::Scalar::all(kNone)), 2};
     std::vector<Support> supports = others_;
     supports.insert(supports.begin(), support_);
-    return StandInForMissing(depth_m_, supports, intrinsics_, max_height_m, points_, normals_);
+    return StandInForMissing(depth_m_, supports, intrinsics_, {max_height_m, kMaxDepth_m}, points_,
+                             normals_);
   }
 
   float HeightAt(int row, int col) const {
@@ -46,8 +48,8 @@ class MissingDepth : public ::testing::Test {
 
   void ExpectNothing() { EXPECT_EQ(cv::countNonZero(StandIn()), 0); }
 
-  static constexpr double kFocal_px = 140;
-  const CameraIntrinsics intrinsics_{kFocal_px, kFocal_px, 80, 60};
+  static constexpr double kMaxDepth_m = 10;
+  CameraIntrinsics intrinsics_{140, 140, 80, 60};
   cv::Mat depth_m_ = cv::Mat(120, 160, CV_32FC1);
   Support support_;
   std::vector<Support> others_;
@@ -140,10 +142,10 @@ TEST_F(MissingDepth, NothingStandsBelowAShelf) {
 TEST_F(MissingDepth, LeavesThePointsOfOthersAsTheyAre) {
   LookDown(40);
   depth_m_(cv::Rect(70, 40, 16, 24)).setTo(kNone);
-  const cv::Mat points = BackProject(depth_m_, intrinsics_, 10);
+  const cv::Mat points = BackProject(depth_m_, intrinsics_, kMaxDepth_m);
   cv::Mat own = points;
   normals_ = {cv::Mat(60, 80, CV_32FC3, cv::Scalar::all(kNone)), 2};
-  StandInForMissing(depth_m_, {support_}, intrinsics_, 0.5, own, normals_);
+  StandInForMissing(depth_m_, {support_}, intrinsics_, {0.5, kMaxDepth_m}, own, normals_);
   EXPECT_TRUE(std::isnan(points.at<cv::Vec3f>(50, 78)[2]));
   EXPECT_FALSE(std::isnan(own.at<cv::Vec3f>(50, 78)[2]));
 }
@@ -178,6 +180,36 @@ TEST_F(MissingDepth, LeavesWhatIsBesideTheFootprint) {
   const std::vector<Eigen::Vector3f> far_aside(100, {3, 0, 1});
   support_.footprint = Footprint(far_aside, {}, support_.surface, 0, 0);
   ExpectNothing();
+}
+
+// Along row 60 a line of sight meets the table so far away that no int counts the cells of its
+// footprint until there.
+TEST_F(MissingDepth, LeavesWhatIsOnTheHorizon) {
+  LookDown(0);
+  support_.surface.normal = {0, -1, -1e-9F};
+  depth_m_.setTo(3.0F);
+  depth_m_(cv::Rect(40, 50, 60, 20)).setTo(kNone);
+  const std::vector<Eigen::Vector3f> near_by(100, {0, 0.5F, 1});
+  support_.footprint = Footprint(near_by, {}, support_.surface, 0, 0.1);
+  ExpectNothing();
+}
+
+// The stand-in faces what is nearest, at the lower left, and goes on to the right without end.
+TEST_F(MissingDepth, StandsNoFartherThanDepthCounts) {
+  intrinsics_.fx_px = intrinsics_.fy_px = 40;
+  LookDown(20);
+  depth_m_(cv::Rect(8, 48, 140, 10)).setTo(kNone);
+  depth_m_(cv::Rect(8, 48, 16, 62)).setTo(kNone);
+  const cv::Mat standing = StandIn();
+  float farthest_m = 0;
+  for (int row = 0; row < standing.rows; ++row) {
+    for (int col = 0; col < standing.cols; ++col) {
+      if (standing.at<std::uint8_t>(row, col) == 0) continue;
+      farthest_m = std::max(farthest_m, points_.at<cv::Vec3f>(row, col)[2]);
+    }
+  }
+  EXPECT_GT(farthest_m, 1);
+  EXPECT_LE(farthest_m, kMaxDepth_m);
 }
 
 TEST_F(MissingDepth, LeavesWhatIsLookedDownInto) {
