@@ -14,6 +14,9 @@ namespace {
 // Along x, along y, above the grid.
 using Place = Eigen::Vector3f;
 
+// The cell whose middle is nearest, counted from the camera.
+Eigen::Array2f CellOf(const Eigen::Vector2f& place) { return (place.array() + 0.5F).floor(); }
+
 class Grid {
  public:
   Grid(const Eigen::Vector3f& up, float offset_m, float cell_m)
@@ -41,16 +44,18 @@ class Grid {
     }
     if (low.x() > high.x()) low = high = Eigen::Vector2f::Zero();
     const float most = static_cast<float>(max_cells);
-    first_ = low.array().round().cast<int>();
     constexpr float kLongest = 1e9F;  // for an int
-    Eigen::Array2f extent = (high - low).array().round().min(kLongest) + 1;
+    const Eigen::Array2f first = CellOf(low);
+    first_ = first.cast<int>();
+    Eigen::Array2f extent = (CellOf(high) - first).min(kLongest) + 1;
     if (extent.prod() > most) Shorten(most, extent);
     heights_m_ = cv::Mat(static_cast<int>(extent.y()), static_cast<int>(extent.x()), CV_32FC1,
                          std::numeric_limits<float>::quiet_NaN());
   }
 
   void Raise(const Place& place) {
-    const cv::Point cell(cvRound(place.x()) - first_.x(), cvRound(place.y()) - first_.y());
+    const Eigen::Array2i own = CellOf(place.head<2>()).cast<int>() - first_;
+    const cv::Point cell(own.x(), own.y());
     if (!cv::Rect({}, heights_m_.size()).contains(cell)) return;
     float& height = heights_m_.at<float>(cell);
     if (!(height >= place.z())) height = place.z();  // NaN is lower than all

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <opencv2/core.hpp>
+#include <random>
 
 namespace fovea {
 namespace {
@@ -57,6 +58,26 @@ TEST(HeightMap, AHeightIsInTheCellWhoseMiddleIsNearest) {
   EXPECT_NEAR(HeightAt(map, {0.05F, 0, 1}), 0.1, 1e-6);
   EXPECT_NEAR(HeightAt(map, {0, 0, 1}), 0, 1e-6);
   EXPECT_NEAR(HeightAt(map, {0.05F, 0.05F, 1}), 0, 1e-6);
+}
+
+// Wherever points lie between the middles of cells, which are 1 m wide here.
+TEST(HeightMap, EachPointIsInACell) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> place_m(-20, 20);
+  for (int i = 0; i < 200; ++i) {
+    cv::Mat points(1, 3, CV_32FC3);
+    for (int column = 0; column < 3; ++column) {
+      points.at<cv::Vec3f>(column) = {place_m(random), place_m(random), -0.001F * place_m(random)};
+    }
+    const HeightMap map = MakeHeightMap(points, kUp, 0, {.cell_m = 1});
+    for (int column = 0; column < 3; ++column) {
+      const cv::Vec3f& p = points.at<cv::Vec3f>(column);
+      const Eigen::Vector3f place = map.pose.inverse(Eigen::Isometry) * Eigen::Vector3f(p.val);
+      const cv::Point cell(cvRound(place.x()), cvRound(place.y()));
+      ASSERT_TRUE(cv::Rect({}, map.heights_m.size()).contains(cell)) << i << ": " << place;
+      EXPECT_GE(map.heights_m.at<float>(cell), place.z() - 1e-6F) << i;
+    }
+  }
 }
 
 // A table 0.2 m above the floor: heights are from its top on.
