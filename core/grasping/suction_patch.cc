@@ -20,22 +20,33 @@ struct PatchPoints {
   }
 };
 
+// Pixels along one axis of the image: every `step`th, up to `reach` on both sides of the middle.
+struct Steps {
+  int reach, step;
+};
+
+Steps StepsOver(float radius_m, double focal_px, float z_m, const cv::Size& image) {
+  const float reach_px = radius_m * static_cast<float>(focal_px) / z_m;
+  const auto farthest_px = static_cast<float>(std::max(image.width, image.height));
+  const int reach = std::max(1, static_cast<int>(std::ceil(std::min(reach_px, farthest_px))));
+  return {reach, std::max(1, 2 * reach / kAcross)};
+}
+
 // Of the object, within the radius of the middle, of pixels that are one apart or, where there are
 // more than some 15 across, several.
 PatchPoints PointsAround(const GraspScene& scene, int label, const cv::Point& pixel,
                          const Eigen::Vector3f& middle, float radius_m) {
   const cv::Rect image({}, scene.labels.size());
-  const float reach_px = radius_m * static_cast<float>(scene.intrinsics.fx_px) / middle.z();
-  const auto farthest_px = static_cast<float>(std::max(image.width, image.height));
-  const int reach = std::max(1, static_cast<int>(std::ceil(std::min(reach_px, farthest_px))));
-  const int step = std::max(1, 2 * reach / kAcross);
+  const Steps columns = StepsOver(radius_m, scene.intrinsics.fx_px, middle.z(), image.size());
+  const Steps rows = StepsOver(radius_m, scene.intrinsics.fy_px, middle.z(), image.size());
   PatchPoints found{PatchArray(kMostPoints), PatchArray(kMostPoints), PatchArray(kMostPoints)};
   Eigen::Index count = 0;
-  for (int row = pixel.y - reach; row <= pixel.y + reach; row += step) {
+  for (int row = pixel.y - rows.reach; row <= pixel.y + rows.reach; row += rows.step) {
     if (row < 0 || row >= image.height) continue;
     const auto* labels = scene.labels.ptr<std::uint16_t>(row);
     const auto* points = scene.points.ptr<Eigen::Vector3f>(row);
-    for (int column = pixel.x - reach; column <= pixel.x + reach; column += step) {
+    for (int column = pixel.x - columns.reach; column <= pixel.x + columns.reach;
+         column += columns.step) {
       if (column < 0 || column >= image.width || labels[column] != label) continue;
       const Eigen::Vector3f from = points[column] - middle;
       if (!(from.squaredNorm() < radius_m * radius_m)) continue;  // nor what is not measured

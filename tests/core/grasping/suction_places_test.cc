@@ -71,6 +71,23 @@ TEST(SuctionPlaces, AnEndlessFocalLengthIsNoReasonToLookFarther) {
   }
 }
 
+// A plate 0.5 m away, seen by a camera whose rows are a quarter as far apart as its columns.
+TEST(SuctionPlaces, ALipIsRoundWhereFocalLengthsDiffer) {
+  const CameraIntrinsics intrinsics{300, 1200, 40, 40};
+  cv::Mat points(81, 81, CV_32FC3);
+  for (int row = 0; row < points.rows; ++row) {
+    for (int column = 0; column < points.cols; ++column) {
+      points.at<cv::Vec3f>(row, column) = {static_cast<float>(0.5 * (column - 40) / 300),
+                                           static_cast<float>(0.5 * (row - 40) / 1200), 0.5F};
+    }
+  }
+  const cv::Mat labels(points.size(), CV_16UC1, cv::Scalar(1));
+  const GraspScene scene{points, labels, intrinsics, -Eigen::Vector3f::UnitY()};
+  const auto patch = PatchAt(scene, 1, {40, 40}, {0, 0, 0.5F}, 0.03F);
+  ASSERT_TRUE(patch);
+  EXPECT_EQ(patch->covered, 1);
+}
+
 TEST(SuctionPlaces, ABoxNarrowerThanTheLipIsNotEvenEnough) {
   const Offered offered(Thing(ShapeKind::kBox, {0.12, 0.025, 0.08}, {0, 0}, 0, 0.4));
   ASSERT_FALSE(offered.places.empty());
