@@ -61,10 +61,14 @@ std::vector<Run> RunsAbove(const Station& at, float tip_m) {
   return runs;
 }
 
+float TopOf(const Strip& strip) {
+  return *std::max_element(strip.target.begin(), strip.target.end());
+}
+
 // Heights of the tips to try: as deep as palm and floor let them, and less deep.
 std::vector<float> TipHeights(const Station& at) {
-  const float top = *std::max_element(at.pads.target.begin(), at.pads.target.end());
-  const float under_palm = *std::max_element(at.palm.target.begin(), at.palm.target.end());
+  const float top = TopOf(at.pads);
+  const float under_palm = TopOf(at.palm);
   const float floor = at.FloorAtMiddle();
   const float lowest =
       std::max(floor + kAboveFloor_m, under_palm - at.gripper.finger_length_m + 2 * kMargin_m);
@@ -147,6 +151,7 @@ void TryRun(const Station& at, const Run& run, bool is_part, float tip_m, Failur
                                std::max(Highest(at.pads.target, run.first - needed, run.first - 1),
                                         Highest(at.pads.target, run.last + 1, run.last + needed)));
   place.tip_gap_m = std::min(kFarthestTold_m, tip_m - below);
+  place.depth_m = TopOf(at.pads) - tip_m;
   places.push_back(place);
 }
 

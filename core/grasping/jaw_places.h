@@ -20,6 +20,7 @@ struct JawPlace {
   float room_m = 0;       // beyond that clearance, to open wider on each side, up to 25 mm
   float tip_gap_m = 0;    // below the tips, up to 20 mm
   float palm_gap_m = 0;   // above what is under the palm, up to 20 mm
+  float depth_m = 0;      // of the tips below the object's top
 };
 
 // How wide the hand opens around something: 10 mm more on each side where it can.

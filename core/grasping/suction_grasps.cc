@@ -11,20 +11,20 @@
 namespace fovea {
 namespace {
 
-constexpr float kTube_m = 0.15F;  // of the tube behind the cup that must be free
+constexpr float kTube_m = 0.15F;  // of the tube behind the cup that must be free, at least
 constexpr int kSteps = 15;        // along it
 
 // The smallest distance between the tube and what else is in the columns of the grid, up to 20 mm;
 // negative where they meet.
 float TubeGap(const HandGrid& grid, const Eigen::Vector3f& center, const Eigen::Vector3f& normal,
-              float radius_m) {
+              float radius_m, float length_m) {
   constexpr float kFarthest_m = 0.02F, kOnPatch_m = 0.006F;
   const Eigen::Vector3f start = grid.frame.FromCamera(center);
   const Eigen::Vector3f way = grid.frame.rotation.transpose() * normal;
   const Eigen::Vector3f u = way.unitOrthogonal(), v = way.cross(u);
   float gap = kFarthest_m;
   for (int step = 0; step < kSteps; ++step) {
-    const float along = kOnPatch_m + static_cast<float>(step) * kTube_m / kSteps;
+    const float along = kOnPatch_m + static_cast<float>(step) * length_m / kSteps;
     for (const float wider : {0.0F, 0.005F, 0.01F, 0.02F}) {
       for (const auto& [c, s] : kAroundLip) {
         const Eigen::Vector3f at = start + along * way + (radius_m + wider) * (c * u + s * v);
@@ -36,6 +36,14 @@ float TubeGap(const HandGrid& grid, const Eigen::Vector3f& center, const Eigen::
     }
   }
   return gap;
+}
+
+// How far back a cup is clear of everything: out of what is hollow.
+float PreGraspDistance(const DetectedObject& object, const CompletedSolid& solid,
+                       const LevelFrame& frame, const Eigen::Vector3f& center) {
+  if (!object.shape.hollow) return kLeastPreGrasp_m;
+  const float top = solid.Center().z() + solid.HalfExtents().z();
+  return std::max(kLeastPreGrasp_m, top - frame.FromCamera(center).z() + kPreGraspBeyond_m);
 }
 
 // A lip follows more than the largest curvature where that is still even to it.
@@ -101,7 +109,9 @@ std::vector<ScoredGrasp> FindSuctionGrasps(const GraspScene& scene, const Detect
       if (!place.of_solid) failures.Add(*reason);
       continue;
     }
-    const float gap = TubeGap(grid, place.center, normal, cup.diameter_m / 2);
+    const float back_m = PreGraspDistance(object, solid, grid.frame, place.center);
+    const float gap =
+        TubeGap(grid, place.center, normal, cup.diameter_m / 2, std::max(kTube_m, back_m));
     if (gap < 0) {
       failures.Add(NoGrasp::Reason::kNeighbor);
       continue;
@@ -130,6 +140,7 @@ std::vector<ScoredGrasp> FindSuctionGrasps(const GraspScene& scene, const Detect
     grasp.tool_center_point = place.center;
     grasp.approach = -normal;
     grasp.closing = normal.unitOrthogonal();
+    grasp.pre_grasp_distance_m = back_m;
     grasp.clearance_m = gap;
     grasp.unevenness_m = seen.unevenness_m;
     grasp.unseen_contacts = 1 - seen.covered;

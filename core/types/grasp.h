@@ -6,6 +6,9 @@
 
 namespace fovea {
 
+constexpr float kLeastPreGrasp_m = 0.1F;    // from the grasp to where the hand moves in from,
+constexpr float kPreGraspBeyond_m = 0.02F;  // and so far beyond what it reaches into
+
 struct Grasp {
   enum class Kind {
     kAcross,   // the fingers on both sides of the whole object
@@ -28,8 +31,9 @@ struct Grasp {
   // can. 0 for suction.
   float pre_grasp_opening_m = 0;
   // From the pre-grasp, where the hand is clear of everything, to the tool centre point: the
-  // pre-grasp is tool_center_point - approach * pre_grasp_distance_m.
-  float pre_grasp_distance_m = 0.1F;
+  // pre-grasp is tool_center_point - approach * pre_grasp_distance_m. At least 0.1 m, and 2 cm more
+  // than the finger tips are below the object's top or a cup below the rim of what is hollow.
+  float pre_grasp_distance_m = kLeastPreGrasp_m;
   // Smallest distance between the open hand on its way in and what was seen, or may stand unseen.
   float clearance_m = 0;
   // Share of both contact areas, or of the lip of a cup, that no pixel shows, 0 … 1.

@@ -213,6 +213,40 @@ TEST(PlanGrasps, OpensNoWiderThanItSaysWhereverItsCellsEnd) {
   }
 }
 
+// Highest of the object over the tool centre point of a grasp from above, where the hand starts.
+float AbovePreGrasp(const DetectedObject& object, const Grasp& grasp) {
+  const Eigen::Vector3f start =
+      grasp.tool_center_point - grasp.approach * grasp.pre_grasp_distance_m;
+  const Eigen::Vector3f up = object.box.rotation.col(2);
+  return up.dot(object.box.center - start) + object.box.size_m.z() / 2;
+}
+
+TEST(PlanGrasps, StartsAboveTheObjectHoweverLongTheFingers) {
+  Gripper jaw = Jaw(0.085F);
+  std::get<JawGripper>(jaw.hand).finger_length_m = 0.2F;
+  jaw.max_grasps = 20;
+  jaw.min_probability = 0.01F;
+  const auto objects = Plan({Thing(ShapeKind::kBox, {0.06, 0.05, 0.25}, {0, 0}, 0)}, {jaw});
+  ASSERT_FALSE(objects[0].grasps.empty());
+  float deepest_m = 0;
+  for (const Grasp& grasp : objects[0].grasps) {
+    EXPECT_LT(AbovePreGrasp(objects[0], grasp), -0.01F);
+    deepest_m = std::max(deepest_m, grasp.pre_grasp_distance_m);
+  }
+  EXPECT_GT(deepest_m, 0.15F);
+}
+
+TEST(PlanGrasps, StartsOutOfWhatIsHollow) {
+  const auto objects =
+      Plan({Thing(ShapeKind::kCup, {0.16, 0.16, 0.16}, {0, 0}, 0, 0, 0.004)}, {Cup()}, 65);
+  ASSERT_TRUE(objects[0].shape.hollow);
+  ASSERT_FALSE(objects[0].grasps.empty());
+  for (const Grasp& grasp : objects[0].grasps) {
+    EXPECT_LT(AbovePreGrasp(objects[0], grasp), -0.01F);
+    EXPECT_GT(grasp.pre_grasp_distance_m, 0.15F);
+  }
+}
+
 TEST(PlanGrasps, WhoAllowsLessLikelyGraspsGetsMore) {
   Gripper careful = Jaw(0.085F), bold = Jaw(0.085F);
   careful.max_grasps = bold.max_grasps = 20;
