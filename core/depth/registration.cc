@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/depth/nearest_surface.h"
+#include "core/types/interruption.h"
 
 namespace fovea {
 namespace {
@@ -145,6 +146,7 @@ cv::Mat RegisterDepth(const cv::Mat& depth_m, const CameraIntrinsics& depth_intr
 
   std::vector<Sample> above = SamplesOfRow(depth_m, -1, project);
   for (int row = 0; row <= depth_m.rows; ++row) {
+    InterruptionPoint();
     std::vector<Sample> below = SamplesOfRow(depth_m, row, project);
     for (int i = 0; i <= depth_m.cols; ++i) {
       Cell({&above[i], &above[i + 1], &below[i + 1], &below[i]}, depth_ratio)

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/relations/rests_on.h"
+#include "core/types/interruption.h"
 
 namespace fovea {
 namespace {
@@ -82,24 +83,38 @@ bool IsTilted(const Face& face, const Eigen::Vector3f& up) {
   return sine >= kLeast && sine <= kMost;
 }
 
+constexpr float kGrown_m = 0.01F;  // of what holds, on each side
+constexpr int kStepsBehind = 6;    // looked at behind a point
+constexpr float kStepBehind_m = 0.01F;
+
 bool IsInside(const OrientedBox& box, const Eigen::Vector3f& point) {
-  constexpr float kGrown_m = 0.01F;
   const Eigen::Vector3f p = box.rotation.transpose() * (point - box.center);
   return ((p.cwiseAbs() - box.size_m / 2).array() <= kGrown_m).all();
 }
 
 // Share of the points that have the box behind them.
 float ShareHeld(const Points& points, const Face& face, const OrientedBox& box) {
-  constexpr int kSteps = 6;  // behind a point
-  constexpr float kStep_m = 0.01F;
   const auto has_it_behind = [&](const Eigen::Vector3f& p) {
-    for (int step = 0; step <= kSteps; ++step) {
-      if (IsInside(box, p - static_cast<float>(step) * kStep_m * face.normal)) return true;
+    for (int step = 0; step <= kStepsBehind; ++step) {
+      if (IsInside(box, p - static_cast<float>(step) * kStepBehind_m * face.normal)) return true;
     }
     return false;
   };
   const auto held = std::count_if(points.begin(), points.end(), has_it_behind);
   return static_cast<float>(held) / static_cast<float>(std::max<std::size_t>(1, points.size()));
+}
+
+// Whether any point of what is around `middle` may have the box behind it.
+bool IsWithinReach(const Eigen::Vector3f& middle, float radius_m, const OrientedBox& box) {
+  const float reach_m =
+      radius_m + box.size_m.norm() / 2 + 2 * kGrown_m + kStepsBehind * kStepBehind_m;
+  return (box.center - middle).squaredNorm() <= reach_m * reach_m;
+}
+
+float RadiusAround(const Eigen::Vector3f& middle, const Points& points) {
+  float squared = 0;
+  for (const Eigen::Vector3f& p : points) squared = std::max(squared, (p - middle).squaredNorm());
+  return std::sqrt(squared);
 }
 
 bool Contains(const std::vector<int>& labels, int label) {
@@ -130,10 +145,13 @@ void AddWhatHolds(const DetectedObject& object, const Eigen::Vector3f& up,
   const Points upper = UpperHalf(points, up);
   const OrientedBox& seen = object.visible_box;
   const float bottom = up.dot(seen.center) - seen.size_m.z() / 2;
+  const float radius_m = RadiusAround(face->middle, upper);
   for (const DetectedObject& other : others) {
     const float top = up.dot(other.box.center) + other.box.size_m.z() / 2;
     if (other.label == object.label || Contains(object.stands_on, other.label)) continue;
     if (bottom > top - kBelow_m) continue;
+    if (!IsWithinReach(face->middle, radius_m, other.box)) continue;
+    InterruptionPoint();
     const float held = ShareHeld(upper, *face, other.box);
     if (held > kMinHeld) leanings.push_back({object.label, other.label, held});
   }
@@ -144,6 +162,7 @@ void AddWhatHolds(const DetectedObject& object, const Eigen::Vector3f& up,
 void FindWhatLeans(const Eigen::Vector3f& up, std::vector<DetectedObject>& objects) {
   std::vector<Leaning> leanings;
   for (const DetectedObject& object : objects) {
+    InterruptionPoint();
     if (!object.depth_missing) AddWhatHolds(object, up, objects, leanings);
   }
   std::stable_sort(leanings.begin(), leanings.end(),

@@ -9,6 +9,9 @@
 #include <random>
 #include <stdexcept>
 
+#include "core/types/cancelled.h"
+#include "core/types/interruption.h"
+
 namespace fovea {
 namespace {
 
@@ -221,6 +224,12 @@ TEST(RegisterDepth, RefusesEmptyImages) {
                std::invalid_argument);
   EXPECT_THROW(RegisterDepth(Relief(), kDepthCamera, Shift(0, 0, 0), kDepthCamera, {}),
                std::invalid_argument);
+}
+
+TEST(RegisterDepth, CanBeStopped) {
+  const InterruptionScope scope([] { return true; }, std::chrono::microseconds(0));
+  EXPECT_THROW(RegisterDepth(Relief(), kDepthCamera, Shift(0, 0, 0), kDepthCamera, kSize),
+               Cancelled);
 }
 
 }  // namespace

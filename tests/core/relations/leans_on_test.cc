@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "core/relations/blocked_by.h"
+#include "core/types/cancelled.h"
+#include "core/types/interruption.h"
 
 namespace fovea {
 namespace {
@@ -140,6 +142,11 @@ TEST(LeansOn, WhatLeansMustGoFirst) {
   BlockByWhatStandsOn(objects);
   EXPECT_TRUE(objects[0].blocked_by.empty());
   EXPECT_EQ(objects[1].blocked_by, std::vector<int>{1});
+}
+
+TEST(LeansOn, CanBeStopped) {
+  const InterruptionScope scope([] { return true; }, std::chrono::microseconds(0));
+  EXPECT_THROW(Find({Face(25)}), Cancelled);
 }
 
 }  // namespace
