@@ -51,6 +51,16 @@ void RequireToBelongTogether(const std::vector<Certificate>& authorities,
   }
 }
 
+// When the first certificate of the chain that was found expires.
+std::chrono::sys_seconds ExpiryOfChain(const X509_STORE_CTX& context) {
+  std::chrono::sys_seconds first = std::chrono::sys_seconds::max();
+  STACK_OF(X509)* const chain = X509_STORE_CTX_get0_chain(&context);
+  for (int i = 0; i < sk_X509_num(chain); ++i) {
+    first = std::min(first, ExpiryOf(*sk_X509_value(chain, i)));
+  }
+  return first;
+}
+
 // With the strictness of gRPC's handshake.
 std::shared_ptr<X509_STORE> StoreOf(const std::vector<Certificate>& authorities,
                                     const std::vector<RevocationList>& lists) {
@@ -114,7 +124,7 @@ std::chrono::sys_seconds ClientAuthority::Verify(const std::string& certificate,
     throw std::runtime_error("the client certificate " +
                              Explain(X509_STORE_CTX_get_error(context.get())));
   }
-  return ExpiryOf(*leaf);
+  return ExpiryOfChain(*context);
 }
 
 std::vector<std::string> ClientAuthority::OverdueLists(std::chrono::sys_seconds now) const {

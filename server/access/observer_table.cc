@@ -70,7 +70,7 @@ void ObserverTable::Add(const std::string& line) {
   std::string name, hash, rights, robots, expires, rest;
   if (!(words >> name) || name.front() == '#') return;
   words >> hash >> rights >> robots >> expires >> rest;
-  RequireField(rest.empty(), "\"" + rest + "\"",
+  RequireField(rest.empty(), "the sixth word",
                "is too much; a line is NAME SHA256 RIGHTS ROBOTS [EXPIRES]");
   RequireTokenName("the name", name);
   RequireHash(hash);

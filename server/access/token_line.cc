@@ -29,12 +29,14 @@ std::string HashOfToken(std::string_view token) {
 void RequireHash(const std::string& text) {
   const bool is_hash =
       text.size() == kHashDigits && text.find_first_not_of("0123456789abcdef") == std::string::npos;
-  RequireField(is_hash, "\"" + text + "\"", "is not a SHA-256 in 64 hexadecimal digits");
+  RequireField(is_hash, "the hash",
+               "is not a SHA-256 in 64 hexadecimal digits; it has " + std::to_string(text.size()) +
+                   " characters");
 }
 
 std::chrono::sys_seconds ParseExpiry(const std::string& text) {
   google::protobuf::Timestamp time;
-  RequireField(google::protobuf::util::TimeUtil::FromString(text, &time), "\"" + text + "\"",
+  RequireField(google::protobuf::util::TimeUtil::FromString(text, &time), "when it expires",
                "is not a time such as 2027-01-31T12:00:00Z");
   return std::chrono::sys_seconds(std::chrono::seconds(time.seconds()));
 }

@@ -12,7 +12,8 @@ namespace fovea::server {
 // The SHA-256 of a token, in 64 hexadecimal digits.
 std::string HashOfToken(std::string_view token);
 
-// Throws std::invalid_argument unless `text` could be one.
+// Throws std::invalid_argument unless `text` could be one. No error has a word of the line that may
+// be a token: logs are read by many.
 void RequireHash(const std::string& text);
 
 // Of a time such as 2027-01-31T12:00:00Z; throws std::invalid_argument for anything else. In whole

@@ -18,7 +18,7 @@ void TokenTable::Add(const std::string& line) {
   std::string robot, hash, expires, rest;
   if (!(words >> robot) || robot.front() == '#') return;
   words >> hash >> expires >> rest;
-  RequireField(rest.empty(), "\"" + rest + "\"", "is too much; a line is ROBOT SHA256 [EXPIRES]");
+  RequireField(rest.empty(), "the fourth word", "is too much; a line is ROBOT SHA256 [EXPIRES]");
   RequireTokenName("the robot's name", robot);
   RequireHash(hash);
   Entry entry{.robot = robot};

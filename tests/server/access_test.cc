@@ -19,6 +19,7 @@ namespace {
 using client::Client;
 using client::ClientOptions;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 using ::testing::ThrowsMessage;
 
@@ -236,13 +237,24 @@ TEST_F(Tokens, StayWhereTheFileOfObserversHasAMistake) {
   EXPECT_EQ(CodeOf(kitchen), grpc::StatusCode::OK);
 }
 
+TEST_F(Tokens, AreNotRepeatedWhereTheyStandInPlaceOfTheirHash) {
+  const std::string hash = HashOf("let-me-in");
+  for (const std::string& line :
+       {std::string("kitchen let-me-in"), "kitchen " + hash + " let-me-in",
+        "kitchen " + hash + " 2999-01-31T12:00:00Z let-me-in"}) {
+    const std::string path = folder_.Write("bad", line);
+    EXPECT_THAT([&] { server::TokenTable::FromFile(path); },
+                ThrowsMessage<std::invalid_argument>(Not(HasSubstr("let-me-in"))));
+  }
+}
+
 TEST_F(Tokens, FileMistakesAreNamed) {
   const std::string good = HashOf("let-me-in");
   const std::vector<std::pair<std::string, std::string>> cases{
-      {"kitchen", ":1: \"\": is not a SHA-256"},
-      {"# fine\nkitchen abc", ":2: \"abc\": is not a SHA-256"},
-      {"kitchen " + good + " tomorrow", ":1: \"tomorrow\": is not a time"},
-      {"kitchen " + good + " 2999-01-31T12:00:00Z more", ":1: \"more\": is too much"},
+      {"kitchen", ":1: the hash: is not a SHA-256"},
+      {"# fine\nkitchen abc", ":2: the hash: is not a SHA-256"},
+      {"kitchen " + good + " tomorrow", ":1: when it expires: is not a time"},
+      {"kitchen " + good + " 2999-01-31T12:00:00Z more", ":1: the fourth word: is too much"},
       {"kitchen " + good + "\nhall " + good, ":2: the token: is there twice"},
       {std::string(65, 'x') + " " + good, ":1: the robot's name"},
       {"k\xFC" + (" " + good), ":1: the robot's name: is no UTF-8"}};

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "server/access/certificates.h"
+#include "server/access/client_authority.h"
 #include "tests/server/captured_log.h"
 #include "tests/server/detectors.h"
 #include "tests/server/frames.h"
@@ -205,6 +206,16 @@ TEST_F(CertificateChanges, AnotherAuthorityOfClientsEndsTheStreamsOfTheFirst) {
   const PemPair hall = others.Issue("hall");
   while (!StatusOfDetecting(ClientOf(loopback, hall)).ok()) {
   }
+}
+
+// As handshakes have it: what is signed by who has expired is good no more.
+TEST(ClientAuthority, NoCertificateIsGoodForLongerThanThoseAboveIt) {
+  const Authority authority(/*lifetime_s=*/600);
+  const auto above = server::CertificatesOf(authority.Certificate());
+  const PemPair robot = authority.Issue("kitchen");
+  const auto until = server::ClientAuthority(above, {}).GoodUntil(robot.certificate, "");
+  EXPECT_EQ(until, server::ExpiryOf(*above.front()));
+  EXPECT_LT(until, ExpiryOf(robot));
 }
 
 TEST_F(CertificateChanges, ListsThatDoNotFitAreNamed) {

@@ -111,12 +111,12 @@ TEST(NoObservers, NobodyWatches) {
 TEST_F(Observers, FileMistakesAreNamed) {
   const std::string hash = server::HashOfToken("x");
   const std::vector<std::pair<std::string, std::string>> cases{
-      {"ann", ":1: \"\": is not a SHA-256"},
+      {"ann", ":1: the hash: is not a SHA-256"},
       {"# fine\nann " + hash + " look *", ":2: \"look\": is no right"},
       {"ann " + hash + " try *", ":1: \"try\": must have view"},
       {"ann " + hash + " view", ":1: \"\": must be 1 to 64 patterns"},
       {"ann " + hash + " view a,,b", ":1: \"a,,b\": must be 1 to 64 patterns"},
-      {"ann " + hash + " view * soon", ":1: \"soon\": is not a time"},
+      {"ann " + hash + " view * soon", ":1: when it expires: is not a time"},
       {"\xFC " + hash + " view *", ":1: the name: is no UTF-8"},
       {"ann " + hash + " view k\xFC,hall", ":1: \"k?,hall\": is no UTF-8"},
       {"ann " + hash + " view *\nben " + hash + " view *", ":2: the token: is there twice"}};

@@ -25,13 +25,13 @@ void AddExtension(X509* certificate, int id, const std::string& value) {
   X509_EXTENSION_free(extension);
 }
 
-Certificate NewCertificate(const std::string& name, EVP_PKEY* key) {
+Certificate NewCertificate(const std::string& name, EVP_PKEY* key, long lifetime_s = kDay_s) {
   Certificate certificate(X509_new(), X509_free);
   X509_set_version(certificate.get(), X509_VERSION_3);
   ASN1_INTEGER_set(X509_get_serialNumber(certificate.get()),
                    static_cast<int>(std::random_device{}() >> 1));
   X509_gmtime_adj(X509_getm_notBefore(certificate.get()), -60);
-  X509_gmtime_adj(X509_getm_notAfter(certificate.get()), 24L * 3600);
+  X509_gmtime_adj(X509_getm_notAfter(certificate.get()), lifetime_s);
   X509_set_pubkey(certificate.get(), key);
   X509_NAME_add_entry_by_txt(X509_get_subject_name(certificate.get()), "CN", MBSTRING_ASC,
                              reinterpret_cast<const unsigned char*>(name.c_str()), -1, -1, 0);
@@ -53,7 +53,8 @@ std::string PemOfCertificate(X509* certificate) {
 
 }  // namespace
 
-Authority::Authority() : key_(NewKey()), certificate_(NewCertificate("authority", key_.get())) {
+Authority::Authority(long lifetime_s)
+    : key_(NewKey()), certificate_(NewCertificate("authority", key_.get(), lifetime_s)) {
   X509_set_issuer_name(certificate_.get(), X509_get_subject_name(certificate_.get()));
   AddExtension(certificate_.get(), NID_basic_constraints, "critical,CA:TRUE");
   AddExtension(certificate_.get(), NID_subject_key_identifier, "hash");

@@ -10,14 +10,16 @@ struct x509_st;
 
 namespace fovea::testing {
 
+constexpr long kDay_s = 24L * 3600;
+
 struct PemPair {
   std::string certificate, key;
 };
 
-// An authority that signs certificates, valid for a day.
+// An authority that signs certificates, valid for a day; itself for so many seconds.
 class Authority {
  public:
-  Authority();
+  explicit Authority(long lifetime_s = kDay_s);
 
   std::string Certificate() const;
   // For the given name, which is also its DNS name, and for 127.0.0.1; good from so many seconds
