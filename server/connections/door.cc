@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "server/connections/socket_address.h"
+#include "server/log_exception.h"
 #include "server/logging/log_limiter.h"
 
 namespace fovea::server {
@@ -30,6 +31,15 @@ constexpr int kBatch = 64;
 constexpr std::chrono::milliseconds kRest{10};
 
 FileDescriptor Spare() { return FileDescriptor(open("/dev/null", O_RDONLY | O_CLOEXEC)); }
+
+// One connection for which there is no memory ends no others.
+void Try(const std::function<void()>& step) noexcept {
+  try {
+    step();
+  } catch (...) {
+    LogCurrentException("a connection was not looked at");
+  }
+}
 
 }  // namespace
 
@@ -98,19 +108,21 @@ void Door::Run(const std::stop_token& stop) {
     const int found = epoll_wait(epoll_.get(), events.data(), kBatch, timeout);
     for (int i = 0; i < found; ++i) {
       const int fd = events.at(static_cast<std::size_t>(i)).data.fd;
-      const auto listening = std::ranges::find(listening_, fd, &ListeningSocket::fd);
-      if (listening != listening_.end()) {
-        Accept(*listening);
-      } else if (fd != wake_.get()) {
-        // Closing it does not end this: gRPC has a descriptor of the same connection.
-        epoll_ctl(epoll_.get(), EPOLL_CTL_DEL, fd, nullptr);
-        connections_.Remove(fd);
-      }
+      Try([&] { OnReady(fd); });
     }
     if (Clock::now() < next) continue;
-    Inspect();
+    Try([&] { Inspect(); });
     next = Clock::now() + kLook;
   }
+}
+
+void Door::OnReady(int fd) {
+  const auto listening = std::ranges::find(listening_, fd, &ListeningSocket::fd);
+  if (listening != listening_.end()) return Accept(*listening);
+  if (fd == wake_.get()) return;
+  // Closing it does not end this: gRPC has a descriptor of the same connection.
+  epoll_ctl(epoll_.get(), EPOLL_CTL_DEL, fd, nullptr);
+  connections_.Remove(fd);
 }
 
 void Door::Inspect() {

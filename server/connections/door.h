@@ -45,6 +45,7 @@ class Door {
 
  private:
   void Run(const std::stop_token& stop);
+  void OnReady(int fd);
   void Accept(const ListeningSocket& listening);
   void HandOver(const ListeningSocket& listening, FileDescriptor connection);
   void TurnAwayWithoutDescriptor(const ListeningSocket& listening);

@@ -80,13 +80,13 @@ WatchHub::Counts WatchHub::counts() const {
 }
 
 bool WatchHub::IsWanted(const std::string& robot) const {
-  return std::ranges::any_of(watchers_, [&](const auto& each) { return each->wish.Covers(robot); });
+  return std::ranges::any_of(watchers_, [&](const auto& each) { return each->Covers(robot); });
 }
 
 WatchParts WatchHub::PartsWanted(const std::string& robot) const {
   WatchParts parts = 0;
   for (const auto& watcher : watchers_) {
-    if (watcher->wish.Covers(robot)) parts |= watcher->wish.parts;
+    if (watcher->Covers(robot)) parts |= watcher->wish.parts;
   }
   return parts;
 }
@@ -121,9 +121,16 @@ void WatchHub::MakeRoom(std::size_t bytes) {
   }
 }
 
-WatchHub::Clock::time_point WatchHub::Watcher::DueOf(const Sight& sight) const {
+bool WatchHub::Watcher::Covers(const std::string& robot) {
+  const auto known = covered_.find(robot);
+  if (known != covered_.end()) return known->second;
+  if (covered_.size() >= kMaxRobots) covered_.clear();
+  return covered_.emplace(robot, wish.Covers(robot)).first->second;
+}
+
+WatchHub::Clock::time_point WatchHub::Watcher::DueOf(const Sight& sight) {
   if (wish.only_problems && !sight.IsProblem()) return Clock::time_point::max();
-  if (!wish.Covers(sight.robot)) return Clock::time_point::max();
+  if (!Covers(sight.robot)) return Clock::time_point::max();
   const auto turn = turns.find(sight.robot);
   if (turn == turns.end()) return Clock::time_point::min();
   return turn->second.shown < sight.sequence ? turn->second.due : Clock::time_point::max();

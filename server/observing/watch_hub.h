@@ -39,8 +39,15 @@ class WatchHub {
     };
     std::map<std::string, Turn> turns;
 
+    // Whether it is to see this robot. Looking at many long patterns takes as long as answering a
+    // small frame does, so it is done once for each robot.
+    bool Covers(const std::string& robot);
+
     // When this may be shown; max() = never, or it has been.
-    std::chrono::steady_clock::time_point DueOf(const Sight& sight) const;
+    std::chrono::steady_clock::time_point DueOf(const Sight& sight);
+
+   private:
+    std::map<std::string, bool> covered_;  // the hub's, too
   };
   struct Counts {
     std::size_t watchers = 0, waiting_bytes = 0;

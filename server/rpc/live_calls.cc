@@ -18,7 +18,7 @@ LiveCalls::Token LiveCalls::Enter() {
 LiveCalls::Token LiveCalls::Begin(std::function<void()> on_stop, std::function<void()> on_check) {
   const std::lock_guard lock(mutex_);
   if (stopping_) return nullptr;
-  const int id = ++last_id_;
+  const std::uint64_t id = ++last_id_;
   begun_.emplace(id, Begun{std::move(on_stop), std::move(on_check)});
   return {this, [id](LiveCalls* calls) {
             const std::lock_guard inner(calls->mutex_);

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -36,12 +37,12 @@ class LiveCalls {
   std::condition_variable changed_;
   int num_entered_ = 0;
   bool stopping_ = false;
-  int last_id_ = 0;
+  std::uint64_t last_id_ = 0;
 
   struct Begun {
     std::function<void()> on_stop, on_check;
   };
-  std::map<int, Begun> begun_;
+  std::map<std::uint64_t, Begun> begun_;
 };
 
 }  // namespace fovea::server

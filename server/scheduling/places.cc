@@ -72,6 +72,7 @@ Holding Places::Sum(const Group& group) {
     sum.waiting += holding.waiting;
     sum.computed += holding.computed;
     sum.threads += holding.threads;
+    sum.turns += holding.turns;
   }
   return sum;
 }

@@ -14,6 +14,7 @@ struct Holding {
   int uploading = 0;              // frames that were let in and are on their way
   int waiting = 0, computed = 0;  // frames of calls: these take places
   int threads = 0;                // that compute frames of it, streams included
+  int turns = 0;                  // frames of streams that wait for one
 
   int places() const { return waiting + computed; }
   bool operator==(const Holding&) const = default;

@@ -28,6 +28,9 @@ void Call(const std::function<void()>& work) noexcept {
   }
 }
 
+// Frames of streams wait for a turn.
+int Holding::*WaitingOf(bool counted) { return counted ? &Holding::waiting : &Holding::turns; }
+
 }  // namespace
 
 Scheduler::Scheduler(const SchedulerLimits& limits) : limits_(limits) {
@@ -87,7 +90,7 @@ bool Scheduler::Withdraw(const RobotId& robot, Ticket ticket) {
   job = queue_.Remove(robot, [&](const Job& other) { return other.ticket == ticket; });
   if (!job) return false;
   --num_waiting_;
-  if (job->counted) places_.Change(robot, &Holding::waiting, -1);
+  places_.Change(robot, WaitingOf(job->counted), -1);
   return true;
 }
 
@@ -152,7 +155,7 @@ std::chrono::milliseconds Scheduler::RetryAfter(std::size_t ahead) const {
 
 Scheduler::Ticket Scheduler::Enqueue(const RobotId& robot, Work work, bool counted) {
   queue_.Push(robot, {++last_ticket_, robot, std::move(work), counted});
-  if (counted) places_.Change(robot, &Holding::waiting, +1);
+  places_.Change(robot, WaitingOf(counted), +1);
   ++num_waiting_;
   changed_.notify_one();
   return last_ticket_;
@@ -176,11 +179,10 @@ std::optional<Scheduler::Job> Scheduler::TakeNext() {
   if (!job) return std::nullopt;
   --num_waiting_;
   ++num_busy_;
+  // The robot holds something throughout, so that none of this needs memory.
   places_.Change(job->robot, &Holding::threads, +1);
-  if (job->counted) {
-    places_.Change(job->robot, &Holding::waiting, -1);
-    places_.Change(job->robot, &Holding::computed, +1);
-  }
+  places_.Change(job->robot, WaitingOf(job->counted), -1);
+  if (job->counted) places_.Change(job->robot, &Holding::computed, +1);
   return job;
 }
 
