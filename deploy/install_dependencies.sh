@@ -20,8 +20,9 @@ chromium chromium-driver python3-selenium
 
 missing=""
 for package in $packages "$@"; do
-  status=$(dpkg-query -W -f '${Status}' "$package" 2>/dev/null || true)
-  [ "$status" = "install ok installed" ] || missing="$missing $package"
+  # A line for each architecture; what is held is installed, too.
+  dpkg-query -W -f '${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed ||
+    missing="$missing $package"
 done
 [ -n "$missing" ] || exit 0
 

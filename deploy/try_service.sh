@@ -59,7 +59,7 @@ boot() {
 # As docs/operations.md has it.
 protect() {
   local keys=$root/etc/fovea credentials=/run/credentials/fovea-server.service
-  openssl req -x509 -newkey rsa:2048 -nodes -days 1 -subj /CN=fovea -addext subjectAltName=IP:127.0.0.1 \
+  openssl req -x509 -newkey rsa:2048 -nodes -days 1 -subj /CN=fovea -addext subjectAltName=IP:127.0.0.1,DNS:localhost \
     -keyout "$keys/server.key" -out "$keys/server.pem" 2>/dev/null
   printf secret >"$keys/token"
   echo "robot $(sha256sum <"$keys/token" | cut -d' ' -f1)" >"$keys/tokens"
@@ -80,7 +80,9 @@ check_unit() {
 LoadCredential=server.pem:/etc/fovea/server.pem
 LoadCredential=server.key:/etc/fovea/server.key
 LoadCredential=tokens:/etc/fovea/tokens
+Group=fovea-clients
 WatchdogSec=3"
+  inside groupadd --system fovea-clients
   inside systemctl restart fovea-server || fail "it does not start"
   local pid
   pid=$(main_pid)
@@ -88,6 +90,14 @@ WatchdogSec=3"
   inside fovea health "${ask[@]}" || fail "it does not serve"
   inside sh -c 'mkdir /results; fovea detect "$@" --intrinsics 525,525,319.5,239.5 --input /frames --output /results' \
     - "${ask[@]}" || fail "it does not detect"
+  # A user who is no root, in the group that may connect and in none.
+  inside sh -c 'cp /etc/fovea/server.pem /etc/fovea/token /tmp; chmod 0444 /tmp/server.pem /tmp/token'
+  ask_socket() { # group
+    inside setpriv --reuid nobody --regid "$1" --clear-groups fovea health \
+      --server unix:/run/fovea/fovea.sock --tls-ca /tmp/server.pem --token-file /tmp/token
+  }
+  ask_socket fovea-clients || fail "its group may not connect to the UNIX socket"
+  ! ask_socket nogroup 2>/dev/null || fail "anybody may connect to the UNIX socket"
   inside systemctl reload fovea-server || fail "it does not reload"
   expect active systemctl is-active fovea-server
   inside bash -c 'exec 3<>/dev/tcp/127.0.0.1/9464; printf "GET /metrics HTTP/1.0\r\n\r\n" >&3; grep fovea_build_info{ <&3'
