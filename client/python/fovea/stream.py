@@ -90,8 +90,8 @@ class ResumingStream:
             try:
                 while (answer := self._receive()) is not None:
                     yield answer
-                    self._move_if_better()
-                    self._feed.go_on()
+                    if not self._move_if_better():  # a new connection wants its first frame itself
+                        self._feed.go_on()
             finally:
                 self._reader.close()
         if self._feed.failure:
@@ -163,15 +163,18 @@ class ResumingStream:
             patience = self._broken_since + self._timeout - time.monotonic()
             self._open(self._wait_until_connected(seconds, patience))
 
-    def _move_if_better(self) -> None:
-        """To a server with less to do, if there is one; what was sent and not answered is lost."""
+    def _move_if_better(self) -> bool:
+        """To a server with less to do, if there is one; what was sent and not answered is lost.
+        Whether it did."""
         better = self._better_server.find(self._server)
-        if better and not self._feed.has_ended:  # else what is under way is to be answered
-            self._broken_by = Unavailable("UNAVAILABLE", "the stream went to another server")
-            self._reader.close()
-            self._feed.disconnect()
-            self._servers.move(better)
-            self._open()
+        if not better or self._feed.has_ended:  # what is under way is to be answered
+            return False
+        self._broken_by = Unavailable("UNAVAILABLE", "the stream went to another server")
+        self._reader.close()
+        self._feed.disconnect()
+        self._servers.move(better)
+        self._open()
+        return True
 
     def _report_end(self, error: FoveaError) -> None:
         retry_after = error_retry_after(error)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Iterator
 from threading import Event
 
 import pytest
@@ -11,6 +12,7 @@ from server_process import PATIENCE, ServerProcess
 
 import fovea
 from fovea.addresses import find_targets, parse_addresses
+from fovea.better_server import BetterServer
 from fovea.readiness import wait_until_connected
 from fovea.server_choice import Ask, ServerChoice, ServerRound
 from fovea.servers import Servers
@@ -158,6 +160,29 @@ def test_calls_and_streams_go_on_elsewhere(scene: Scene) -> None:
         answers.close()
     one.kill()
     two.kill()
+
+
+def test_one_frame_is_under_way_also_where_a_stream_went_to_another_server(
+    scene: Scene, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    num_answered_before: list[int] = []
+    answers: list[fovea.StreamAnswer] = []
+
+    def recording() -> Iterator[fovea.Frame]:
+        for number in range(6):
+            num_answered_before.append(len(answers))
+            yield scene.frame(id=str(number))
+
+    with ServerProcess() as one, ServerProcess() as two:
+        with fovea.Client(f"{one.address},{two.address}", timeout=PATIENCE) as client:
+            both = client._servers.all(PATIENCE)
+            found = iter([None, both[0], both[1]])
+            monkeypatch.setattr(BetterServer, "find", lambda *_: next(found, None))
+            for answer in client.stream(recording(), every_frame=True):
+                answers.append(answer)
+    assert num_answered_before == [0, 1, 2, 3, 4, 5]
+    assert [answer.frame_id for answer in answers] == [str(number) for number in range(6)]
+    assert [(answer.dropped, answer.lost) for answer in answers] == [(0, 0)] * 6
 
 
 def test_streams_wait_for_whoever_is_connected_first() -> None:
