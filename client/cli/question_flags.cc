@@ -21,7 +21,6 @@ void AddMethodFlags(CLI::App& command, QuestionFlags& flags, const char* group) 
                   "what has been found by then; 0 = as long as it takes")
       ->type_name("SECONDS")
       ->check(flags::FiniteRange(0, 3600))
-      ->capture_default_str()
       ->group(group);
 }
 

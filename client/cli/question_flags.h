@@ -18,8 +18,7 @@ namespace fovea::cli {
 struct QuestionFlags {
   std::string profile, place;
   std::vector<std::string> settings, grippers;
-  double time_budget_s = 0;  // 0: none
-  std::optional<double> place_margin_m, height_map_cell_m;
+  std::optional<double> time_budget_s, place_margin_m, height_map_cell_m;
   std::optional<std::uint32_t> max_places, height_map_max_cells;
   bool collision_primitives = false;
 };

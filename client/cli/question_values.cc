@@ -76,11 +76,12 @@ void SetPlanning(const QuestionFlags& flags, v1::DetectOptions* options) {
   if (flags.height_map_max_cells) map.set_max_cells(*flags.height_map_max_cells);
 }
 
-void SetTimeBudget(double seconds, v1::DetectOptions* options) {
-  if (seconds == 0) return;
-  // Nothing on the wire stands for no limit.
+void SetTimeBudget(std::optional<double> seconds, v1::DetectOptions* options) {
+  if (!seconds) return;
+  // Zero on the wire stands for no limit.
+  const long long least = *seconds > 0 ? 1 : 0;
   *options->mutable_time_budget() = google::protobuf::util::TimeUtil::NanosecondsToDuration(
-      std::max(1LL, std::llround(seconds * 1e9)));
+      std::max(least, std::llround(*seconds * 1e9)));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "client/bundle/changed_options.h"
 #include "client/bundle/readable_files.h"
 #include "client/cli/files.h"
 #include "client/cli/intrinsics_flag.h"
@@ -107,8 +108,7 @@ FrameSettings SettingsFor(const FrameFiles& files, const FrameSettings& settings
 v1::DetectRequest MakeRequest(const FrameFiles& files, const FrameSettings& settings) {
   if (files.sent_before) {
     v1::DetectRequest request = files.sent_before->request;
-    request.mutable_options()->clear_tracking();  // there is no stream
-    request.mutable_options()->MergeFrom(settings.options);
+    bundle::ChangeOptions(settings.options, request.mutable_options());
     return request;
   }
   v1::DetectRequest request = CommonRequest(settings);

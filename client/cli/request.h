@@ -68,7 +68,7 @@ FrameSettings SettingsFor(const FrameFiles& files, const FrameSettings& settings
 void CheckSize(const FrameSettings& settings, const v1::Detections& detections);
 
 // The bytes of the files travel as they are, and a frame that was sent before goes with its own
-// options, which `settings` only adds to. Throws std::exception with one line of text.
+// options, which those of `settings` change. Throws std::exception with one line of text.
 v1::DetectRequest MakeRequest(const FrameFiles& files, const FrameSettings& settings);
 
 }  // namespace fovea::cli

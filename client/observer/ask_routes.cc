@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "client/bundle/changed_options.h"
 #include "client/observer/json_text.h"
 #include "client/observer/server_calls.h"
 
@@ -79,8 +80,7 @@ google::protobuf::util::Status SetOptions(const v1::DetectOptions& sent, const s
   const auto status = google::protobuf::util::JsonStringToMessage(changes, &parsed);
   if (!status.ok()) return status;
   *options = sent;
-  options->MergeFrom(parsed);
-  options->clear_tracking();  // there is no stream
+  bundle::ChangeOptions(parsed, options);
   options->clear_time_budget();
   options->set_return_masks(true);
   options->set_return_rejected(true);
