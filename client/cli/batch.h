@@ -14,9 +14,10 @@ namespace fovea::cli {
 
 // What to do with a folder of frames.
 struct Batch {
-  std::string input;              // as ListFrames reads it
-  std::optional<FrameList> list;  // what `input` holds, where that is known already
-  std::string output;             // made where it is missing; empty = no files
+  std::string input;                     // as ListFrames reads it
+  std::string color_topic, depth_topic;  // of a bag
+  std::optional<FrameList> list;         // what `input` holds, where that is known already
+  std::string output;                    // made where it is missing; empty = no files
   bool labels = true, overlays = true;
   OverlayExtras extras;
   std::string clouds;  // ending of NAME.ply or NAME.pcd; empty = none
@@ -33,10 +34,10 @@ struct Batch {
 // note on how it compares.
 //
 // Answers every frame → NAME.png (labels), NAME_overlay.jpg and NAME.json, the last of which is
-// there only if all are, and fovea_request.json, what was asked. Results are printed in the order
-// of the frames. A frame that fails is named and the run goes on; others are printed with what the
-// server says about them. `explain` words a call that failed.
-// Returns whether none failed; throws std::exception where there is nothing to do, or where
+// there only if all are, fovea_request.json, what was asked, and fovea_input.json, of what. Results
+// are printed in the order of the frames. A frame that fails is named and the run goes on; others
+// are printed with what the server says about them. `explain` words a call that failed. Returns
+// whether none failed; throws std::exception where there is nothing to do, or where
 // --resume would mix answers to different requests.
 bool DetectFolder(const client::Client& client, const Batch& batch, FrameSettings settings,
                   std::chrono::milliseconds timeout,

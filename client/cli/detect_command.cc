@@ -174,6 +174,8 @@ int DetectMany(const DetectFlags& flags, const client::Client& client) {
                   {flags.color_topic, flags.depth_topic, flags.depth_unit_m.value_or(kMillimetre)});
     PrintNote(fmt::format("colour of {}, depth of {}", bag->color_topic, bag->depth_topic));
     batch.list = bag->list;
+    batch.color_topic = bag->color_topic;
+    batch.depth_topic = bag->depth_topic;
     const std::string note = NoteOfUnregistered(*bag);
     if (flags.depth_intrinsics.empty() && !note.empty()) batch.list->notes.push_back(note);
   }

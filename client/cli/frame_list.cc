@@ -151,7 +151,8 @@ bool IsOfAFrame(const std::string& filename) {
 std::size_t NameApart(std::vector<FrameFiles>& frames) {
   std::set<std::string> names;
   for (const FrameFiles& frame : frames) names.insert(frame.id);
-  std::map<std::string, int> number_of{{kRequestName, 1}};  // the last that a name was given
+  // The last that a name was given.
+  std::map<std::string, int> number_of{{kRequestName, 1}, {kInputName, 1}};
   std::size_t num_renamed = 0;
   for (FrameFiles& frame : frames) {
     const auto [number, is_first] = number_of.try_emplace(frame.id, 1);

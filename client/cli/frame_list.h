@@ -31,10 +31,10 @@ FrameList ListFrames(const std::string& folder);
 // Whether a file of this name is an image of a frame, by the first of these ways.
 bool IsOfAFrame(const std::string& filename);
 
-// Of the file beside the results that says what was asked.
-inline constexpr const char* kRequestName = "fovea_request";
+// Of the files beside the results that say what was asked, and of which frames.
+inline constexpr const char *kRequestName = "fovea_request", *kInputName = "fovea_input";
 
-// Frames of one name, or of that one, get one each, so that no result takes the place of another:
+// Frames of one name, or of those two, get one each, so that no result takes the place of another:
 // NAME, NAME_2, … Returns how many were renamed.
 std::size_t NameApart(std::vector<FrameFiles>& frames);
 

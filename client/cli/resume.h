@@ -14,9 +14,10 @@ namespace fovea::cli {
 // The files of the frame of this name, below Batch::output; of none but JSON on standard output.
 Outputs OutputsOf(const std::string& name, const Batch& batch);
 
-// Writes fovea_request.json, for --resume and for people who come back to the results; with
-// --resume it stays as old as it is. Throws std::invalid_argument where --resume would mix answers
-// to different requests.
+// Writes fovea_request.json and fovea_input.json, for --resume and for people who come back to the
+// results; with --resume the first stays as old as it is. Throws std::invalid_argument where
+// --resume would mix answers to different requests, or of frames of different inputs, or overlays
+// that show different things.
 void SaveRequest(const Batch& batch, const FrameSettings& settings);
 
 // With --resume, takes what is done out of `frames`: frames whose files are all there, and no older

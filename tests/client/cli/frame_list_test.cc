@@ -90,13 +90,13 @@ TEST_F(FrameListTest, NamesWhatIsWrongWithThem) {
 }
 
 TEST(NameApart, GivesEachFrameANameOfItsOwn) {
-  const std::vector<std::string> given{"a", "a", "b", "a_2", "a", "fovea_request"};
+  const std::vector<std::string> given{"a", "a", "b", "a_2", "a", "fovea_request", "fovea_input"};
   std::vector<FrameFiles> frames(given.size());
   for (std::size_t i = 0; i < given.size(); ++i) frames[i].id = given[i];
-  EXPECT_EQ(NameApart(frames), 3U);
+  EXPECT_EQ(NameApart(frames), 4U);
   std::vector<std::string> ids(frames.size());
   for (std::size_t i = 0; i < frames.size(); ++i) ids[i] = frames[i].id;
-  EXPECT_THAT(ids, ElementsAre("a", "a_3", "b", "a_2", "a_4", "fovea_request_2"));
+  EXPECT_THAT(ids, ElementsAre("a", "a_3", "b", "a_2", "a_4", "fovea_request_2", "fovea_input_2"));
 }
 
 // As in the TUM RGB-D benchmark: the cameras run apart from each other.

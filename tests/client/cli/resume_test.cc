@@ -81,6 +81,69 @@ TEST_F(ResumeTest, LeavesTheRequestAsOldAsItIs) {
   EXPECT_GT(fs::last_write_time(path), before);
 }
 
+// Frames of another folder may have the same names, and be older than the results.
+TEST_F(ResumeTest, MixesNoAnswersOfOtherInputs) {
+  const FrameSettings settings;
+  batch_.resume = false;
+  SaveRequest(batch_, settings);
+  batch_.resume = true;
+  batch_.input = folder_.At(".");  // the same
+  SaveRequest(batch_, settings);
+  fs::create_directory(folder_.At("other"));
+  batch_.input = folder_.At("other");
+  EXPECT_THROW(SaveRequest(batch_, settings), std::invalid_argument);
+  batch_.resume = false;
+  SaveRequest(batch_, settings);
+  batch_.resume = true;
+  SaveRequest(batch_, settings);
+}
+
+TEST_F(ResumeTest, MixesNoAnswersOfOtherTopics) {
+  const FrameSettings settings;
+  batch_.color_topic = "/left";
+  batch_.resume = false;
+  SaveRequest(batch_, settings);
+  batch_.resume = true;
+  SaveRequest(batch_, settings);
+  batch_.color_topic = "/right";
+  EXPECT_THROW(SaveRequest(batch_, settings), std::invalid_argument);
+}
+
+TEST_F(ResumeTest, MixesNoOverlaysThatShowOtherThings) {
+  const FrameSettings settings;
+  batch_.resume = false;
+  batch_.extras.grasps = true;
+  SaveRequest(batch_, settings);
+  batch_.resume = true;
+  batch_.overlays = false;  // none of its own
+  SaveRequest(batch_, settings);
+  batch_.overlays = true;
+  SaveRequest(batch_, settings);
+  batch_.extras.grasps = false;
+  EXPECT_THROW(SaveRequest(batch_, settings), std::invalid_argument);
+}
+
+TEST_F(ResumeTest, AddsOverlaysWhereThereAreNone) {
+  const FrameSettings settings;
+  batch_.resume = batch_.overlays = false;
+  SaveRequest(batch_, settings);
+  batch_.resume = batch_.overlays = batch_.extras.seeds = true;
+  SaveRequest(batch_, settings);
+  batch_.extras.seeds = false;
+  EXPECT_THROW(SaveRequest(batch_, settings), std::invalid_argument);
+}
+
+TEST_F(ResumeTest, GoesOnWithWhatWasMadeBeforeInputsWereKept) {
+  const FrameSettings settings;
+  batch_.resume = false;
+  SaveRequest(batch_, settings);
+  fs::remove(folder_.At("fovea_input.json"));
+  batch_.resume = true;
+  SaveRequest(batch_, settings);
+  batch_.input = folder_.At("other");  // from now on it is known
+  EXPECT_THROW(SaveRequest(batch_, settings), std::invalid_argument);
+}
+
 TEST_F(ResumeTest, DoesAgainWhatLacksAFile) {
   batch_.clouds = "ply";
   EXPECT_EQ(NumDone(), 0U);
