@@ -25,7 +25,7 @@ bool IsBagFile(const fs::path& path) {
 
 // Of a folder whose recorder was killed before it wrote down which files there are.
 Paths FilesByName(const fs::path& folder) {
-  const fs::path name = fs::absolute(folder / "").parent_path().filename();
+  const fs::path name = fs::canonical(folder).filename();  // of "." and links, too
   Paths files;
   for (int number = 0;; ++number) {
     const std::string stem = name.string() + "_" + std::to_string(number);

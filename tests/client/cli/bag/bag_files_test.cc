@@ -71,6 +71,17 @@ TEST_F(BagFolder, IsOneWithoutMetadataWhereTheRecorderWasKilled) {
   }
 }
 
+// Of which "." and a link do not say it.
+TEST_F(BagFolder, IsOneWhateverItIsCalledAs) {
+  Write("walk_0.mcap", McapOfFrame(kFirst_ns));
+  std::filesystem::create_directory(At("inside"));
+  std::filesystem::create_directory_symlink(folder_.At("walk"), folder_.At("newest"));
+  for (const std::string& path : {At("."), At("./"), At("inside/.."), folder_.At("newest")}) {
+    ASSERT_TRUE(IsBag(path)) << path;
+    EXPECT_EQ(OpenBag(path, {}).list.frames.size(), 1U);
+  }
+}
+
 TEST_F(BagFolder, SaysWhichFileIsMissingOrOfAnotherKind) {
   Write("metadata.yaml", Metadata("    - a.mcap\n"));
   EXPECT_EQ(WhyNotOpened(), At("a.mcap") + ": there is no such file");
