@@ -15,15 +15,20 @@ Servers::Servers(const std::string& address, ClientOptions options)
 std::vector<Servers::Pointer> Servers::All(Clock::time_point deadline, std::string* problem) {
   FoundTargets found = lookup_.Get(deadline);
   *problem = std::move(found.problem);
+  return Take(found.targets);
+}
+
+std::vector<Servers::Pointer> Servers::Take(const std::vector<ServerTarget>& targets) {
   const std::lock_guard lock(mutex_);
+  if (targets.empty()) return AllKnown();  // another thread may have found some meanwhile
   std::map<std::string, Pointer> servers;
   std::vector<std::string> names;
   std::vector<Pointer> all;
-  for (const ServerTarget& each : found.targets) {
+  for (const ServerTarget& each : targets) {
     Pointer server = Find(each.target);
     if (!server) {
       server = std::make_shared<Server>(
-          Server{each.target, MakeChannel(each, found.targets.size() > 1, options_), nullptr});
+          Server{each.target, MakeChannel(each, targets.size() > 1, options_), nullptr});
       server->stub = v1::DetectionService::NewStub(server->channel);
     }
     servers.emplace(each.target, server);
@@ -80,6 +85,12 @@ bool Servers::AreAllAway() {
 std::size_t Servers::size() {
   const std::lock_guard lock(mutex_);
   return choice_.size();
+}
+
+std::vector<Servers::Pointer> Servers::AllKnown() {
+  std::vector<Pointer> all;
+  for (const auto& [name, server] : servers_) all.push_back(server);
+  return all;
 }
 
 Servers::Pointer Servers::Find(const std::string& name) {

@@ -37,6 +37,10 @@ class Servers {
   // `problem` says why.
   std::vector<Pointer> All(Clock::time_point deadline, std::string* problem);
 
+  // What a lookup has found, to choose from from now on; where that is none, those known stay.
+  // Returns all of them.
+  std::vector<Pointer> Take(const std::vector<ServerTarget>& targets);
+
   // The one to ask first; null and the problem where none is found.
   Pointer Home(Clock::time_point deadline, std::string* problem);
 
@@ -78,6 +82,7 @@ class Servers {
 
  private:
   Pointer Find(const std::string& name);  // mutex_ is held
+  std::vector<Pointer> AllKnown();        // mutex_ is held
 
   const ClientOptions options_;
   NameLookup lookup_;
