@@ -6,7 +6,9 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
+#include <system_error>
 
 #include "client/capture/camera_error.h"
 #include "client/capture/openni_camera.h"
@@ -27,24 +29,28 @@ void CheckPath(const std::string& path) {
   }
 }
 
-// Beside the recording, so that a replay uses them, too.
-void SaveIntrinsicsOf(const Camera& camera, const KnownIntrinsics& known,
-                      const std::string& recording) {
-  const std::string path = IntrinsicsPathOf(recording);
-  try {
-    const ChosenIntrinsics chosen =
-        ChooseIntrinsics(known, camera.StatedFieldOfView(), camera.size());
-    SaveIntrinsics(path, chosen.values, camera.size());
-    std::cerr << "intrinsics: " << Describe(chosen) << ", in " << path << '\n';
-  } catch (const NoIntrinsics& error) {
-    std::cerr << "note: " << error.what() << "; no " << path << " is written\n";
-  }
+// Intrinsics lie beside the recording, so that a replay uses them, too. A file of others there may
+// be a calibration of somebody's, and would be taken for those of this recording.
+void CheckIntrinsicsPath(const std::string& path, const IntrinsicsFlags& flags) {
+  if (!std::filesystem::exists(path)) return;
+  std::error_code error;  // where there is no calibration
+  const bool is_given = std::filesystem::equivalent(path, flags.calibration_path, error);
+  if (is_given && flags.distortion.empty()) return;
+  throw std::runtime_error(path + " is there already and stays as it is; --calibration " + path +
+                           ", without --distortion, records with it");
 }
 
-// A recording without a frame is none to OpenNI2.
-void Discard(const std::string& path) {
-  std::filesystem::remove(path);
-  std::filesystem::remove(IntrinsicsPathOf(path));
+// None where the camera states none.
+std::optional<ChosenIntrinsics> IntrinsicsOf(const Camera& camera, const KnownIntrinsics& known,
+                                             const std::string& path) {
+  try {
+    ChosenIntrinsics chosen = ChooseIntrinsics(known, camera.StatedFieldOfView(), camera.size());
+    std::cerr << "intrinsics: " << Describe(chosen) << ", in " << path << '\n';
+    return chosen;
+  } catch (const NoIntrinsics& error) {
+    std::cerr << "note: " << error.what() << "; no " << path << " is written\n";
+    return std::nullopt;
+  }
 }
 
 struct Recorded {
@@ -84,13 +90,23 @@ Recorded Record(OpenNiCamera& camera, const RecordFlags& flags) {
   return recorded;
 }
 
+// What went wrong before is what counts.
+void SaveIntrinsicsOf(const ChosenIntrinsics& chosen, const cv::Size& size, const std::string& path,
+                      std::exception_ptr* error) {
+  try {
+    SaveIntrinsics(path, chosen.values, size);
+  } catch (const std::exception&) {
+    if (!*error) *error = std::current_exception();
+  }
+}
+
 // What was recorded until a camera fails or the disk is full stays.
 void Keep(const Recorded& recorded, const std::string& path) {
   if (recorded.num_frames > 0) {
     std::cout << recorded.num_frames << " frames in " << path << ", "
               << std::filesystem::file_size(path) / 1000 << " kB" << std::endl;
   } else {
-    Discard(path);
+    std::filesystem::remove(path);  // it is none to OpenNI2
   }
   if (recorded.error) std::rethrow_exception(recorded.error);
   if (recorded.num_frames == 0) {
@@ -113,10 +129,17 @@ int RunRecord(const RecordFlags& flags) {
   const CameraOptions options = CameraOptionsOf(flags.camera);
   const KnownIntrinsics intrinsics = ReadIntrinsics(flags.intrinsics);
   RequireSize(intrinsics, options.size);
+  const std::string intrinsics_path = IntrinsicsPathOf(flags.path);
+  CheckIntrinsicsPath(intrinsics_path, flags.intrinsics);
   const OpenNiRuntime runtime;
   OpenNiCamera camera(options, std::cerr);
-  SaveIntrinsicsOf(camera, intrinsics, flags.path);
-  Keep(Record(camera, flags), flags.path);
+  const auto chosen = IntrinsicsOf(camera, intrinsics, intrinsics_path);
+  Recorded recorded = Record(camera, flags);
+  // Where they are there, they are the calibration, which stays as it is.
+  if (chosen && recorded.num_frames > 0 && !std::filesystem::exists(intrinsics_path)) {
+    SaveIntrinsicsOf(*chosen, camera.size(), intrinsics_path, &recorded.error);
+  }
+  Keep(recorded, flags.path);
   return EXIT_SUCCESS;
 }
 

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <opencv2/core.hpp>
 #include <set>
 #include <thread>
@@ -31,6 +32,11 @@ bool Holds(const std::string& path, std::uintmax_t num_bytes, Process& record) {
   const Finished finished = record.Wait();
   ADD_FAILURE() << finished.out << finished.err;
   return false;
+}
+
+std::string TextOf(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 class RecordingTest : public CaptureTest {
@@ -179,6 +185,31 @@ TEST_F(RecordingTest, LeavesNoFileWithoutFrames) {
       "no frames arrive");
   EXPECT_FALSE(fs::exists(At("a.oni")));
   EXPECT_FALSE(fs::exists(At("a.intrinsics.json")));
+}
+
+// They may be a calibration, and would be those of the new recording.
+TEST_F(RecordingTest, LeavesIntrinsicsAloneThatItDidNotWrite) {
+  const std::string path = folder_.Write("a.intrinsics.json", "somebody's");
+  ExpectOneLineError(Capture(Record(At("a.oni"))), path + " is there already");
+  EXPECT_EQ(TextOf(path), "somebody's");
+  EXPECT_FALSE(fs::exists(At("a.oni")));
+}
+
+TEST_F(RecordingTest, LeavesTheCalibrationThatLiesBesideIt) {
+  const std::string calibration =
+      R"({"fx": 260, "fy": 261, "cx": 159, "cy": 119, "width": 320, "height": 240})";
+  const std::string path = folder_.Write("a.intrinsics.json", calibration);
+  const std::vector<std::string> flags{"--calibration", path, "--frame-timeout", "0.3"};
+  ExpectOneLineError(Capture(Record(At("a.oni"), flags), {{"FOVEA_CAMERA_FAULTS", "silent"}}),
+                     "no frames arrive");
+  EXPECT_EQ(TextOf(path), calibration);
+  ExpectOneLineError(
+      Capture(Record(At("a.oni"), {"--calibration", path, "--distortion", "plumb_bob=0.1,0,0,0"})),
+      path + " is there already");
+  const Finished finished = Capture(Record(At("a.oni"), {"--calibration", path, "--frames", "2"}));
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_EQ(TextOf(path), calibration);
+  EXPECT_THAT(Capture(Replay(At("a.oni"))).err, HasSubstr("fx 260.0, fy 261.0"));
 }
 
 TEST_F(RecordingTest, SaysWhatIsNoRecording) {
