@@ -2,6 +2,7 @@
 
 #include <ostream>
 #include <thread>
+#include <utility>
 
 #include "client/capture/camera_error.h"
 
@@ -27,13 +28,27 @@ std::optional<Picture> CameraSource::Next() {
   if (!camera_) TryToReopen();
   if (!camera_) return std::nullopt;
   try {
-    auto picture = camera_->Next(kMoment);
-    if (picture) picture->number = ++num_pictures_;
-    return picture;
+    return NextOf(*camera_);
   } catch (const CameraLost& lost) {
     Lose(lost.what());
-    return std::nullopt;
+  } catch (const CameraError& error) {
+    if (!away_since_) throw;
+    earlier_losses_ = Losses();
+    camera_.reset();
+    GiveUpOrWait(error);
   }
+  return std::nullopt;
+}
+
+std::optional<Picture> CameraSource::NextOf(Camera& camera) {
+  auto picture = camera.Next(kMoment);
+  if (!picture) return std::nullopt;
+  picture->number = ++num_pictures_;
+  if (std::exchange(away_since_, std::nullopt)) {
+    ++num_reopened_;
+    notes_ << "the camera " << camera.Uri() << " is back" << std::endl;
+  }
+  return picture;
 }
 
 void CameraSource::SkipWaiting() {
@@ -48,20 +63,22 @@ void CameraSource::Lose(const std::string& reason) {
   notes_ << reason << "; waiting for it to come back" << std::endl;
   earlier_losses_ = Losses();
   camera_.reset();
-  away_since_ = std::chrono::steady_clock::now();
+  if (!away_since_) away_since_ = std::chrono::steady_clock::now();
 }
 
 void CameraSource::TryToReopen() {
   try {
     camera_ = OpenCamera(options_, notes_);
-    ++num_reopened_;
-    notes_ << "the camera " << camera_->Uri() << " is back" << std::endl;
   } catch (const CameraError& error) {
-    if (std::chrono::steady_clock::now() - away_since_ >= patience_) {
-      throw CameraError(std::string("the camera did not come back: ") + error.what());
-    }
-    std::this_thread::sleep_for(kMoment);
+    GiveUpOrWait(error);
   }
+}
+
+void CameraSource::GiveUpOrWait(const CameraError& error) {
+  if (std::chrono::steady_clock::now() - *away_since_ >= patience_) {
+    throw CameraError(std::string("the camera did not come back: ") + error.what());
+  }
+  std::this_thread::sleep_for(kMoment);
 }
 
 CameraLosses CameraSource::Losses() const {

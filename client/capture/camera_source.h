@@ -7,6 +7,7 @@
 #include <string>
 
 #include "client/capture/camera.h"
+#include "client/capture/camera_error.h"
 
 namespace fovea::capture {
 
@@ -31,7 +32,9 @@ class CameraSource {
   CameraLosses Losses() const;
 
  private:
+  std::optional<Picture> NextOf(Camera& camera);
   void Lose(const std::string& reason);
+  void GiveUpOrWait(const CameraError& error);
   void TryToReopen();
 
   CameraOptions options_;
@@ -40,7 +43,8 @@ class CameraSource {
   std::unique_ptr<Camera> camera_;  // none while it is away
   CameraLosses earlier_losses_;
   std::uint64_t num_pictures_ = 0, num_reopened_ = 0;
-  std::chrono::steady_clock::time_point away_since_;
+  // Until it delivers again, which an open camera need not do; none: it delivers.
+  std::optional<std::chrono::steady_clock::time_point> away_since_;
 };
 
 }  // namespace fovea::capture

@@ -45,7 +45,7 @@ class Driver : public oni::driver::DriverBase {
       getServices().errorLoggerAppend("Could not open the USB device: access denied");
       return nullptr;
     }
-    return new DriverDevice(options_);
+    return new DriverDevice(options_, ++num_openings_);
   }
 
   void deviceClose(oni::driver::DeviceBase* device) override { delete device; }
@@ -66,6 +66,7 @@ class Driver : public oni::driver::DriverBase {
 
   const DriverOptions options_ = ReadDriverOptions();
   const OniDeviceInfo info_ = Info();
+  int num_openings_ = 0;
   std::jthread cable_;
 };
 

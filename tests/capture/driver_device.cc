@@ -31,7 +31,8 @@ OniVideoMode Mode(OniPixelFormat format, const cv::Size& size, int fps) {
 
 }  // namespace
 
-DriverDevice::DriverDevice(DriverOptions options) : options_(std::move(options)) {
+DriverDevice::DriverDevice(DriverOptions options, int opening)
+    : options_(std::move(options)), opening_(opening) {
   LoadFrames();
   const cv::Size size = images_.front().color.size();
   const std::array formats{ONI_PIXEL_FORMAT_RGB888, ONI_PIXEL_FORMAT_DEPTH_1_MM};
@@ -128,6 +129,12 @@ bool DriverDevice::BothRun() const {
   return color_ != nullptr && depth_ != nullptr && color_->Running() && depth_->Running();
 }
 
+bool DriverDevice::IsSilent(int index) const {
+  constexpr int kNumBefore = 3;
+  const bool hangs = opening_ == 2 || (opening_ == 1 && index > kNumBefore);
+  return options_.Has("silent") || (options_.Has("hangs") && hangs);
+}
+
 void DriverDevice::Serve() {
   using std::chrono::steady_clock;
   const bool paced = options_.fps > 0;
@@ -141,7 +148,7 @@ void DriverDevice::Serve() {
     }
     changed_.wait(lock, [&] { return closing_ || (BothRun() && (paced || wanted_)); });
     if (closing_) return;
-    if (options_.Has("silent")) {
+    if (IsSilent(index)) {
       wanted_ = false;
       continue;
     }

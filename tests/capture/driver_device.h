@@ -18,7 +18,8 @@ namespace fovea::testing {
 // The test camera while it is open: serves its frames once both streams run.
 class DriverDevice : public oni::driver::DeviceBase {
  public:
-  explicit DriverDevice(DriverOptions options);
+  // `opening`: how often the camera has been opened, with this time.
+  DriverDevice(DriverOptions options, int opening);
   ~DriverDevice() override;
 
   OniStatus getSensorInfoList(OniSensorInfo** infos, int* count) override;
@@ -38,12 +39,14 @@ class DriverDevice : public oni::driver::DeviceBase {
 
   void LoadFrames();
   bool BothRun() const;
+  bool IsSilent(int index) const;
   void Serve();
   void ServeFrame(int index);
   void DeliverColor(int index, const cv::Mat& color);
   const Image& ImageOf(int index) const;
 
   const DriverOptions options_;
+  const int opening_;  // from 1
   std::vector<Image> images_;
   std::array<std::vector<OniVideoMode>, 2> modes_;
   std::array<OniSensorInfo, 2> infos_{};

@@ -15,6 +15,9 @@ namespace fovea::testing {
 //   no-registration     depth cannot be registered
 //   late-registration   registration works only once the streams run
 //   silent              no frame ever arrives
+//   hangs               the camera delivers three frames; opened a second time it delivers none,
+//   then
+//                       all
 //   wrong-size          images are half as wide and high as set
 //   half                half of each fourth depth image arrives
 //   drop-color          each fourth colour image is missing

@@ -14,6 +14,7 @@ namespace fovea::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 class MishapsTest : public CaptureTest {
@@ -151,6 +152,21 @@ TEST_F(MishapsTest, ComesBackAfterUnplugging) {
   const Finished finished = capture.Wait();
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
   EXPECT_THAT(finished.out, HasSubstr("reopened 1 times"));
+}
+
+// One that hangs without being unplugged is opened anew, which may not help at once.
+TEST_F(MishapsTest, WaitsForACameraThatHangs) {
+  const Finished finished = With("hangs", {"--frame-timeout", "1"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_THAT(finished.err, HasSubstr("no frames arrive from fovea/test@0/1 for 1 s; waiting"));
+  EXPECT_THAT(finished.err, HasSubstr("the camera fovea/test@0/1 is back"));
+  EXPECT_THAT(finished.out, HasSubstr("reopened 1 times"));
+}
+
+TEST_F(MishapsTest, GivesUpOnACameraThatHangsForLong) {
+  const Finished finished = With("hangs", {"--frame-timeout", "1", "--patience", "0.2"});
+  ExpectOneLineError(finished, "the camera did not come back: no frames arrive from");
+  EXPECT_THAT(finished.err, Not(HasSubstr("is back")));
 }
 
 TEST_F(MishapsTest, GivesUpOnACameraThatStaysAway) {
