@@ -18,11 +18,16 @@ namespace {
 constexpr const char* kCookie = "fovea_session";
 constexpr std::size_t kMaxToken = 256, kMaxRobot = 1024;
 
-// The name without the port; IPv6 keeps its brackets.
+std::string InSmallLetters(std::string text) {
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
+
+// The name without the port, in small letters; IPv6 keeps its brackets.
 std::string NameOfHost(const std::string& host) {
   const std::size_t bracket = host.rfind(']');
   const std::size_t colon = host.find(':', bracket == std::string::npos ? 0 : bracket);
-  return host.substr(0, colon);
+  return InSmallLetters(host.substr(0, colon));
 }
 
 std::string TokenIn(const std::string& body) {
@@ -50,7 +55,9 @@ Routes::Routes(std::vector<ServerLink> servers, std::vector<std::string> hosts, 
       history_(history),
       asks_(history),
       hosts_(std::move(hosts)),
-      is_secure_(is_secure) {}
+      is_secure_(is_secure) {
+  std::ranges::transform(hosts_, hosts_.begin(), InSmallLetters);
+}
 
 bool Routes::IsSlow(const HttpRequest& request) {
   return request.path == "/api/login" || HistoryRoutes::IsOne(request.path) ||

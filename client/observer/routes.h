@@ -14,8 +14,8 @@ namespace fovea::observer {
 // Who may ask for what, and what is answered. Thread-safe.
 class Routes {
  public:
-  // `hosts` are the names that browsers may know this server by (DNS rebinding); `is_secure` = it
-  // is reached over TLS.
+  // `hosts` are the names that browsers may know this server by (DNS rebinding), in letters of
+  // either case; `is_secure` = it is reached over TLS.
   Routes(std::vector<ServerLink> servers, std::vector<std::string> hosts, bool is_secure,
          const HistoryRoutes& history = HistoryRoutes());
 
@@ -38,7 +38,7 @@ class Routes {
   Sessions sessions_;
   const HistoryRoutes history_;
   AskRoutes asks_;
-  const std::vector<std::string> hosts_;
+  std::vector<std::string> hosts_;  // in small letters
   const bool is_secure_;
 };
 

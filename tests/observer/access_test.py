@@ -102,6 +102,15 @@ def test_other_pages_cannot_post(visitor: Visitor) -> None:
     assert visitor.get("/api/session").status == 401
 
 
+def test_names_of_this_machine_have_no_case(server: ServerProcess) -> None:
+    """Browsers write them in small letters."""
+    with ObserverProcess(server.address, "127.0.0.1:0", "--host", "Robot-PC") as observer:
+        visitor = Visitor(observer.address)
+        for host in ("robot-pc", "Robot-PC:8080", "LOCALHOST"):
+            assert visitor.get("/", Host=host).status == 200
+        assert visitor.get("/", Host="robot-pcs").status == 421
+
+
 def test_each_observer_sees_its_robots_and_no_other(
     visitor: Visitor, robots: Robots, scene: Scene
 ) -> None:
