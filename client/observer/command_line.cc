@@ -25,6 +25,7 @@
 
 namespace {
 
+using fovea::observer::Encryption;
 using fovea::observer::Flags;
 using fovea::observer::History;
 using fovea::observer::HistoryRoutes;
@@ -46,6 +47,11 @@ void RequireProtection(const Flags& flags) {
   throw std::invalid_argument("--listen: \"" + flags.listen +
                               "\" is open to other machines; give --https-cert and --https-key, "
                               "or --insecure to serve them unprotected");
+}
+
+Encryption EncryptionOf(const Flags& flags) {
+  if (!flags.https_cert.empty()) return Encryption::kOwn;
+  return flags.insecure ? Encryption::kPerhapsInFront : Encryption::kNone;
 }
 
 // Not of a pipe, which would be waited for when it is read again.
@@ -100,7 +106,7 @@ int Serve(const Flags& flags) {
   const std::vector<ServerLink> servers = fovea::observer::LinkServers(
       flags.connection.server, fovea::cli::OptionsOf(flags.connection));
   const Recording recording = Record(flags, servers);
-  Routes routes(servers, hosts, !flags.https_cert.empty(),
+  Routes routes(servers, hosts, EncryptionOf(flags),
                 HistoryRoutes(recording.history.get(), recording.recorder.get()));
   const auto read_tls = [&] {
     return TlsFiles{.certificate = ReadPem("--https-cert", flags.https_cert),

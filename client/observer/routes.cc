@@ -49,13 +49,13 @@ HttpResponse AssetResponse(const std::string& path) {
 
 }  // namespace
 
-Routes::Routes(std::vector<ServerLink> servers, std::vector<std::string> hosts, bool is_secure,
-               const HistoryRoutes& history)
+Routes::Routes(std::vector<ServerLink> servers, std::vector<std::string> hosts,
+               Encryption encryption, const HistoryRoutes& history)
     : sessions_(std::move(servers)),
       history_(history),
       asks_(history),
       hosts_(std::move(hosts)),
-      is_secure_(is_secure) {
+      encryption_(encryption) {
   std::ranges::transform(hosts_, hosts_.begin(), InSmallLetters);
 }
 
@@ -77,7 +77,9 @@ bool Routes::IsOwnHost(const std::string& host) const {
 }
 
 bool Routes::IsOwnOrigin(const HttpRequest& request) const {
-  return request.Header("origin") == (is_secure_ ? "https://" : "http://") + request.Header("host");
+  const std::string origin = request.Header("origin"), host = request.Header("host");
+  return (encryption_ != Encryption::kOwn && origin == "http://" + host) ||
+         (encryption_ != Encryption::kNone && origin == "https://" + host);
 }
 
 HttpResponse Routes::Route(const HttpRequest& request) {
@@ -110,9 +112,11 @@ HttpResponse Routes::Route(const HttpRequest& request) {
   return OfFrame(request, *session);
 }
 
-std::string Routes::CookieOf(const std::string& id, bool ends) const {
+std::string Routes::CookieOf(const HttpRequest& request, const std::string& id, bool ends) const {
+  // By which browsers say how they came; other pages have been refused.
+  const bool is_secure = request.Header("origin").starts_with("https://");
   return std::string(kCookie) + "=" + id + "; Path=/; HttpOnly; SameSite=Strict" +
-         (is_secure_ ? "; Secure" : "") + (ends ? "; Max-Age=0" : "");
+         (is_secure ? "; Secure" : "") + (ends ? "; Max-Age=0" : "");
 }
 
 HttpResponse Routes::LogIn(const HttpRequest& request) {
@@ -123,14 +127,14 @@ HttpResponse Routes::LogIn(const HttpRequest& request) {
   if (!session) return ErrorResponse(401, problem);
   sessions_.LogOut(request.Cookie(kCookie));  // the browser forgets that one
   HttpResponse response = Who(*session);
-  response.headers.emplace_back("Set-Cookie", CookieOf(session->id, /*ends=*/false));
+  response.headers.emplace_back("Set-Cookie", CookieOf(request, session->id, /*ends=*/false));
   return response;
 }
 
-HttpResponse Routes::LogOut(const HttpRequest&, const Session& session) {
+HttpResponse Routes::LogOut(const HttpRequest& request, const Session& session) {
   sessions_.LogOut(session.id);
   HttpResponse response = BytesResponse("application/json", "{}");
-  response.headers.emplace_back("Set-Cookie", CookieOf("", /*ends=*/true));
+  response.headers.emplace_back("Set-Cookie", CookieOf(request, "", /*ends=*/true));
   return response;
 }
 

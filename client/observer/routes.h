@@ -11,12 +11,15 @@
 
 namespace fovea::observer {
 
+// Of what browsers reach: by this server, or perhaps by something in front of it.
+enum class Encryption { kNone, kOwn, kPerhapsInFront };
+
 // Who may ask for what, and what is answered. Thread-safe.
 class Routes {
  public:
   // `hosts` are the names that browsers may know this server by (DNS rebinding), in letters of
-  // either case; `is_secure` = it is reached over TLS.
-  Routes(std::vector<ServerLink> servers, std::vector<std::string> hosts, bool is_secure,
+  // either case.
+  Routes(std::vector<ServerLink> servers, std::vector<std::string> hosts, Encryption encryption,
          const HistoryRoutes& history = HistoryRoutes());
 
   // Whether answering takes its time, as it asks the servers or reads the disk.
@@ -33,13 +36,13 @@ class Routes {
   HttpResponse OfFrame(const HttpRequest& request, const Session& session) const;
   bool IsOwnHost(const std::string& host) const;
   bool IsOwnOrigin(const HttpRequest& request) const;
-  std::string CookieOf(const std::string& id, bool ends) const;
+  std::string CookieOf(const HttpRequest& request, const std::string& id, bool ends) const;
 
   Sessions sessions_;
   const HistoryRoutes history_;
   AskRoutes asks_;
   std::vector<std::string> hosts_;  // in small letters
-  const bool is_secure_;
+  const Encryption encryption_;
 };
 
 }  // namespace fovea::observer

@@ -19,6 +19,7 @@ from conftest import Robots, Scene, Watched
 from processes import (
     OBSERVERS,
     PATIENCE,
+    Answer,
     Events,
     ObserverProcess,
     ServerProcess,
@@ -100,6 +101,25 @@ def test_other_pages_cannot_post(visitor: Visitor) -> None:
     answer = visitor.ask("POST", "/api/logout", "", Origin=own, X_Fovea_CSRF=visitor.csrf)
     assert answer.status == 200
     assert visitor.get("/api/session").status == 401
+
+
+def test_the_page_may_come_through_something_that_encrypts(server: ServerProcess) -> None:
+    """With --insecure; browsers say what they have asked, which is https."""
+    body = '{"token": "token-of-ann"}'
+    flags = ["--insecure", "--host", "robots.example"]
+    with ObserverProcess(server.address, "127.0.0.1:0", *flags) as observer:
+        visitor = Visitor(observer.address)
+
+        def log_in(origin: str) -> Answer:
+            headers = {"Host": "robots.example", "Origin": origin}
+            return visitor.ask("POST", "/api/login", body, **headers)
+
+        encrypted, plain = log_in("https://robots.example"), log_in("http://robots.example")
+        assert (encrypted.status, plain.status) == (200, 200)
+        assert "; Secure" in encrypted.headers["Set-Cookie"]
+        assert "; Secure" not in plain.headers["Set-Cookie"]
+        for origin in ("https://evil.example", "https://robots.example:8443", "https://", "null"):
+            assert log_in(origin).status == 403
 
 
 def test_names_of_this_machine_have_no_case(server: ServerProcess) -> None:
