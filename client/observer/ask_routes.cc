@@ -96,6 +96,7 @@ bool AskRoutes::IsOne(const std::string& path) {
 }
 
 HttpResponse AskRoutes::Answer(const HttpRequest& request, Feed& feed) {
+  if (end_.stop_requested()) return ErrorResponse(503, "the observer ends");
   if (num_asked_.fetch_add(1) >= kMaxAsked) {
     --num_asked_;
     return ErrorResponse(429, "others ask already; try again");
@@ -130,7 +131,7 @@ HttpResponse AskRoutes::Options(const HttpRequest& request, Feed& feed) const {
   const ServerLink* const link = named ? LinkOf(feed, named->server) : nullptr;
   if (link == nullptr) return NotFound();
   v1::ListOptionsResponse options;
-  const grpc::Status status = ListOptions(*link, feed.token(), &options);
+  const grpc::Status status = ListOptions(*link, feed.token(), &options, end_.get_token());
   return status.ok() ? BytesResponse("application/json", JsonText(options)) : RefusalOf(status);
 }
 
@@ -147,7 +148,7 @@ HttpResponse AskRoutes::TryFrame(const HttpRequest& request, Feed& feed) const {
   const auto parsed = SetOptions(named->frame.options(), asked->options, trial.mutable_options());
   if (!parsed.ok()) return ErrorResponse(400, "options: " + std::string(parsed.message()));
   v1::TryResponse response;
-  const grpc::Status status = Try(*link, feed.token(), trial, &response);
+  const grpc::Status status = Try(*link, feed.token(), trial, &response, end_.get_token());
   return status.ok() ? BytesResponse("application/json", JsonText(response)) : RefusalOf(status);
 }
 
@@ -170,7 +171,8 @@ HttpResponse AskRoutes::Pick(const HttpRequest& request, Feed& feed) const {
   pick.set_track_id(object->track_id());
   *pick.mutable_oriented_box() = object->oriented_box();
   v1::SelectObjectResponse response;
-  const grpc::Status status = SelectObject(*link, feed.token(), selection, &response);
+  const grpc::Status status =
+      SelectObject(*link, feed.token(), selection, &response, end_.get_token());
   return status.ok() ? BytesResponse("application/json", JsonText(response)) : RefusalOf(status);
 }
 

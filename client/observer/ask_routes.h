@@ -3,6 +3,7 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <utility>
 
@@ -20,6 +21,8 @@ class AskRoutes {
 
   static bool IsOne(const std::string& path);
   HttpResponse Answer(const HttpRequest& request, Feed& feed);
+  // What is asked is answered at once from now on, by an error.
+  void End() { end_.request_stop(); }
 
  private:
   // A frame that the page names, and the server that answered it.
@@ -36,6 +39,7 @@ class AskRoutes {
 
   const HistoryRoutes history_;
   std::atomic<int> num_asked_ = 0;
+  std::stop_source end_;
 };
 
 }  // namespace fovea::observer

@@ -114,7 +114,8 @@ int Serve(const Flags& flags) {
   };
   HttpServer server({.listen = flags.listen, .read_tls = read_tls},
                     {.is_slow = Routes::IsSlow,
-                     .answer = [&](const auto& request) { return routes.Answer(request); }});
+                     .answer = [&](const auto& request) { return routes.Answer(request); },
+                     .end = [&] { routes.End(); }});
   std::cout << "open " << (flags.https_cert.empty() ? "http://" : "https://") << server.Address()
             << "/" << std::endl;
   server.Run();

@@ -76,6 +76,7 @@ class HttpServer::Impl {
     asio::co_spawn(context_, ReadCertificates(), asio::detached);
     asio::co_spawn(context_, Accept(), asio::detached);
     context_.run();
+    handler_.end();
     slow_.join();
   }
 

@@ -31,6 +31,7 @@ class HttpServer {
   struct Handler {
     std::function<bool(const HttpRequest&)> is_slow;
     std::function<HttpResponse(const HttpRequest&)> answer;  // thread-safe, never throws
+    std::function<void()> end;  // has answers that are being made come soon
   };
 
   // Listens when this returns. Throws std::runtime_error that names the flag where it cannot.
@@ -43,7 +44,8 @@ class HttpServer {
   // HOST:PORT with the real port.
   std::string Address() const;
 
-  // Serves until SIGTERM or SIGINT. SIGHUP reads certificate and key again.
+  // Serves until SIGTERM or SIGINT, and for what is slow to end. SIGHUP reads certificate and key
+  // again.
   void Run();
 
  private:

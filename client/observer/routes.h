@@ -26,6 +26,8 @@ class Routes {
   static bool IsSlow(const HttpRequest& request);
   // Never throws for what is asked.
   HttpResponse Answer(const HttpRequest& request);
+  // Whoever waits for a server's answer gets an error, from now on.
+  void End() { asks_.End(); }
 
  private:
   HttpResponse Route(const HttpRequest& request);
