@@ -3,9 +3,13 @@
 #include <grpcpp/client_context.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <utility>
 
+#include "client/observer/ending_threads.h"
 #include "fovea/v1/observation_service.grpc.pb.h"
 
 namespace fovea::observer {
@@ -27,25 +31,72 @@ LinkState StateOf(const grpc::Status& status) {
 
 }  // namespace
 
+// What the thread works with.
+class WatchStream::Watching {
+ public:
+  Watching(ServerLink link, std::string token, v1::WatchRequest request, Listener listener)
+      : link_(std::move(link)),
+        token_(std::move(token)),
+        request_(std::move(request)),
+        listener_(std::move(listener)) {}
+
+  void Run(const std::stop_token& stop);
+  // Nobody listens from now on.
+  void Leave();
+
+  std::atomic<bool> has_ended = false;
+
+ private:
+  void Pause(const std::stop_token& stop, std::chrono::milliseconds wait);
+  bool Watch(const std::stop_token& stop);  // whether anything came
+  template <typename Function, typename... Arguments>
+  void Tell(const Function& function, Arguments&&... arguments);
+
+  const ServerLink link_;
+  const std::string token_;
+  const v1::WatchRequest request_;
+  const Listener listener_;
+  std::mutex pause_mutex_;
+  std::condition_variable_any pause_;
+  std::mutex listener_mutex_;  // held while it is called
+  bool is_left_ = false;
+};
+
 WatchStream::WatchStream(ServerLink link, std::string token, v1::WatchRequest request,
                          Listener listener)
-    : link_(std::move(link)),
-      token_(std::move(token)),
-      request_(std::move(request)),
-      listener_(std::move(listener)),
-      thread_([this](const std::stop_token& stop) { Run(stop); }) {}
+    : watching_(std::make_shared<Watching>(std::move(link), std::move(token), std::move(request),
+                                           std::move(listener))),
+      thread_([watching = watching_](const std::stop_token& stop) { watching->Run(stop); }) {}
 
-void WatchStream::Run(const std::stop_token& stop) {
+WatchStream::~WatchStream() {
+  thread_.request_stop();
+  watching_->Leave();
+  LeaveToEnd(std::move(thread_), {watching_, &watching_->has_ended});
+}
+
+void WatchStream::Watching::Leave() {
+  const std::lock_guard lock(listener_mutex_);
+  is_left_ = true;
+}
+
+template <typename Function, typename... Arguments>
+void WatchStream::Watching::Tell(const Function& function, Arguments&&... arguments) {
+  const std::lock_guard lock(listener_mutex_);
+  if (!is_left_) function(std::forward<Arguments>(arguments)...);
+}
+
+void WatchStream::Watching::Run(const std::stop_token& stop) {
   constexpr std::chrono::milliseconds kFirst{100}, kLongest{2000};
   std::chrono::milliseconds wait = kFirst;
   while (!stop.stop_requested()) {
     wait = Watch(stop) ? kFirst : std::min(2 * wait, kLongest);
     Pause(stop, wait);
   }
+  has_ended = true;
 }
 
 // Ends with the connection, where there is none: gRPC tries to connect only while it is asked to.
-void WatchStream::Pause(const std::stop_token& stop, std::chrono::milliseconds wait) {
+void WatchStream::Watching::Pause(const std::stop_token& stop, std::chrono::milliseconds wait) {
   constexpr std::chrono::milliseconds kLook{200};  // a wait of gRPC does not end with `stop`
   using Clock = std::chrono::steady_clock;
   const Clock::time_point end = Clock::now() + wait;
@@ -53,11 +104,11 @@ void WatchStream::Pause(const std::stop_token& stop, std::chrono::milliseconds w
   while (!is_connected && !stop.stop_requested() && Clock::now() < end) {
     if (link_.channel->WaitForConnected(std::chrono::system_clock::now() + kLook)) return;
   }
-  std::unique_lock lock(mutex_);
+  std::unique_lock lock(pause_mutex_);
   pause_.wait_until(lock, stop, end, [] { return false; });
 }
 
-bool WatchStream::Watch(const std::stop_token& stop) {
+bool WatchStream::Watching::Watch(const std::stop_token& stop) {
   const auto stub = v1::ObservationService::NewStub(link_.channel);
   grpc::ClientContext context;
   context.AddMetadata("authorization", "Bearer " + token_);
@@ -67,16 +118,16 @@ bool WatchStream::Watch(const std::stop_token& stop) {
   for (v1::WatchResponse response; reader->Read(&response); response.Clear()) {
     if (response.has_observer()) {
       came = true;
-      listener_.on_observer(response.observer());
-      listener_.on_state({LinkState::Kind::kWatching, ""});
+      Tell(listener_.on_observer, response.observer());
+      Tell(listener_.on_state, LinkState{LinkState::Kind::kWatching, ""});
     } else if (response.has_frame()) {
-      listener_.on_frame(std::move(response));
+      Tell(listener_.on_frame, std::move(response));
     }
   }
   LinkState state = StateOf(reader->Finish());
   // It ends the call of whoever has other rights now, too: the next answer says which.
   if (came && state.kind == LinkState::Kind::kRefused) state.kind = LinkState::Kind::kConnecting;
-  if (!stop.stop_requested()) listener_.on_state(state);
+  if (!stop.stop_requested()) Tell(listener_.on_state, state);
   return came;
 }
 

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <chrono>
-#include <condition_variable>
 #include <functional>
-#include <mutex>
+#include <memory>
 #include <string>
 #include <thread>
 
@@ -31,21 +29,17 @@ class WatchStream {
   };
 
   WatchStream(ServerLink link, std::string token, v1::WatchRequest request, Listener listener);
+  // Waits for a function of the listener that is being called, after which none is, but not for the
+  // thread, which may wait for a connection.
+  ~WatchStream();
 
   WatchStream(const WatchStream&) = delete;
   WatchStream& operator=(const WatchStream&) = delete;
 
  private:
-  void Run(const std::stop_token& stop);
-  void Pause(const std::stop_token& stop, std::chrono::milliseconds wait);
-  bool Watch(const std::stop_token& stop);  // whether anything came
+  class Watching;
 
-  const ServerLink link_;
-  const std::string token_;
-  const v1::WatchRequest request_;
-  const Listener listener_;
-  std::mutex mutex_;
-  std::condition_variable_any pause_;
+  const std::shared_ptr<Watching> watching_;  // the thread's, too
   std::jthread thread_;
 };
 
