@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import threading
+import time
 from collections.abc import Callable, Generator, Iterable, Iterator
 from contextlib import contextmanager
 from types import TracebackType
@@ -114,16 +115,16 @@ class Client:
         where the server does not serve in time or does not let this client in.
         """
         patience = _NOBODY_THERE if timeout is None else math.inf
-        seconds = self._timeout_of(timeout)
-        wait_until_ready(self._servers, self._errors, self._wait, seconds, patience)
-        info = self.get_server_info()
+        end = time.monotonic() + self._timeout_of(timeout)
+        wait_until_ready(self._servers, self._errors, self._wait, end - time.monotonic(), patience)
+        info = self.get_server_info(end - time.monotonic())
         require_same_version(info.version)
         return info
 
-    def get_server_info(self) -> ServerInfo:
+    def get_server_info(self, timeout: float | None = None) -> ServerInfo:
         """What this server is and what it lets through."""
         request = detection_service_pb2.GetServerInfoRequest()
-        return server_info_from_proto(self._call(lambda stub: stub.GetServerInfo, request))
+        return server_info_from_proto(self._call(lambda stub: stub.GetServerInfo, request, timeout))
 
     def list_options(self) -> list[Option]:
         """Every option of the server's method, in the order of the pipeline."""
