@@ -33,8 +33,8 @@ sanitize() { # PRESET TARGET...
 
 fuzz() {
   cmake --preset release >/dev/null
+  nice cmake --build --preset release --target fovea_fuzzer -j "$jobs"
   for name in bundle jpeg mcap png request routes rvl zstd; do
-    nice cmake --build --preset release --target "${name}_libfuzzer" -j "$jobs"
     mkdir -p "build/release/tests/fuzz/found/$name"
     nice "build/release/tests/fuzz/${name}_fuzzer" -runs="${FUZZ_RUNS:-2000000}" -max_len=8192 \
       -timeout=20 -print_final_stats=1 "build/release/tests/fuzz/found/$name" \

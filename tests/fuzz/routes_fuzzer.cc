@@ -8,11 +8,10 @@
 
 #include "client/observer/ask_routes.h"
 #include "client/observer/routes.h"
+#include "tests/fuzz/fuzz_targets.h"
 #include "tests/fuzz/fuzzing.h"
 
-using namespace fovea;            // NOLINT(google-build-using-namespace): a few functions
-using namespace fovea::observer;  // NOLINT(google-build-using-namespace)
-
+namespace fovea::observer {
 namespace {
 
 constexpr const char* kServer = "127.0.0.1:1";
@@ -91,14 +90,22 @@ void Check(const HttpResponse& response) {
   if (!is_fine) std::abort();
 }
 
-}  // namespace
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+void Ask(const std::string& text) {
   static World world;
   HttpRequest request;
-  if (!ParseRequest(std::string(fuzzing::Text(data, size)), &request)) return 0;
+  if (!ParseRequest(text, &request)) return;
   Check(world.routes.Answer(request));
   if (HistoryRoutes::IsOne(request.path)) Check(world.past.Answer(request, world.board));
   if (AskRoutes::IsOne(request.path)) Check(world.asks.Answer(request, world.feed));
-  return 0;
 }
+
+}  // namespace
+}  // namespace fovea::observer
+
+namespace fovea::fuzzing {
+
+void FuzzRoutes(const std::uint8_t* data, std::size_t size) {
+  observer::Ask(std::string(Text(data, size)));
+}
+
+}  // namespace fovea::fuzzing
