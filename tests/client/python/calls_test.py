@@ -4,13 +4,10 @@ from __future__ import annotations
 
 import subprocess
 import sys
-from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
 from threading import Event
 from typing import Any
 
-import grpc
 import pytest
 from comparison import assert_same
 from conftest import Scene
@@ -18,8 +15,6 @@ from server_process import PATIENCE, ServerProcess
 
 import fovea
 import fovea.retry
-from fovea.health import Health
-from fovea.v1 import detection_service_pb2, detection_service_pb2_grpc
 
 ONCE = fovea.RetryOptions(max_attempts=1)
 PERSISTENT = fovea.RetryOptions(max_attempts=100_000)
@@ -200,50 +195,6 @@ def test_waits_double_within_their_bounds() -> None:
         for _ in range(20):
             assert most / 2 <= fovea.retry.backoff_after(attempt, options, None) <= most
     assert fovea.retry.backoff_after(9, options, 7) == 7
-
-
-class Reception(detection_service_pb2_grpc.DetectionServiceServicer):  # type: ignore[misc]
-    """Tells the connections of its callers apart."""
-
-    def __init__(self) -> None:
-        self.peers: set[str] = set()
-        self.time_left: float = 0  # of the last call
-
-    def GetServerInfo(self, _: Any, context: grpc.ServicerContext) -> Any:
-        self.peers.add(context.peer())
-        self.time_left = context.time_remaining()
-        return detection_service_pb2.GetServerInfoResponse()
-
-
-@contextmanager
-def server_with(reception: Reception) -> Iterator[str]:
-    """Its address."""
-    server = grpc.server(ThreadPoolExecutor(1))
-    detection_service_pb2_grpc.add_DetectionServiceServicer_to_server(reception, server)
-    address = f"127.0.0.1:{server.add_insecure_port('127.0.0.1:0')}"
-    server.start()
-    yield address
-    server.stop(None).wait()
-
-
-def test_every_client_has_a_connection_of_its_own() -> None:
-    reception = Reception()
-    with server_with(reception) as address:
-        with fovea.Client(address, timeout=PATIENCE) as one, fovea.Client(address) as other:
-            for client in (one, other, one, other):
-                client.get_server_info()
-    assert len(reception.peers) == 2
-
-
-def test_all_of_a_check_has_its_timeout(monkeypatch: pytest.MonkeyPatch) -> None:
-    """What is left of it is for the second call."""
-    monkeypatch.setattr(Health, "is_serving", lambda *_: True)
-    reception = Reception()
-    with server_with(reception) as address:
-        with fovea.Client(address, timeout=100 * PATIENCE) as client:
-            with pytest.raises(fovea.VersionMismatch):
-                client.check(timeout=PATIENCE)
-    assert 0 < reception.time_left < 2 * PATIENCE  # which gRPC rounds up
 
 
 def test_one_client_serves_many_threads(scene: Scene) -> None:
