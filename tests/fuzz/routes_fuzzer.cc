@@ -45,7 +45,7 @@ struct World {
   World()
       : folder(std::filesystem::temp_directory_path() / ("fovea_routes_" + RandomName())),
         history(folder, {}),
-        routes({}, {"localhost"}, /*is_secure=*/false),
+        routes({}, {"localhost"}, Encryption::kNone),
         past(&history, &recorder),
         asks(past),
         feed({}, "token"),
