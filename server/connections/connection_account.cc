@@ -31,11 +31,12 @@ void ConnectionAccount::OnReceived(std::uint64_t total, Clock::time_point now) {
   total_ += came;
   late_ -= late;
   owed_ += came - late;
+  if (!reading_.empty()) unsure_ += late;
   owed_ -= std::min(owed_, small_talk);
   NoteLeast(now);
-  if (owed_ <= kFirstBytes) {
+  if (owed() <= kFirstBytes) {
     owing_since_.reset();
-  } else if (!owing_since_) {
+  } else if (!owing_since_ && owed_ > kFirstBytes) {
     owing_since_ = now;
   }
 }
@@ -43,15 +44,37 @@ void ConnectionAccount::OnReceived(std::uint64_t total, Clock::time_point now) {
 void ConnectionAccount::OnMessage(std::size_t bytes, Clock::time_point now) {
   const auto with_overhead =
       static_cast<std::uint64_t>(static_cast<double>(bytes) * (1 + kOverheadShare));
-  owed_ -= std::min(owed_, with_overhead + kOverheadOfCall);
-  least_ = std::min(least_, owed_);
+  const std::uint64_t made = with_overhead + kOverheadOfCall;
+  const std::uint64_t sure = std::min(owed_, made);
+  owed_ -= sure;
+  unsure_ -= std::min(unsure_, made - sure);
+  least_ = std::min(least_, owed());
   if (owing_since_) owing_since_ = now;
 }
 
-void ConnectionAccount::Forgive(std::uint64_t owed) {
-  owed_ = std::min(owed_, owed);
+std::uint64_t ConnectionAccount::BeginReading() {
+  return *reading_.insert(total_ - std::min(total_, kFirstBytes));
+}
+
+void ConnectionAccount::EndReading(std::uint64_t since) {
+  const auto found = reading_.find(since);
+  if (found != reading_.end()) reading_.erase(found);
+  ForgetWhatNobodyHolds();
+}
+
+void ConnectionAccount::Forgive(std::uint64_t since) {
+  if (!reading_.contains(since)) return;
+  const std::uint64_t forgiven = std::min(owed_, total_ - since);
+  owed_ -= forgiven;
+  unsure_ += forgiven;
   late_ = std::min(late_ + kFirstBytes, kMaxLate);
-  least_ = std::min(least_, owed_);
+  EndReading(since);
+}
+
+// Whoever reads holds nothing that came before it began to.
+void ConnectionAccount::ForgetWhatNobodyHolds() {
+  unsure_ = reading_.empty() ? 0 : std::min(unsure_, total_ - *reading_.begin());
+  least_ = std::min(least_, owed());
 }
 
 void ConnectionAccount::OnBegunCalls(std::uint64_t total, std::uint64_t max_calls_s,
@@ -68,9 +91,9 @@ void ConnectionAccount::OnBegunCalls(std::uint64_t total, std::uint64_t max_call
 void ConnectionAccount::NoteLeast(Clock::time_point now) {
   if (now - second_ > std::chrono::seconds{1}) {
     second_ = now;
-    least_before_ = std::exchange(least_, owed_);
+    least_before_ = std::exchange(least_, owed());
   }
-  least_ = std::min(least_, owed_);
+  least_ = std::min(least_, owed());
 }
 
 ConnectionAccount::Clock::duration ConnectionAccount::Owing(Clock::time_point now) const {
@@ -78,20 +101,20 @@ ConnectionAccount::Clock::duration ConnectionAccount::Owing(Clock::time_point no
 }
 
 bool ConnectionAccount::IsFlooding() const {
-  return floods_ || (!admitted_ && owed_ > kMaxOwedByStranger);
+  return floods_ || (!admitted_ && owed() > kMaxOwedByStranger);
 }
 
 std::optional<std::string> ConnectionAccount::Fault(const AccountLimits& limits,
                                                     Clock::time_point now) const {
-  const auto bytes = [this] { return std::to_string(owed_) + " bytes that make no message"; };
-  if (!admitted_ && owed_ > kMaxOwedByStranger) return "sent " + bytes() + ", with no call let in";
+  const auto bytes = [this] { return std::to_string(owed()) + " bytes that make no message"; };
+  if (!admitted_ && owed() > kMaxOwedByStranger) return "sent " + bytes() + ", with no call let in";
   if (!admitted_ && now - accepted_ > kMaxAgeOfStranger) {
     return "had no call let in for 10 minutes";
   }
   if (floods_) {
     return "began " + std::to_string(calls_ - calls_before_) + " calls within a second";
   }
-  if (owed_ > limits.max_owed) return "sent " + bytes();
+  if (owed() > limits.max_owed) return "sent " + bytes();
   if (Owing(now) > limits.max_transfer) {
     return "sent " + bytes() + " in " + std::to_string(limits.max_transfer.count()) + " s";
   }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 
 namespace fovea::server {
@@ -33,15 +34,22 @@ class ConnectionAccount {
   void OnMessage(std::size_t bytes, Clock::time_point now);
   // A call on it was let in.
   void Admit() { admitted_ = true; }
-  // A call ended without a message: what came since it owed so much is given back, and so is what
-  // its caller sends until it hears of that.
-  void Forgive(std::uint64_t owed);
+
+  // A call's message may come from now on, or the next one of those that it has. Returns from which
+  // byte on: by that number the call is known when it reads no more.
+  std::uint64_t BeginReading();
+  // The call has its message, and holds nothing of another one.
+  void EndReading(std::uint64_t since);
+  // The call ended before its message was whole: what came since is given back, and so is what its
+  // caller sends until it hears of that. Where others read it may as well be theirs, and counts
+  // until each of them has had a message or has ended.
+  void Forgive(std::uint64_t since);
   // So many calls were begun on it so far; `max_calls_s` may be, once one was let in.
   void OnBegunCalls(std::uint64_t total, std::uint64_t max_calls_s, Clock::time_point now);
 
   bool admitted() const { return admitted_; }
   Clock::time_point accepted() const { return accepted_; }
-  std::uint64_t owed() const { return owed_; }
+  std::uint64_t owed() const { return owed_ + unsure_; }
   // The least that it owed in the last second or two: a robot's frames come whole again and again,
   // however many it sends.
   std::uint64_t held() const { return std::min(least_before_, least_); }
@@ -57,14 +65,17 @@ class ConnectionAccount {
 
  private:
   void NoteLeast(Clock::time_point now);
+  void ForgetWhatNobodyHolds();
 
   Clock::time_point accepted_;
   Clock::time_point seen_;  // when what came was said last
   std::optional<Clock::time_point> owing_since_;
   std::uint64_t total_ = 0;
   std::uint64_t owed_ = 0;
+  std::uint64_t unsure_ = 0;                    // of calls that ended, or of those that read
+  std::multiset<std::uint64_t> reading_;        // since when each call does
   std::uint64_t late_ = 0;                      // what may still come of calls that ended
-  std::uint64_t least_before_ = 0, least_ = 0;  // of owed_, in the second before and in this one
+  std::uint64_t least_before_ = 0, least_ = 0;  // of owed(), in the second before and in this one
   Clock::time_point second_;                    // when this one began
   std::uint64_t calls_ = 0, calls_before_ = 0;  // begun, and those before the second that began
   Clock::time_point calls_since_;               // then

@@ -122,25 +122,38 @@ std::uint64_t ConnectionTable::Admit(const std::string& peer) {
   if (connection == nullptr) return 0;
   if (!connection->account.admitted()) SetWindow(connection->fd.get(), kWindow);
   connection->account.Admit();
-  return connection->account.owed();
+  connection->account.OnReceived(ReceivedOf(connection->fd.get()), Clock::now());
+  return connection->account.BeginReading();
 }
 
-std::uint64_t ConnectionTable::OnMessage(const std::string& peer, std::size_t bytes) {
+std::uint64_t ConnectionTable::OnMessage(const std::string& peer, std::uint64_t since,
+                                         std::size_t bytes) {
   const std::lock_guard lock(mutex_);
   Connection* connection = Find(peer);
   if (connection == nullptr) return 0;
-  const auto now = Clock::now();
-  connection->account.OnReceived(ReceivedOf(connection->fd.get()), now);
-  connection->account.OnMessage(bytes, now);
-  return connection->account.owed();
+  CountMessage(*connection, since, bytes);
+  return connection->account.BeginReading();
 }
 
-void ConnectionTable::OnNoMessage(const std::string& peer, std::uint64_t owed) {
+void ConnectionTable::OnLastMessage(const std::string& peer, std::uint64_t since,
+                                    std::size_t bytes) {
+  const std::lock_guard lock(mutex_);
+  if (Connection* connection = Find(peer)) CountMessage(*connection, since, bytes);
+}
+
+void ConnectionTable::CountMessage(Connection& connection, std::uint64_t since, std::size_t bytes) {
+  const auto now = Clock::now();
+  connection.account.OnReceived(ReceivedOf(connection.fd.get()), now);
+  connection.account.OnMessage(bytes, now);
+  connection.account.EndReading(since);
+}
+
+void ConnectionTable::OnNoMessage(const std::string& peer, std::uint64_t since) {
   const std::lock_guard lock(mutex_);
   Connection* connection = Find(peer);
   if (connection == nullptr) return;
   connection->account.OnReceived(ReceivedOf(connection->fd.get()), Clock::now());
-  connection->account.Forgive(owed);
+  connection->account.Forgive(since);
 }
 
 void ConnectionTable::OnBegunCalls(const std::vector<CallsOfConnection>& calls,

@@ -54,12 +54,14 @@ class ConnectionTable {
   // Both ends have closed it.
   void Remove(int watched);
 
-  // A call of this ServerContext::peer() was let in; a message of it has come. What the connection
-  // owes then. A peer that is not known (any more) owes nothing.
+  // A call of this ServerContext::peer() was let in, and a message of it may come: since when, as
+  // the account counts; see CallAccount. A peer that is not known (any more) owes nothing.
   std::uint64_t Admit(const std::string& peer);
-  std::uint64_t OnMessage(const std::string& peer, std::size_t bytes);
-  // A call that was let in ended without a message since it owed `owed`.
-  void OnNoMessage(const std::string& peer, std::uint64_t owed);
+  // It has come, and another one may: since when. Or none comes after it.
+  std::uint64_t OnMessage(const std::string& peer, std::uint64_t since, std::size_t bytes);
+  void OnLastMessage(const std::string& peer, std::uint64_t since, std::size_t bytes);
+  // The call ended without it.
+  void OnNoMessage(const std::string& peer, std::uint64_t since);
   // Calls that were begun on connections so far. Ends those that begin more than `max_calls_s`, or
   // fewer where none was let in.
   void OnBegunCalls(const std::vector<CallsOfConnection>& calls, std::uint64_t max_calls_s);
@@ -85,6 +87,7 @@ class ConnectionTable {
   std::string WhyNoPlace(const std::string& host) const;  // empty: there is one
   void MakePlace(const std::string& host);
   Connection* Find(const std::string& peer);
+  static void CountMessage(Connection& connection, std::uint64_t since, std::size_t bytes);
   void End(Connection& connection, const std::string& why);
   void EndLargest();
   void GiveBackPlace(const Connection& connection);

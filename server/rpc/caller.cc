@@ -10,7 +10,7 @@
 namespace fovea::server {
 
 Caller::Caller(grpc::ServerContext* context, ConnectionTable& connections)
-    : context_(context), connections_(connections) {
+    : context_(context), connections_(connections), account_(connections) {
   context_->AsyncNotifyWhenDone(&done_);
 }
 
@@ -43,14 +43,7 @@ void Caller::Take(Admission admission) {
   admission_ = std::move(admission);
   trace_ = TraceOf(context_->client_metadata());
   comes_only_if_room_ = context_->client_metadata().contains(kOnlyIfRoomKey);
-  peer_ = context_->peer();
-  owed_ = connections_.Admit(peer_);
-}
-
-void Caller::OnMessage(std::size_t bytes) { owed_ = connections_.OnMessage(peer_, bytes); }
-
-void Caller::OnNoMessage() {
-  if (!peer_.empty()) connections_.OnNoMessage(peer_, owed_);
+  account_.Admit(context_->peer());
 }
 
 void Caller::End() noexcept {

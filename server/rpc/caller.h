@@ -5,12 +5,12 @@
 
 #include <atomic>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
 
 #include "server/access/gate_keeper.h"
+#include "server/connections/call_account.h"
 #include "server/connections/connection_table.h"
 #include "server/rpc/event_loop.h"
 #include "server/scheduling/robot_id.h"
@@ -48,10 +48,10 @@ class Caller {
   // Whether it only asks for room here, and will not come back by what it is told.
   bool comes_only_if_room() const { return comes_only_if_room_; }
 
-  // A message of this call has come; it will have none (any more). Both keep account of what the
+  // A message of this call has come, and it reads on; or it does not. Both keep account of what the
   // connection has sent.
-  void OnMessage(std::size_t bytes);
-  void OnNoMessage();
+  void OnMessage(std::size_t bytes) { account_.OnMessage(bytes); }
+  void OnLastMessage(std::size_t bytes) { account_.OnLastMessage(bytes); }
 
   // A step of the call. Whatever it throws ends this call, of which the caller learns by CANCELLED,
   // and nothing else.
@@ -84,8 +84,7 @@ class Caller {
   std::optional<TraceContext> trace_;
   bool comes_only_if_room_ = false;
   ConnectionTable& connections_;
-  std::string peer_;        // empty until the call is let in
-  std::uint64_t owed_ = 0;  // by the connection after the last message, or when the call began
+  CallAccount account_;
 };
 
 }  // namespace fovea::server

@@ -80,8 +80,7 @@ void DetectCall::OnRead(bool ok) {
     Refuse(transfer_.passed() ? StatusOfSlowness() : StatusOfHalfMessage(caller_.StatusOfGone()));
     return;
   }
-  has_message_ = true;
-  caller_.OnMessage(bytes_.Length());
+  caller_.OnLastMessage(bytes_.Length());
   environment_.metrics.OnReceivedBytes(bytes_.Length());
   Proceed([this] { TakeTurn(); });
 }
@@ -125,7 +124,6 @@ void DetectCall::OnGone() {
 }
 
 void DetectCall::Refuse(const grpc::Status& status, const char* reason) {
-  if (!has_message_) caller_.OnNoMessage();
   environment_.answerer.Refuse(Request(), caller_, status);
   environment_.metrics.OnRefused(caller_.robot(),
                                  reason != nullptr ? reason : NameOf(status.error_code()));

@@ -42,7 +42,6 @@ class DetectCall : public std::enable_shared_from_this<DetectCall> {
   grpc::ServerAsyncReader<v1::DetectResponse, grpc::ByteBuffer> stream_{&context_};
   Scheduler::Upload upload_;  // until the message is there
   grpc::ByteBuffer bytes_;    // the message, until it is parsed
-  bool has_message_ = false;
   v1::DetectRequest request_;
   v1::DetectResponse response_;
   // Until something is found of the frame.

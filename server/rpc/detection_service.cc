@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "server/connections/call_account.h"
 #include "server/rpc/late_reading.h"
 #include "server/status.h"
 #include "server/watching/statistics.h"
@@ -45,7 +46,8 @@ void DetectionService::Answer(int method, std::function<Response()> answer) {
                                                               LateStream<Response>* /*stream*/,
                                                               Response* response) {
     gate_keeper_.Admit(*context);
-    connections_.Admit(context->peer());
+    CallAccount account(connections_);
+    account.Admit(context->peer());
     *response = answer();
     return grpc::Status::OK;
   };

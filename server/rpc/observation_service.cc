@@ -50,10 +50,10 @@ void ObservationService::Answer(int place, Method<Response> method) {
   MarkMethodStreamed(place, LateReading<Response>(std::bind_front(method, this)));
 }
 
-ObserverEntry ObservationService::Admit(const grpc::ServerContext& context,
+ObserverEntry ObservationService::Admit(const grpc::ServerContext& context, CallAccount* account,
                                         bool ObserverRights::*right, const char* name) const {
   ObserverEntry observer = environment_->gate.Admit(context);
-  environment_->connections.Admit(context.peer());
+  account->Admit(context.peer());
   if (!(observer.rights.*right)) {
     throw PermissionDenied(std::string("the observer has no right ") + name);
   }
@@ -72,7 +72,8 @@ grpc::Status ObservationService::TryOptions(grpc::ServerContext* context,
                                             LateStream<v1::TryResponse>* stream,
                                             v1::TryResponse* response) {
   const auto received = std::chrono::steady_clock::now();
-  const ObserverEntry observer = Admit(*context, &ObserverRights::try_, "try");
+  CallAccount account(environment_->connections);
+  const ObserverEntry observer = Admit(*context, &account, &ObserverRights::try_, "try");
   v1::TryRequest request;
   grpc::Status status = ReadFrom(context, stream, &request);
   if (!status.ok()) return status;
@@ -98,7 +99,8 @@ grpc::Status ObservationService::TryOptions(grpc::ServerContext* context,
 grpc::Status ObservationService::TellOptions(grpc::ServerContext* context,
                                              LateStream<v1::ListOptionsResponse>* /*stream*/,
                                              v1::ListOptionsResponse* response) {
-  Admit(*context, &ObserverRights::try_, "try");
+  CallAccount account(environment_->connections);
+  Admit(*context, &account, &ObserverRights::try_, "try");
   *response = environment_->options;
   return grpc::Status::OK;
 }
@@ -106,7 +108,8 @@ grpc::Status ObservationService::TellOptions(grpc::ServerContext* context,
 grpc::Status ObservationService::PassSelection(grpc::ServerContext* context,
                                                LateStream<v1::SelectObjectResponse>* stream,
                                                v1::SelectObjectResponse* response) {
-  const ObserverEntry observer = Admit(*context, &ObserverRights::pick, "pick");
+  CallAccount account(environment_->connections);
+  const ObserverEntry observer = Admit(*context, &account, &ObserverRights::pick, "pick");
   v1::SelectObjectRequest request;
   if (grpc::Status status = ReadFrom(context, stream, &request); !status.ok()) return status;
   RequireRobot(request.robot());

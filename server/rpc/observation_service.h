@@ -4,6 +4,7 @@
 
 #include "fovea/v1/observation_service.grpc.pb.h"
 #include "server/access/observer_gate.h"
+#include "server/connections/call_account.h"
 #include "server/connections/connection_table.h"
 #include "server/frame_answerer.h"
 #include "server/observing/pick_board.h"
@@ -35,8 +36,8 @@ class ObservationService final
   void Answer(int place, Method<Response> method);
 
   // Throws PermissionDenied where the observer has not that right.
-  ObserverEntry Admit(const grpc::ServerContext& context, bool ObserverRights::*right,
-                      const char* name) const;
+  ObserverEntry Admit(const grpc::ServerContext& context, CallAccount* account,
+                      bool ObserverRights::*right, const char* name) const;
   template <typename Request, typename Response>
   grpc::Status ReadFrom(grpc::ServerContext* context, LateStream<Response>* stream,
                         Request* request) const;

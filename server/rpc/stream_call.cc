@@ -130,7 +130,6 @@ void StreamCall::Read() {
 }
 
 void StreamCall::OnNoMore() {
-  caller_.OnNoMessage();
   const std::lock_guard lock(mutex_);
   no_more_ = true;
   Proceed();

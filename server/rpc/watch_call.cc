@@ -67,7 +67,7 @@ void WatchCall::OnRequest() {
 void WatchCall::Open() {
   const ObserverEntry observer = environment_.gate.Admit(context_);
   caller_.Identify(Admission{.robot = {observer.name, observer.name}});
-  caller_.OnMessage(bytes_.Length());
+  caller_.OnLastMessage(bytes_.Length());
   v1::WatchRequest request;
   if (const grpc::Status parsed = Parse(&bytes_, &request); !parsed.ok()) return End(parsed);
   const auto weak = weak_from_this();

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import time
+from collections import deque
 from contextlib import ExitStack
 
-from http2 import DETECT, HEALTH, REFLECTION, STREAM, Connection, Ended, call, message
+from http2 import DETECT, HEALTH, REFLECTION, STREAM, Connection, Ended, call, message, reset
 from target import Tally, Target, attack, rounds
 
 CHUNK = bytes(16000)
 HALF = message(size=15 << 20)  # the beginning of 15 MiB
 FEW, MANY = 1, 32
 CALLS = 64  # what a connection may have at once
+HALVES, IDLE = 12, 4  # streams, of the 16 that a robot may have
 
 
 def _begin(target: Target, path: str, calls: int) -> Connection:
@@ -64,6 +66,29 @@ def half_frames(target: Target) -> Tally:
 def half_frames_of_streams(target: Target) -> Tally:
     """The same to DetectStream"""
     return _half_messages(target, STREAM, FEW)
+
+
+@attack("bytes", "ended", setups=("open",))
+def half_frames_beside_calls_that_end(target: Target) -> Tally:
+    """180 MiB of half-sent messages on a connection, beside streams that are reset one by one"""
+    tally: Tally = Tally()
+    while target.goes_on():
+        try:
+            with _begin(target, STREAM, HALVES) as connection:
+                _push_beside_calls_that_end(target, connection, tally)
+        except (Ended, OSError):
+            tally["ended"] += 1
+    return tally
+
+
+def _push_beside_calls_that_end(target: Target, connection: Connection, tally: Tally) -> None:
+    idle: deque[int] = deque()
+    while target.goes_on():
+        idle.append(connection.next_stream())
+        connection.send(call(STREAM, idle[-1]))
+        if len(idle) == IDLE:
+            _push(connection, HALVES, tally)
+            connection.send(reset(idle.popleft()))
 
 
 @attack("bytes")

@@ -105,12 +105,68 @@ TEST(ConnectionAccount, CallsThatWereRefusedAreGivenBack) {
   account.Admit();
   std::uint64_t total = 0;
   for (int call = 0; call < 1000; ++call) {
-    const std::uint64_t owed = account.owed();
+    const std::uint64_t since = account.BeginReading();
     account.OnReceived(total += kUnread / 2, kStart);
-    account.Forgive(owed);
+    account.Forgive(since);
     account.OnReceived(total += kUnread / 2, kStart);  // until the caller hears of it
   }
   EXPECT_EQ(account.owed(), 0U);
+}
+
+TEST(ConnectionAccount, CallsThatEndClearNothingOfThoseThatRead) {
+  ConnectionAccount account(kStart);
+  account.Admit();
+  std::uint64_t total = 0;
+  for (int call = 0; call < 40; ++call) {
+    const std::uint64_t idle = account.BeginReading();
+    account.BeginReading();
+    account.OnReceived(total += 20 * kMiB, kStart);  // of the other
+    account.Forgive(idle);
+  }
+  EXPECT_GE(account.owed(), 40 * 20 * kMiB);
+  EXPECT_THAT(account.Fault({}, kStart), Optional(HasSubstr("no message")));
+}
+
+TEST(ConnectionAccount, CallsThatEndLeaveNothingForOthersToSendLate) {
+  ConnectionAccount account(kStart);
+  account.Admit();
+  account.BeginReading();
+  for (std::uint64_t call = 1; call <= 1024; ++call) {
+    account.Forgive(account.BeginReading());
+    account.OnReceived(call * kMiB / 8, kStart);
+  }
+  EXPECT_GE(account.owed(), 128 * kMiB);
+}
+
+TEST(ConnectionAccount, OwesNoLessTimeByCallsThatEnd) {
+  ConnectionAccount account(kStart);
+  account.Admit();
+  account.BeginReading();
+  for (int second = 1; second <= 31; ++second) {
+    const std::uint64_t idle = account.BeginReading();
+    account.OnReceived(static_cast<std::uint64_t>(second) * kMiB, kStart + seconds(second));
+    account.Forgive(idle);
+    account.OnReceived(static_cast<std::uint64_t>(second) * kMiB, kStart + seconds(second));
+  }
+  EXPECT_EQ(account.Owing(kStart + seconds(31)), seconds(30));
+}
+
+// Of a robot's stream that goes on and on.
+TEST(ConnectionAccount, WhatACallLeftIsGivenBackOnceOthersHaveTheirMessages) {
+  constexpr std::uint64_t kFrame = 1'500'000;
+  ConnectionAccount account(kStart);
+  account.Admit();
+  std::uint64_t total = 0, stream = account.BeginReading();
+  for (int frame = 0; frame < 1000; ++frame) {
+    const std::uint64_t call = account.BeginReading();
+    account.OnReceived(total += kFrame, kStart);
+    account.Forgive(call);  // it had sent all but the whole
+    account.OnReceived(total += kFrame, kStart);
+    account.OnMessage(kFrame, kStart);
+    account.EndReading(stream);
+    stream = account.BeginReading();
+    ASSERT_LT(account.owed(), kMiB) << frame;
+  }
 }
 
 TEST(ConnectionAccount, CallsCountWithinASecond) {
