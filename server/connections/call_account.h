@@ -33,6 +33,8 @@ class CallAccount {
     connections_.OnLastMessage(peer_, since_, bytes);
     reads_ = false;
   }
+  // An answer of so many bytes was sent, one of many for a message.
+  void OnSent(std::size_t bytes) { connections_.OnSent(peer_, bytes); }
 
  private:
   ConnectionTable& connections_;

@@ -14,6 +14,9 @@ constexpr double kSmallTalk_bytes_s = 1024;
 // A call's first bytes come before it is let in.
 constexpr std::uint64_t kFirstBytes = std::uint64_t{128} << 10;
 constexpr std::uint64_t kMaxLate = 4 * kFirstBytes;
+// Window updates and pings that come for a message that is taken, with TLS.
+constexpr std::uint64_t kReply = 128, kBytesOfMessageByReply = 256;
+constexpr std::uint64_t kMaxReplies = std::uint64_t{64} << 10;
 // Nobody was let in there: enough to ask for the health or to begin some calls.
 constexpr std::uint64_t kMaxOwedByStranger = std::uint64_t{1} << 20;
 constexpr std::chrono::minutes kMaxAgeOfStranger{10};
@@ -27,10 +30,12 @@ void ConnectionAccount::OnReceived(std::uint64_t total, Clock::time_point now) {
   const auto small_talk = static_cast<std::uint64_t>(seconds * kSmallTalk_bytes_s);
   if (small_talk > 0) seen_ = now;  // else what is less than a byte would be lost
   const std::uint64_t came = total - std::min(total, total_);
-  const std::uint64_t late = std::min(came, late_);
+  const std::uint64_t replies = std::min(came, replies_);
+  const std::uint64_t late = std::min(came - replies, late_);
   total_ += came;
+  replies_ -= replies;
   late_ -= late;
-  owed_ += came - late;
+  owed_ += came - replies - late;
   if (!reading_.empty()) unsure_ += late;
   owed_ -= std::min(owed_, small_talk);
   NoteLeast(now);
@@ -50,6 +55,10 @@ void ConnectionAccount::OnMessage(std::size_t bytes, Clock::time_point now) {
   unsure_ -= std::min(unsure_, made - sure);
   least_ = std::min(least_, owed());
   if (owing_since_) owing_since_ = now;
+}
+
+void ConnectionAccount::OnSent(std::size_t bytes) {
+  replies_ = std::min(replies_ + kReply + bytes / kBytesOfMessageByReply, kMaxReplies);
 }
 
 std::uint64_t ConnectionAccount::BeginReading() {

@@ -32,6 +32,8 @@ class ConnectionAccount {
   void OnReceived(std::uint64_t total, Clock::time_point now);
   // Of these, a message of so many. What was received has to be said before.
   void OnMessage(std::size_t bytes, Clock::time_point now);
+  // The peer has taken a message of so many bytes: it says that it did, of which nothing is owed.
+  void OnSent(std::size_t bytes);
   // A call on it was let in.
   void Admit() { admitted_ = true; }
 
@@ -74,6 +76,7 @@ class ConnectionAccount {
   std::uint64_t owed_ = 0;
   std::uint64_t unsure_ = 0;                    // of calls that ended, or of those that read
   std::multiset<std::uint64_t> reading_;        // since when each call does
+  std::uint64_t replies_ = 0;                   // what may still come of messages sent to it
   std::uint64_t late_ = 0;                      // what may still come of calls that ended
   std::uint64_t least_before_ = 0, least_ = 0;  // of owed(), in the second before and in this one
   Clock::time_point second_;                    // when this one began

@@ -156,6 +156,11 @@ void ConnectionTable::OnNoMessage(const std::string& peer, std::uint64_t since) 
   connection->account.Forgive(since);
 }
 
+void ConnectionTable::OnSent(const std::string& peer, std::size_t bytes) {
+  const std::lock_guard lock(mutex_);
+  if (Connection* connection = Find(peer)) connection->account.OnSent(bytes);
+}
+
 void ConnectionTable::OnBegunCalls(const std::vector<CallsOfConnection>& calls,
                                    std::uint64_t max_calls_s) {
   const std::lock_guard lock(mutex_);

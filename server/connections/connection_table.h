@@ -62,6 +62,8 @@ class ConnectionTable {
   void OnLastMessage(const std::string& peer, std::uint64_t since, std::size_t bytes);
   // The call ended without it.
   void OnNoMessage(const std::string& peer, std::uint64_t since);
+  // A message of so many bytes was sent over the connection.
+  void OnSent(const std::string& peer, std::size_t bytes);
   // Calls that were begun on connections so far. Ends those that begin more than `max_calls_s`, or
   // fewer where none was let in.
   void OnBegunCalls(const std::vector<CallsOfConnection>& calls, std::uint64_t max_calls_s);

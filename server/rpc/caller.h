@@ -52,6 +52,8 @@ class Caller {
   // connection has sent.
   void OnMessage(std::size_t bytes) { account_.OnMessage(bytes); }
   void OnLastMessage(std::size_t bytes) { account_.OnLastMessage(bytes); }
+  // It was sent an answer, one of many for its message.
+  void OnSent(std::size_t bytes) { account_.OnSent(bytes); }
 
   // A step of the call. Whatever it throws ends this call, of which the caller learns by CANCELLED,
   // and nothing else.

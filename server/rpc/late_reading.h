@@ -9,6 +9,7 @@
 #include <memory>
 #include <utility>
 
+#include "server/connections/call_account.h"
 #include "server/rpc/parse.h"
 #include "server/rpc/transfer_limit.h"
 #include "server/scheduling/scheduler.h"
@@ -45,13 +46,14 @@ grpc::internal::MethodHandler* LateReading(
 // Waits for the message, for as long as `limit` allows.
 template <typename Request, typename Response>
 grpc::Status Read(LateStream<Response>* stream, const std::shared_ptr<TransferLimit>& limit,
-                  Request* request) {
+                  CallAccount* account, Request* request) {
   grpc::ByteBuffer bytes;
   limit->Begin(limit);
   const bool came = stream->Read(&bytes);
   limit->End();
   if (limit->passed()) return StatusOfSlowness();
   if (!came) return {grpc::StatusCode::INVALID_ARGUMENT, "the call has no message"};
+  account->OnLastMessage(bytes.Length());
   return Parse(&bytes, request);
 }
 

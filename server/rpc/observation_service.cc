@@ -62,10 +62,11 @@ ObserverEntry ObservationService::Admit(const grpc::ServerContext& context, Call
 
 template <typename Request, typename Response>
 grpc::Status ObservationService::ReadFrom(grpc::ServerContext* context,
-                                          LateStream<Response>* stream, Request* request) const {
+                                          LateStream<Response>* stream, CallAccount* account,
+                                          Request* request) const {
   const auto limit = std::make_shared<TransferLimit>(
       context, environment_->queue, environment_->max_transfer, environment_->unsent);
-  return Read(stream, limit, request);
+  return Read(stream, limit, account, request);
 }
 
 grpc::Status ObservationService::TryOptions(grpc::ServerContext* context,
@@ -75,7 +76,7 @@ grpc::Status ObservationService::TryOptions(grpc::ServerContext* context,
   CallAccount account(environment_->connections);
   const ObserverEntry observer = Admit(*context, &account, &ObserverRights::try_, "try");
   v1::TryRequest request;
-  grpc::Status status = ReadFrom(context, stream, &request);
+  grpc::Status status = ReadFrom(context, stream, &account, &request);
   if (!status.ok()) return status;
   RequireRobot(request.robot());
   if (!observer.MaySee(request.robot())) throw PermissionDenied("robot: is none of yours");
@@ -111,7 +112,8 @@ grpc::Status ObservationService::PassSelection(grpc::ServerContext* context,
   CallAccount account(environment_->connections);
   const ObserverEntry observer = Admit(*context, &account, &ObserverRights::pick, "pick");
   v1::SelectObjectRequest request;
-  if (grpc::Status status = ReadFrom(context, stream, &request); !status.ok()) return status;
+  if (grpc::Status status = ReadFrom(context, stream, &account, &request); !status.ok())
+    return status;
   RequireRobot(request.robot());
   RequirePick(request.pick());
   v1::Pick pick = request.pick();

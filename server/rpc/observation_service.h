@@ -40,7 +40,7 @@ class ObservationService final
                       bool ObserverRights::*right, const char* name) const;
   template <typename Request, typename Response>
   grpc::Status ReadFrom(grpc::ServerContext* context, LateStream<Response>* stream,
-                        Request* request) const;
+                        CallAccount* account, Request* request) const;
 
   grpc::Status TryOptions(grpc::ServerContext* context, LateStream<v1::TryResponse>* stream,
                           v1::TryResponse* response);

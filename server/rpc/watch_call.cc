@@ -126,8 +126,9 @@ void WatchCall::End(const grpc::Status& status) {
 void WatchCall::Write(const grpc::ByteBuffer& bytes) {
   busy_ = true;
   transfer_.BeginAnswer(shared_from_this(), bytes.Length());
-  stream_.Write(bytes, Then([self = shared_from_this()](bool ok) {
+  stream_.Write(bytes, Then([self = shared_from_this(), size = bytes.Length()](bool ok) {
                   self->transfer_.End();
+                  if (ok) self->caller_.OnSent(size);
                   self->caller_.Guard([&] { self->OnWritten(ok); });
                 }));
 }

@@ -59,6 +59,27 @@ TEST(ConnectionAccount, MayBeAskedForItsHealthForEver) {
   EXPECT_EQ(account.owed(), 0U);
 }
 
+// Each message that it takes is answered by an update of its window, and a ping at times.
+TEST(ConnectionAccount, MayBeSentAsMuchAsItTakes) {
+  constexpr std::uint64_t kReplies = 60 * 50;  // within a second
+  ConnectionAccount account(kStart);
+  account.Admit();
+  for (std::uint64_t second = 1; second <= 10'000; ++second) {
+    const auto now = kStart + std::chrono::seconds(second);
+    for (int message = 0; message < 60; ++message) account.OnSent(100);
+    account.OnReceived(second * kReplies, now);
+    ASSERT_EQ(account.owed(), 0U) << second;
+  }
+}
+
+TEST(ConnectionAccount, MayBeSentOnAndOnAndOwesAllTheSame) {
+  ConnectionAccount account(kStart);
+  account.Admit();
+  for (int message = 0; message < 1'000'000; ++message) account.OnSent(1000);
+  account.OnReceived(65 * kMiB, kStart);
+  EXPECT_THAT(account.Fault({.max_owed = 64 * kMiB}, kStart), Optional(HasSubstr("no message")));
+}
+
 TEST(ConnectionAccount, EndsWhereAMessageDoesNotComeInTime) {
   const AccountLimits limits{.max_owed = 64 * kMiB, .max_transfer = seconds(30)};
   ConnectionAccount account(kStart);

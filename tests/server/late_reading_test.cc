@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/server/detectors.h"
+#include "tests/server/metric_value.h"
 #include "tests/server/observers.h"
 #include "tests/server/raw_call.h"
 
@@ -58,6 +59,28 @@ TEST_F(LateReading, TellsWhatIsNoMessage) {
     EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
     EXPECT_EQ(status.error_message(), "the message is not a " + name + "Request");
   }
+}
+
+// Beside a stream that says nothing, to which their bytes could belong as well.
+TEST_F(LateReading, OwesNothingOfWhatWasRead) {
+  constexpr int kMoreThanAConnectionMayOwe = 100;
+  const auto channel =
+      grpc::CreateChannel(loopback().server.Address(), grpc::InsecureChannelCredentials());
+  grpc::ClientContext context;
+  context.AddMetadata("authorization", "Bearer robots-token");
+  const auto stream = v1::DetectionService::NewStub(channel)->DetectStream(&context);
+  v1::DetectStreamResponse opened;
+  ASSERT_TRUE(stream->Write({}) && stream->Read(&opened));
+  const std::string megabyte(std::size_t{1} << 20, '\xFF');
+  for (const std::string name : {"Try", "SelectObject"}) {
+    for (int i = 0; i < kMoreThanAConnectionMayOwe; ++i) {
+      ASSERT_EQ(Call("ObservationService/" + name, megabyte, "all-of-it").error_code(),
+                grpc::StatusCode::INVALID_ARGUMENT);
+    }
+  }
+  EXPECT_EQ(MetricValue(*loopback().server.metrics(), "fovea_connections"), 1)
+      << "all of these went by that of the stream";
+  context.TryCancel();
 }
 
 // Each of these takes a hundred times its bytes, once it is parsed.
