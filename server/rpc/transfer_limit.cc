@@ -4,21 +4,45 @@
 
 namespace fovea::server {
 
-void TransferLimit::Begin(const std::shared_ptr<void>& call) {
+void TransferLimit::Begin(const std::shared_ptr<void>& call) { SetAlarm(NextTransfer(), call); }
+
+void TransferLimit::BeginAnswer(const std::shared_ptr<void>& call, std::size_t bytes) {
+  const std::uint64_t transfer = NextTransfer();
+  answer_ = unsent_.Add(bytes, [this, transfer, weak = std::weak_ptr(call)] {
+    if (const auto alive = weak.lock()) Cancel(transfer, /*passed=*/false);
+  });
+  SetAlarm(transfer, call);
+}
+
+std::uint64_t TransferLimit::NextTransfer() {
+  const std::lock_guard lock(mutex_);
+  running_ = true;
+  return ++transfer_;
+}
+
+void TransferLimit::SetAlarm(std::uint64_t transfer, const std::shared_ptr<void>& call) {
   // A new one for each, since one that was cancelled may not be set again before it has said so.
   alarm_ = std::make_unique<grpc::Alarm>();
-  alarm_->Set(queue_, std::chrono::system_clock::now() + limit_, Then([this, call](bool passed) {
-                if (!passed) return;
-                passed_ = true;
-                context_->TryCancel();
+  alarm_->Set(queue_, std::chrono::system_clock::now() + limit_,
+              Then([this, transfer, call](bool passed) {
+                if (passed) Cancel(transfer, passed);
               }));
 }
 
-void TransferLimit::BeginAnswer(const std::shared_ptr<void>& call, std::size_t bytes) {
-  answer_ = unsent_.Add(bytes, [this, weak = std::weak_ptr(call)] {
-    if (const auto alive = weak.lock()) context_->TryCancel();
-  });
-  Begin(call);
+void TransferLimit::Cancel(std::uint64_t transfer, bool passed) {
+  const std::lock_guard lock(mutex_);
+  if (!running_ || transfer != transfer_) return;
+  passed_ = passed_ || passed;
+  context_->TryCancel();
+}
+
+void TransferLimit::End() {
+  {
+    const std::lock_guard lock(mutex_);
+    running_ = false;
+  }
+  alarm_.reset();
+  answer_.reset();
 }
 
 }  // namespace fovea::server

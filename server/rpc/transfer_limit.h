@@ -4,10 +4,11 @@
 #include <grpcpp/completion_queue.h>
 #include <grpcpp/server_context.h>
 
-#include <atomic>
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <mutex>
 
 #include "server/rpc/unsent_answers.h"
 
@@ -17,30 +18,39 @@ namespace fovea::server {
 // cost memory.
 class TransferLimit {
  public:
-  TransferLimit(grpc::ServerContext* context, grpc::ServerCompletionQueue* queue,
+  TransferLimit(grpc::ServerContext* context, grpc::CompletionQueue* queue,
                 std::chrono::seconds limit, UnsentAnswers& unsent)
       : context_(context), queue_(queue), limit_(limit), unsent_(unsent) {}
 
-  // A transfer begins. `call` holds this, and is held until End() or the end of the time.
+  // A transfer begins, one at a time. `call` holds this, and is held until End() or the end of the
+  // time.
   void Begin(const std::shared_ptr<void>& call);
   // An answer of so many bytes is sent. Before it is handed to gRPC, which may be done with it at
   // once.
   void BeginAnswer(const std::shared_ptr<void>& call, std::size_t bytes);
-  // It has come to its end.
-  void End() {
-    alarm_.reset();
-    answer_.reset();
-  }
+  // It has come to its end: the context is left alone from now on, though the time's end may be on
+  // its way.
+  void End();
 
   // Whether the time has passed, and the call was cancelled.
-  bool passed() const { return passed_; }
+  bool passed() const {
+    const std::lock_guard lock(mutex_);
+    return passed_;
+  }
 
  private:
+  std::uint64_t NextTransfer();
+  void SetAlarm(std::uint64_t transfer, const std::shared_ptr<void>& call);
+  void Cancel(std::uint64_t transfer, bool passed);
+
   grpc::ServerContext* const context_;
-  grpc::ServerCompletionQueue* const queue_;
+  grpc::CompletionQueue* const queue_;
   const std::chrono::seconds limit_;
   UnsentAnswers& unsent_;
-  std::atomic<bool> passed_ = false;
+  mutable std::mutex mutex_;
+  std::uint64_t transfer_ = 0;  // each has a number
+  bool running_ = false;        // that one
+  bool passed_ = false;
   std::unique_ptr<grpc::Alarm> alarm_;
   UnsentAnswers::Token answer_;
 };
