@@ -218,6 +218,7 @@ void Server::Serve() {
                       gate_keeper_, stream_places_, connections_, pick_board_.get(),
                       std::chrono::seconds(options_.max_transfer_s), unsent_answers_, frame_room_,
                       std::chrono::seconds(options_.max_connection_age_s)});
+  service_.Use({environment_->queue, environment_->max_transfer, environment_->unsent});
   DetectCall::Accept(*environment_);
   StreamCall::Accept(*environment_);
   if (watch_hub_) AcceptObservers();

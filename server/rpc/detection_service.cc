@@ -51,7 +51,7 @@ void DetectionService::Answer(int method, std::function<Response()> answer) {
     *response = answer();
     return grpc::Status::OK;
   };
-  MarkMethodStreamed(method, LateReading<Response>(if_admitted));
+  MarkMethodStreamed(method, LateReading<Response>(if_admitted, [this] { return *rules_; }));
 }
 
 }  // namespace fovea::server

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <functional>
+#include <optional>
 
 #include "fovea/v1/detection_service.grpc.pb.h"
 #include "server/access/gate_keeper.h"
@@ -11,6 +12,7 @@
 #include "server/observing/pick_board.h"
 #include "server/rpc/frame_room.h"
 #include "server/rpc/live_calls.h"
+#include "server/rpc/transfer_limit.h"
 #include "server/rpc/unsent_answers.h"
 #include "server/scheduling/scheduler.h"
 #include "server/watching/metrics.h"
@@ -30,6 +32,9 @@ class DetectionService final : public AsyncDetectionService {
                    const Metrics& metrics, const GateKeeper& gate_keeper,
                    ConnectionTable& connections);
 
+  // Before the first call comes.
+  void Use(const TransferRules& rules) { rules_.emplace(rules); }
+
   const v1::ListOptionsResponse& options() const { return options_; }
 
   // Completes when a call of Detect begins; its message is read thereafter, so that a call can be
@@ -48,6 +53,7 @@ class DetectionService final : public AsyncDetectionService {
   const Metrics& metrics_;
   const GateKeeper& gate_keeper_;
   ConnectionTable& connections_;
+  std::optional<TransferRules> rules_;
   const std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };
 

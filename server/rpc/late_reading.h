@@ -21,26 +21,39 @@ namespace fovea::server {
 template <typename Response>
 using LateStream = grpc::ServerReaderWriter<Response, grpc::ByteBuffer>;
 
+// Those of a service, once it is used.
+using TransferRulesOf = std::function<TransferRules()>;
+
+// As long as `limit` allows, waits until the response is sent: the thread is gRPC's, which has few.
+template <typename Response>
+void Write(const Response& response, const std::shared_ptr<TransferLimit>& limit,
+           LateStream<Response>* stream) {
+  const std::shared_ptr<void> end(nullptr, [&](void*) { limit->End(); });
+  limit->BeginAnswer(limit, response.ByteSizeLong());
+  stream->Write(response);
+}
+
 // For Service::MarkMethodStreamed, which owns it: the same on the wire. The response is sent where
 // `answer` returns OK; what it throws becomes a status.
 template <typename Response>
 grpc::internal::MethodHandler* LateReading(
-    std::function<grpc::Status(grpc::ServerContext*, LateStream<Response>*, Response*)> answer) {
+    std::function<grpc::Status(grpc::ServerContext*, LateStream<Response>*, Response*)> answer,
+    TransferRulesOf rules) {
   using Handler = grpc::internal::TemplatedBidiStreamingHandler<LateStream<Response>, false>;
-  return new Handler(
-      [answer = std::move(answer)](grpc::ServerContext* context, LateStream<Response>* stream) {
-        try {
-          Response response;
-          grpc::Status status = answer(context, stream, &response);
-          if (status.ok()) stream->Write(response);
-          return status;
-        } catch (const Overloaded& full) {
-          AddRetryAfter(full.retry_after, context);
-          return StatusOfCurrentException(/*deadline_passed=*/false);
-        } catch (...) {  // whatever it is, the caller gets a status
-          return StatusOfCurrentException(/*deadline_passed=*/false);
-        }
-      });
+  return new Handler([answer = std::move(answer), rules = std::move(rules)](
+                         grpc::ServerContext* context, LateStream<Response>* stream) {
+    try {
+      Response response;
+      grpc::Status status = answer(context, stream, &response);
+      if (status.ok()) Write(response, std::make_shared<TransferLimit>(context, rules()), stream);
+      return status;
+    } catch (const Overloaded& full) {
+      AddRetryAfter(full.retry_after, context);
+      return StatusOfCurrentException(/*deadline_passed=*/false);
+    } catch (...) {  // whatever it is, the caller gets a status
+      return StatusOfCurrentException(/*deadline_passed=*/false);
+    }
+  });
 }
 
 // Waits for the message, for as long as `limit` allows.

