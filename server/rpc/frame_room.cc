@@ -4,20 +4,24 @@
 
 namespace fovea::server {
 
-FrameRoom::Place FrameRoom::Take(std::size_t bytes) {
+FrameRoom::Place FrameRoom::Take(const std::string& group, std::size_t bytes) {
   bytes = std::min(bytes, bytes_);
   {
     const std::lock_guard lock(mutex_);
+    const std::size_t kept = waiting_.contains(group) ? bytes_ / 4 : 0;  // for the other groups
     const bool is_alone = left_ == bytes_;
-    if (bytes > left_ / 4 && !is_alone) return nullptr;
+    if (bytes > (left_ - std::min(left_, kept)) / 4 && !is_alone) return nullptr;
     left_ -= bytes;
+    ++waiting_[group];
   }
-  return {this, [bytes](FrameRoom* room) { room->GiveBack(bytes); }};
+  return {this, [group, bytes](FrameRoom* room) { room->GiveBack(group, bytes); }};
 }
 
-void FrameRoom::GiveBack(std::size_t bytes) {
+void FrameRoom::GiveBack(const std::string& group, std::size_t bytes) {
   const std::lock_guard lock(mutex_);
   left_ += bytes;
+  const auto waiting = waiting_.find(group);
+  if (--waiting->second == 0) waiting_.erase(waiting);
 }
 
 }  // namespace fovea::server

@@ -6,7 +6,7 @@
 
 namespace fovea::server {
 
-bool NewestFrame::Put(grpc::ByteBuffer* bytes) {
+bool NewestFrame::Put(const std::string& group, grpc::ByteBuffer* bytes) {
   const bool drops = waits();
   if (drops) {
     LetGo();
@@ -14,7 +14,7 @@ bool NewestFrame::Put(grpc::ByteBuffer* bytes) {
     ++num_dropped_;
   }
   frame_.emplace();
-  frame_->room = room_.Take(bytes->Length());
+  frame_->room = room_.Take(group, bytes->Length());
   frame_->sequence = num_received_++;
   frame_->at = std::chrono::steady_clock::now();
   frame_->bytes.Swap(bytes);

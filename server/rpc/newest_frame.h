@@ -31,8 +31,8 @@ class NewestFrame {
   std::uint64_t num_received() const { return num_received_; }
   bool waits() const { return frame_.has_value(); }
 
-  // Takes the bytes. Returns whether one was dropped for it.
-  bool Put(grpc::ByteBuffer* bytes);
+  // Takes the bytes, which are of this group (RobotId). Returns whether one was dropped for it.
+  bool Put(const std::string& group, grpc::ByteBuffer* bytes);
 
   // Of one that waits, once.
   ReceivedFrame Take();

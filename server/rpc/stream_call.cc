@@ -144,7 +144,7 @@ void StreamCall::OnRead() {
   if (newest_.num_received() == 0 && environment_.picks != nullptr && AcceptsPicks(bytes_)) {
     listening_ = environment_.picks->Listen(caller_.robot());
   }
-  if (newest_.Put(&bytes_)) environment_.metrics.OnDropped();
+  if (newest_.Put(caller_.id().group, &bytes_)) environment_.metrics.OnDropped();
   CheckAccess();
   Proceed();
   if (!finished_) Read();

@@ -21,7 +21,7 @@ grpc::ByteBuffer FrameBytes(const std::string& profile = {}) {
   return {&slice, 1};
 }
 
-bool Put(grpc::ByteBuffer bytes, NewestFrame* newest) { return newest->Put(&bytes); }
+bool Put(grpc::ByteBuffer bytes, NewestFrame* newest) { return newest->Put("kitchen", &bytes); }
 
 std::string ProfileOf(const std::optional<std::string>& options) {
   v1::DetectOptions parsed;
@@ -50,7 +50,7 @@ TEST(NewestFrame, DropsWhatWaitedBefore) {
 
 TEST(NewestFrame, KeepsOptionsAloneWhereThereIsNoRoom) {
   FrameRoom room(1000);
-  const FrameRoom::Place others = room.Take(800);
+  const FrameRoom::Place others = room.Take("hall", 800);
   NewestFrame newest(room);
   EXPECT_FALSE(Put(FrameBytes("paper"), &newest));
   const ReceivedFrame received = newest.Take();
@@ -64,7 +64,7 @@ TEST(NewestFrame, GivesBackTheRoomOfWhatItDrops) {
   NewestFrame newest(room);
   for (int i = 0; i < 5; ++i) Put(FrameBytes(), &newest);
   EXPECT_TRUE(newest.Take().room) << "the only one that waits";
-  EXPECT_TRUE(room.Take(300));
+  EXPECT_TRUE(room.Take("hall", 300));
 }
 
 }  // namespace
