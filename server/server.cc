@@ -242,11 +242,11 @@ void Server::AcceptObservers() {
 
 void Server::ReloadAccess() {
   // All are read before one is taken over.
-  credentials_.RequireUsable();
-  observer_gate_.RequireUsable();
-  gate_keeper_.Reload();
-  observer_gate_.Reload();
-  if (credentials_.Reload()) gate_keeper_.SetAuthority(credentials_.authority());
+  credentials_.Reload(gate_keeper_, [this] {
+    observer_gate_.RequireUsable();
+    gate_keeper_.Reload();
+    observer_gate_.Reload();
+  });
   live_calls_.Check();
 }
 

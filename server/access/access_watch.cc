@@ -50,8 +50,7 @@ void AccessWatch::Look() {
 // Says a fault once, however long it lasts.
 void AccessWatch::Reload() {
   try {
-    if (credentials_.Reload()) {
-      gate_keeper_.SetAuthority(credentials_.authority());
+    if (credentials_.Reload(gate_keeper_)) {
       credentials_.WarnOfWhatIsDue();
     } else if (!fault_.empty()) {
       spdlog::info("the certificates fit together again");

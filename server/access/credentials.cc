@@ -46,9 +46,17 @@ std::shared_ptr<grpc::ServerCredentials> Credentials::ForGrpc() {
   return grpc::experimental::TlsServerCredentials(tls);
 }
 
-bool Credentials::Reload() {
-  if (!has_tls()) return false;
-  TlsFiles read = ReadTlsFiles(options_);
+bool Credentials::Reload(GateKeeper& gate_keeper, const std::function<void()>& others) {
+  const std::lock_guard lock(reloading_);
+  TlsFiles read;
+  if (has_tls()) read = ReadTlsFiles(options_);
+  if (others) others();
+  if (!has_tls() || !TakeOver(std::move(read))) return false;
+  gate_keeper.SetAuthority(authority());
+  return true;
+}
+
+bool Credentials::TakeOver(TlsFiles read) {
   const std::lock_guard lock(mutex_);
   if (read.IsSameAs(files_)) return false;
   if (IdentityOf(read) != IdentityOf(files_)) {
@@ -64,10 +72,6 @@ bool Credentials::Reload() {
   }
   files_ = std::move(read);
   return true;
-}
-
-void Credentials::RequireUsable() const {
-  if (has_tls()) ReadTlsFiles(options_);
 }
 
 std::shared_ptr<const ClientAuthority> Credentials::authority() const { return files().authority; }

@@ -3,11 +3,13 @@
 #include <grpcpp/security/server_credentials.h>
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 
+#include "server/access/gate_keeper.h"
 #include "server/access/published_file.h"
 #include "server/access/tls_files.h"
 #include "server/server_options.h"
@@ -31,11 +33,12 @@ class Credentials {
 
   bool has_tls() const { return !options_.tls_cert.empty(); }
 
-  // Takes over what the files hold now, which new connections see within a second. Whether it is
-  // something new; the log tells what. Throws like the constructor, and changes nothing then.
-  bool Reload();
-  // What Reload() would throw.
-  void RequireUsable() const;
+  // Takes over what the files hold now, which new connections see within a second, and has
+  // `gate_keeper` go by it. Whether it is something new; the log tells what. Throws like the
+  // constructor, and changes nothing then. Once the files are read it calls `others`, which may
+  // throw and so have nothing changed, too. Of several that reload at once the last one to read is
+  // the last one to take over.
+  bool Reload(GateKeeper& gate_keeper, const std::function<void()>& others = {});
 
   // Null where clients need no certificates.
   std::shared_ptr<const ClientAuthority> authority() const;
@@ -50,7 +53,10 @@ class Credentials {
  private:
   TlsFiles files() const;
 
+  bool TakeOver(TlsFiles read);
+
   const ServerOptions options_;
+  std::mutex reloading_;  // held by whoever reads and takes over
   mutable std::mutex mutex_;
   TlsFiles files_;
   std::unique_ptr<PublishedFile> identity_, authorities_;  // what gRPC watches

@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <future>
+#include <stdexcept>
 #include <string>
 
 #include "server/access/certificates.h"
 #include "server/access/client_authority.h"
+#include "server/access/credentials.h"
 #include "tests/server/captured_log.h"
 #include "tests/server/detectors.h"
 #include "tests/server/frames.h"
@@ -177,6 +180,36 @@ TEST_F(CertificateChanges, RevocationIsSeenWithoutASignal) {
   Revoke({kitchen.certificate});
   EXPECT_EQ(StatusOf([&] { stream->Receive(); }).error_message(),
             "the client certificate was revoked");
+}
+
+// One that reads before a list is there, and takes over what it read after another one took that.
+TEST_F(CertificateChanges, WhoReadFirstDoesNotUndoARevocation) {
+  AskForClientCertificates();
+  const PemPair kitchen = clients_.Issue("kitchen");
+  Revoke({});
+  server::Credentials credentials(options_);
+  server::GateKeeper gate_keeper("", credentials.authority());
+  std::future<bool> second;
+  credentials.Reload(gate_keeper, [&] {
+    Revoke({kitchen.certificate});
+    second = std::async(std::launch::async, [&] { return credentials.Reload(gate_keeper); });
+    second.wait_for(std::chrono::milliseconds(500));  // which it is to outlast
+  });
+  EXPECT_TRUE(second.get());
+  EXPECT_THAT([&] { credentials.authority()->GoodUntil(kitchen.certificate, kitchen.certificate); },
+              ::testing::ThrowsMessage<std::runtime_error>(HasSubstr("revoked")));
+}
+
+TEST_F(CertificateChanges, WhatOthersThrowChangesNothing) {
+  AskForClientCertificates();
+  const PemPair kitchen = clients_.Issue("kitchen");
+  Revoke({});
+  server::Credentials credentials(options_);
+  server::GateKeeper gate_keeper("", credentials.authority());
+  Revoke({kitchen.certificate});
+  const auto fail = [] { throw std::invalid_argument("of others"); };
+  EXPECT_THROW(credentials.Reload(gate_keeper, fail), std::invalid_argument);
+  EXPECT_NO_THROW(credentials.authority()->GoodUntil(kitchen.certificate, kitchen.certificate));
 }
 
 TEST_F(CertificateChanges, AnOverdueListIsHeededAndNamed) {
