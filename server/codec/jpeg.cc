@@ -21,6 +21,17 @@ using Decompressor = std::unique_ptr<std::remove_pointer_t<tjhandle>, Destroy>;
                               std::string(tjGetErrorStr2(decompressor.get())));
 }
 
+// Progressive files come in scans, mostly some ten, and each goes over the whole image however few
+// bytes it has: of hundreds, nobody can stop the decoder in time.
+void CheckScans(std::string_view file) {
+  constexpr int kMaxScans = 64;
+  constexpr std::string_view kStartOfScan = "\xFF\xDA";  // in what is coded it does not occur
+  int num_scans = 0;
+  for (auto at = file.find(kStartOfScan); at != file.npos; at = file.find(kStartOfScan, at + 2)) {
+    if (++num_scans > kMaxScans) throw std::invalid_argument("a JPEG of more than 64 scans");
+  }
+}
+
 }  // namespace
 
 cv::Mat DecodeJpeg(std::string_view file, const SizeLimits& limits) {
@@ -39,9 +50,9 @@ cv::Mat DecodeJpeg(std::string_view file, const SizeLimits& limits) {
   limits.Check(static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height), "the JPEG");
 
   cv::Mat image(height, width, CV_8UC3);
-  // By default libjpeg only warns about missing data and paints the rest grey. The scan limit
-  // bounds the work that a small progressive file can ask for.
-  constexpr int kFlags = TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS | TJFLAG_ACCURATEDCT;
+  CheckScans(file);
+  // By default libjpeg only warns about missing data and paints the rest grey.
+  constexpr int kFlags = TJFLAG_STOPONWARNING | TJFLAG_ACCURATEDCT;
   if (tjDecompress2(decompressor.get(), bytes, file.size(), image.data, width, /*pitch=*/0, height,
                     TJPF_RGB, kFlags) != 0) {
     Fail(decompressor);

@@ -61,6 +61,30 @@ TEST(Jpeg, ChecksTheClaimedSizeFirst) {
               ThrowsMessage<std::invalid_argument>(HasSubstr("65500x65500")));
 }
 
+// A grey block: of the scans after the first, each says of one coefficient that it is 0, by a bit.
+std::string JpegOfScans(int num_scans) {
+  const std::string one_code("\x01" + std::string(15, '\0') + '\0');  // of one bit, for 0
+  std::string file = "\xFF\xD8" + ("\xFF\xDB" + std::string("\0\x43\0", 3)) + std::string(64, '\1');
+  file += "\xFF\xC2" + std::string("\0\x0B\x08\0\x08\0\x08\x01\x01\x11\0", 11);
+  for (const char table : {'\x00', '\x10'}) {
+    file += "\xFF\xC4" + std::string("\0\x14", 2) + table + one_code;
+  }
+  for (int scan = 0; scan < num_scans; ++scan) {
+    const int place = scan == 0 ? 0 : (scan - 1) % 63 + 1, pass = (scan - 1) / 63;
+    const int bits = pass == 0 ? (scan == 0 ? 0 : 3) : (4 - pass) << 4 | (3 - pass);
+    file += "\xFF\xDA" + std::string("\0\x08\x01\x01\0", 5);
+    for (const int byte : {place, place, bits}) file += static_cast<char>(byte);
+    file += '\x7F';
+  }
+  return file + "\xFF\xD9";
+}
+
+TEST(Jpeg, IsRefusedWhereItHasTooManyScans) {
+  EXPECT_EQ(DecodeJpeg(JpegOfScans(64), kLimits).size(), cv::Size(8, 8));
+  EXPECT_THAT([] { DecodeJpeg(JpegOfScans(65), kLimits); },
+              ThrowsMessage<std::invalid_argument>("a JPEG of more than 64 scans"));
+}
+
 TEST(Png, DecodesColorExactly) {
   EXPECT_EQ(Difference(DecodePngColor(PngOf(TestColor()), kLimits), TestColor()), 0);
 }
