@@ -126,6 +126,11 @@ void Board::OnFrame(std::size_t server, v1::WatchResponse response, bool is_clos
   Change(&robot.version);
 }
 
+void Board::OnCloseLook(const std::string& robot) {
+  const std::lock_guard lock(mutex_);
+  if (const auto found = robots_.find(robot); found != robots_.end()) found->second.close.clear();
+}
+
 std::string Board::ChangesSince(std::uint64_t* version, const std::string& close) const {
   const std::lock_guard lock(mutex_);
   if (*version == version_) return {};

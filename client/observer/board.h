@@ -40,6 +40,8 @@ class Board {
   void OnObserver(std::size_t server, const v1::Observer& observer);
   void OnState(std::size_t server, const LinkState& state);
   void OnFrame(std::size_t server, v1::WatchResponse response, bool is_close);
+  // Somebody looks at it closely, whom nothing of a look before concerns.
+  void OnCloseLook(const std::string& robot);
 
   // What has changed since `version`, as JSON; empty where nothing has. Takes `version` forward.
   // `close` = of that robot, tell the frame that was looked at closely.

@@ -71,13 +71,15 @@ Feed::Streams Feed::Watch(const v1::WatchRequest& request, bool is_close) {
 }
 
 Feed::CloseLook Feed::LookAt(const std::string& robot, bool with_depth) {
-  const std::string key = (with_depth ? "d" : "p") + robot;
+  const auto key_of = [&](bool is_with_depth) { return (is_with_depth ? "d" : "p") + robot; };
+  const std::string key = key_of(with_depth);
   const std::lock_guard lock(mutex_);
   std::erase_if(close_, [](const auto& each) { return each.second.expired(); });
   if (const auto found = close_.find(key); found != close_.end()) {
     if (auto look = found->second.lock()) return look;
   }
   if (close_.size() >= kMaxClose) return nullptr;
+  if (!close_.contains(key_of(!with_depth))) board_.OnCloseLook(robot);
   auto look = std::make_shared<Streams>(Watch(CloseRequest(robot, with_depth), /*is_close=*/true));
   close_[key] = look;
   return look;

@@ -1,0 +1,54 @@
+// What is kept of robots that are looked at closely.
+#include "client/observer/board.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "client/observer/feed.h"
+
+namespace fovea::testing {
+namespace {
+
+using observer::Board;
+using observer::Feed;
+
+v1::Observer WhoSeesAll() {
+  v1::Observer who;
+  who.add_rights(v1::OBSERVER_RIGHT_VIEW);
+  who.add_robots("*");
+  return who;
+}
+
+v1::WatchResponse FrameOfArm(std::uint64_t sequence) {
+  v1::WatchResponse response;
+  response.mutable_frame()->set_robot("arm");
+  response.mutable_frame()->set_sequence(sequence);
+  return response;
+}
+
+// The number of the frame that is told to who looks closely; 0 where none is.
+std::uint64_t CloseId(const Board& board) {
+  std::uint64_t version = 0;
+  const auto changes = nlohmann::json::parse(board.ChangesSince(&version, "arm"));
+  return changes.contains("close") ? changes["close"]["id"].get<std::uint64_t>() : 0;
+}
+
+TEST(ObserverBoard, ALookThatStartsShowsNothingOfTheOneBefore) {
+  Feed feed(observer::LinkServers("127.0.0.1:1", {}), "token");  // where nobody is
+  feed.board().OnObserver(0, WhoSeesAll());
+  Feed::CloseLook first = feed.LookAt("arm", /*with_depth=*/false);
+  feed.board().OnFrame(0, FrameOfArm(1), /*is_close=*/true);
+  EXPECT_NE(CloseId(feed.board()), 0U);
+  Feed::CloseLook second = feed.LookAt("arm", /*with_depth=*/false);
+  EXPECT_NE(CloseId(feed.board()), 0U) << "somebody looks at it still";
+  first.reset();
+  second.reset();
+  const Feed::CloseLook later = feed.LookAt("arm", /*with_depth=*/false);
+  EXPECT_EQ(CloseId(feed.board()), 0U) << "it may be hours old";
+}
+
+}  // namespace
+}  // namespace fovea::testing
