@@ -94,6 +94,12 @@ class Browser:
         self.driver.close()
         self.driver.switch_to.window(before)
 
+    def sees(self, is_seen: bool) -> None:
+        """As if the page were behind another tab, or not; headless browsers show them all."""
+        script = """Object.defineProperty(document, "hidden", { value: !arguments[0], configurable: true });
+        document.dispatchEvent(new Event("visibilitychange"));"""
+        self.driver.execute_script(script, is_seen)
+
     def press(self, label: str) -> None:
         """Waits for the button."""
 

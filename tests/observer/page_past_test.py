@@ -75,6 +75,32 @@ def test_the_time_line_leads_to_moments(browser: Browser, past: Any) -> None:
     browser.until(ends_now)
 
 
+def test_what_came_while_nobody_saw_the_page_can_be_reached(
+    browser: Browser, recorded: Recorded, scene: Scene
+) -> None:
+    """Nothing of it is among the frames that came to the page."""
+    recorded.record("left", scene.frame(id="before"))
+    browser.log_in(recorded.observer.url, OBSERVERS["ann"][0])
+    with Sending(recorded.robots, "left", scene.frame(id="open")):
+        browser.find("[data-robot=left] button").click()
+        picture = browser.find("#picture[data-id]")
+        browser.until(lambda: shown(browser) == "open")
+    browser.sees(False)
+    first = last = recorded.record("left", scene.frame(id="meanwhile"))[-1]
+    while last - first < 6_000_000:  # us, by what is recorded; some are as near as the same frame
+        last = recorded.record("left", scene.frame(id="meanwhile"))[-1]
+    browser.sees(True)
+    browser.find("#timeline").send_keys(Keys.END)
+    browser.until(lambda: shown(browser) == "meanwhile")
+    browser.press("stop")
+    with Sending(recorded.robots, "left", scene.frame(id="after")):
+        browser.until(lambda: shown(browser) == "after")
+    browser.press("stop")
+    steps(browser, picture, ",", "meanwhile")
+    browser.find("#timeline").send_keys(Keys.HOME)
+    browser.until(lambda: shown(browser) == "before")
+
+
 def test_the_past_is_in_3d_too(browser: Browser, past: Any) -> None:
     browser.press("3D")
     browser.until(lambda: " recorded" in browser.text("#moment"))

@@ -87,24 +87,17 @@ def test_an_address_that_is_written_by_hand_is_shown(
     browser.until(lambda: browser.text("h2") == "50%")
 
 
-def is_seen(browser: Browser, sees: bool) -> None:
-    """As if it were behind another tab; headless browsers show them all."""
-    script = """Object.defineProperty(document, "hidden", { value: !arguments[0], configurable: true });
-    document.dispatchEvent(new Event("visibilitychange"));"""
-    browser.driver.execute_script(script, sees)
-
-
 def test_tabs_that_nobody_sees_hold_no_connections(
     browser: Browser, observer: ObserverProcess, picture: Any
 ) -> None:
     """Of which a browser has six for a host."""
     with ExitStack() as tabs:
         for _ in range(7):
-            is_seen(browser, False)
+            browser.sees(False)
             tabs.enter_context(browser.tab())
             browser.driver.get(f"{observer.url}#robot=kitchen-1")
             browser.find("#picture[data-id]")
-        is_seen(browser, False)
+        browser.sees(False)
     at = picture.get_attribute("data-id")
-    is_seen(browser, True)
+    browser.sees(True)
     browser.until(lambda: picture.get_attribute("data-id") != at)

@@ -204,7 +204,7 @@ function paceOf(line) {
   return line.rate_hz < LEAST_HZ ? `one in ${spanOf(1e3 / line.rate_hz)}` : `${line.rate_hz.toFixed(1)} a second`;
 }
 
-// node_modules/three/build/three.module.js
+// ../../work/scratch/pagework/node_modules/three/build/three.module.js
 /**
  * @license
  * Copyright 2010-2024 Three.js Authors
@@ -20091,7 +20091,7 @@ if (typeof window !== "undefined") {
   }
 }
 
-// node_modules/three/examples/jsm/controls/OrbitControls.js
+// ../../work/scratch/pagework/node_modules/three/examples/jsm/controls/OrbitControls.js
 var _changeEvent = { type: "change" };
 var _startEvent = { type: "start" };
 var _endEvent = { type: "end" };
@@ -21480,6 +21480,7 @@ var Live = class {
 var MAX_KEPT = 30;
 var REFRESH_MS = 5e3;
 var FRESH_MS = 1e3;
+var SAME_US = 2e6;
 var NONE = { minutes: 0, problem: "", ids: [], objects: [], problems: [] };
 function nearestOf(moments, time) {
   return moments.reduce((best, each) => Math.abs(each - time) < Math.abs(best - time) ? each : best);
@@ -21588,10 +21589,16 @@ var Reel = class {
   async freshList() {
     if (Date.now() - this.listedAt > FRESH_MS) await this.refresh();
   }
-  // Oldest first: of the history what is older than the frames that are here.
+  // Oldest first: the frames that are here, and of the history what is older than they are, and what
+  // came while none came here.
   moments() {
-    const first = this.kept[0]?.line.came_at_us ?? Infinity;
-    return [...this.history.ids.filter((id) => id < first), ...this.kept.map((each) => each.line.came_at_us)];
+    const kept = this.kept.map((each) => each.line.came_at_us);
+    let next = 0;
+    const others = this.history.ids.filter((id) => {
+      while (next < kept.length && kept[next] < id) ++next;
+      return next === 0 || Math.min(id - kept[next - 1], (kept[next] ?? Infinity) - id) > SAME_US;
+    });
+    return [...others, ...kept].sort((a, b) => a - b);
   }
   // Where among them that is which is shown, or will be.
   place() {

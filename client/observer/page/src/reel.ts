@@ -6,6 +6,7 @@ import type { HistoryList, Seen } from "./types";
 const MAX_KEPT = 30;
 const REFRESH_MS = 5000;
 const FRESH_MS = 1000; // a list of that age need not be fetched again for a click
+const SAME_US = 2e6; // so near to a frame that is here the history has the same, or such as it
 const NONE: HistoryList = { minutes: 0, problem: "", ids: [], objects: [], problems: [] };
 
 function nearestOf(moments: number[], time: number): number {
@@ -128,10 +129,16 @@ export class Reel {
     if (Date.now() - this.listedAt > FRESH_MS) await this.refresh();
   }
 
-  // Oldest first: of the history what is older than the frames that are here.
+  // Oldest first: the frames that are here, and of the history what is older than they are, and what
+  // came while none came here.
   private moments(): number[] {
-    const first = this.kept[0]?.line.came_at_us ?? Infinity;
-    return [...this.history.ids.filter((id) => id < first), ...this.kept.map((each) => each.line.came_at_us)];
+    const kept = this.kept.map((each) => each.line.came_at_us);
+    let next = 0; // of them, which is not before the one of the history
+    const others = this.history.ids.filter((id) => {
+      while (next < kept.length && kept[next] < id) ++next;
+      return next === 0 || Math.min(id - kept[next - 1], (kept[next] ?? Infinity) - id) > SAME_US;
+    });
+    return [...others, ...kept].sort((a, b) => a - b);
   }
 
   // Where among them that is which is shown, or will be.
