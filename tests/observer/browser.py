@@ -146,3 +146,19 @@ class Browser:
             for entry in self.driver.get_log("browser")
             if entry["level"] == "SEVERE" and not any(text in entry["message"] for text in known)
         ]
+
+
+def label_last(browser: Browser, label: int) -> None:
+    """Renames the last object of each answer that the page gets from now on, as if there were so many."""
+    browser.driver.execute_script(
+        """const [label] = arguments, asked = window.fetch;
+        window.fetch = async (path, ...more) => {
+          const response = await asked(path, ...more);
+          const isAnswer = ["/api/answer?", "/api/history/answer?", "/api/try"].some((each) => path.startsWith(each));
+          if (!isAnswer || !response.ok) return response;
+          const answer = await response.json();
+          (answer.frame ?? answer).detections.objects.at(-1).label = label;
+          return Response.json(answer);
+        };""",
+        label,
+    )

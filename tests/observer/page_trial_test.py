@@ -9,7 +9,7 @@ import pytest
 from conftest import Recorded, Scene
 
 pytest.importorskip("selenium", reason="python3-selenium is not installed")
-from browser import Browser  # noqa: E402
+from browser import Browser, label_last  # noqa: E402
 from selenium.webdriver.common.keys import Keys  # noqa: E402
 
 
@@ -89,3 +89,12 @@ def test_options_that_could_not_be_had_are_asked_for_again(browser: Browser, pas
     browser.driver.execute_script("window.mend()")
     browser.find("body").send_keys("tt")
     browser.until(lambda: browser.all("#options tbody tr"))
+
+
+def test_more_objects_than_a_byte_counts_are_compared(browser: Browser, past: Any) -> None:
+    label_last(browser, 257)
+    browser.press("try")
+    browser.until(lambda: browser.all("#options tbody tr"))
+    browser.find("#run").click()
+    browser.until(lambda: "257" in browser.texts("#changes tbody tr td:nth-child(2)"))
+    assert set(browser.texts("#changes tbody tr td:last-child")) == {"the same"}

@@ -8,12 +8,13 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from conftest import Recorded, Robots, Scene, Sending
 from processes import OBSERVERS, ObserverProcess
 
 pytest.importorskip("selenium", reason="python3-selenium is not installed")
-from browser import Browser  # noqa: E402
+from browser import Browser, label_last  # noqa: E402
 
 AN_HOUR = 3600 * 1000  # ms
 SET_ON = "const real = Date.now; Date.now = () => real() + "
@@ -155,3 +156,20 @@ def test_seconds_that_cannot_be_saved_are_told(browser: Browser, past: Any, seco
     )
     browser.press("save")
     assert "from 1 to 600" in browser.text("#saved.bad")
+
+
+def test_more_objects_than_a_byte_counts_are_told_apart(
+    browser: Browser, observer: ObserverProcess, sending: Sending
+) -> None:
+    browser.log_in(observer.url, OBSERVERS["ann"][0])
+    tile = browser.find("[data-robot=kitchen-1] button")
+    first, last = sending.answer.objects[0].label, sending.answer.objects[-1]
+    label_last(browser, first + 256)
+    tile.click()
+    picture = browser.find("#picture[data-id]")
+    browser.press("stop")
+    height, width = last.mask.shape
+    ys, xs = np.nonzero(last.mask)
+    middle = np.argmin((xs - xs.mean()) ** 2 + (ys - ys.mean()) ** 2)
+    browser.hover(picture, (xs[middle] + 0.5) / width, (ys[middle] + 0.5) / height)
+    assert browser.find("#objects tr.chosen").get_attribute("data-label") == str(first + 256)

@@ -21018,7 +21018,7 @@ function forEachRun(mask, run) {
   });
 }
 function labelsOf(objects, width, height) {
-  const labels = new Uint8Array(width * height);
+  const labels = new Uint16Array(width * height);
   for (const object of objects) {
     if (!object.mask) continue;
     forEachRun(object.mask, (y, x, n) => labels.fill(object.label, y * width + x, y * width + x + n));
@@ -21167,9 +21167,8 @@ var HELP = "drag or arrow keys turn, wheel or + and - zoom, with shift they move
 var TURN = 0.08;
 var ZOOM = 1.1;
 function integerTexture(data, width, height) {
-  const is16 = data instanceof Uint16Array;
-  const texture = new DataTexture(data, width, height, RedIntegerFormat, is16 ? UnsignedShortType : UnsignedByteType);
-  texture.internalFormat = is16 ? "R16UI" : "R8UI";
+  const texture = new DataTexture(data, width, height, RedIntegerFormat, UnsignedShortType);
+  texture.internalFormat = "R16UI";
   texture.minFilter = texture.magFilter = NearestFilter;
   texture.unpackAlignment = 1;
   texture.needsUpdate = true;
@@ -21216,7 +21215,7 @@ var Cloud = class {
   material() {
     const uniforms = {
       depth: { value: integerTexture(new Uint16Array(1), 1, 1) },
-      labels: { value: integerTexture(new Uint8Array(1), 1, 1) },
+      labels: { value: integerTexture(new Uint16Array(1), 1, 1) },
       picture: { value: new Texture() },
       camera: { value: new Vector4(1, 1, 0, 0) },
       sent: { value: new Vector4(1, 1, 0, 0) },
@@ -21893,6 +21892,7 @@ var Timeline = class {
 
 // src/compare.ts
 var LEAST_IOU = 0.3;
+var LABELS = 65536;
 function match(before, after) {
   const { width, height } = before;
   const ours = labelsOf(before.objects, width, height);
@@ -21903,10 +21903,10 @@ function match(before, after) {
   for (let i = 0; i < ours.length; ++i) {
     if (ours[i]) add(area[0], ours[i]);
     if (theirs[i]) add(area[1], theirs[i]);
-    if (ours[i] && theirs[i]) add(both, ours[i] * 256 + theirs[i]);
+    if (ours[i] && theirs[i]) add(both, ours[i] * LABELS + theirs[i]);
   }
   const candidates = [...both].map(([key, count]) => {
-    const [a, b] = [key >> 8, key & 255];
+    const [a, b] = [Math.floor(key / LABELS), key % LABELS];
     return { a, b, iou: count / (area[0].get(a) + area[1].get(b) - count) };
   });
   candidates.sort((one, other) => other.iou - one.iou);
@@ -21920,7 +21920,7 @@ function match(before, after) {
   }
   for (const object of left.values()) pairs.push({ before: object, after: null, iou: 0 });
   for (const object of right.values()) pairs.push({ before: null, after: object, iou: 0 });
-  return pairs.sort((one, other) => (one.before?.label ?? 999) - (other.before?.label ?? 999));
+  return pairs.sort((one, other) => (one.before?.label ?? LABELS) - (other.before?.label ?? LABELS));
 }
 var percent = (share) => `${Math.round(100 * share)} %`;
 var size = ({ oriented_box }) => [oriented_box.size.x, oriented_box.size.y, oriented_box.size.z].map((meters) => (100 * meters).toFixed(1)).join(" × ");
@@ -22163,7 +22163,7 @@ var RobotView = class {
   told = el("p", { role: "status", id: "picked" });
   cloud = null;
   chosen = 0;
-  labels = new Uint8Array();
+  labels = new Uint16Array();
   makeButtons(me2) {
     const add = (label, key, on, change) => {
       const button = toggle(label, key, on, change);
@@ -22263,7 +22263,7 @@ var RobotView = class {
   show(seen) {
     const { line, frame, past } = seen;
     const detections = frame.detections;
-    this.labels = detections ? labelsOf(detections.objects, detections.width, detections.height) : new Uint8Array();
+    this.labels = detections ? labelsOf(detections.objects, detections.width, detections.height) : new Uint16Array();
     this.tellFacts();
     this.reasons.replaceChildren(...line.reasons.map((text) => el("li", {}, text)));
     this.table.show(frame);

@@ -16,10 +16,9 @@ const HELP = "drag or arrow keys turn, wheel or + and - zoom, with shift they mo
 const TURN = 0.08; // radians a key
 const ZOOM = 1.1;
 
-function integerTexture(data: Uint16Array | Uint8Array, width: number, height: number): THREE.DataTexture {
-  const is16 = data instanceof Uint16Array;
-  const texture = new THREE.DataTexture(data, width, height, THREE.RedIntegerFormat, is16 ? THREE.UnsignedShortType : THREE.UnsignedByteType);
-  texture.internalFormat = is16 ? "R16UI" : "R8UI";
+function integerTexture(data: Uint16Array, width: number, height: number): THREE.DataTexture {
+  const texture = new THREE.DataTexture(data, width, height, THREE.RedIntegerFormat, THREE.UnsignedShortType);
+  texture.internalFormat = "R16UI";
   texture.minFilter = texture.magFilter = THREE.NearestFilter;
   texture.unpackAlignment = 1;
   texture.needsUpdate = true;
@@ -69,7 +68,7 @@ export class Cloud {
   private material(): THREE.ShaderMaterial {
     const uniforms = {
       depth: { value: integerTexture(new Uint16Array(1), 1, 1) },
-      labels: { value: integerTexture(new Uint8Array(1), 1, 1) },
+      labels: { value: integerTexture(new Uint16Array(1), 1, 1) },
       picture: { value: new THREE.Texture() },
       camera: { value: new THREE.Vector4(1, 1, 0, 0) },
       sent: { value: new THREE.Vector4(1, 1, 0, 0) },

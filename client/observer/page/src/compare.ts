@@ -9,6 +9,7 @@ export interface Pair {
 }
 
 const LEAST_IOU = 0.3; // of what is taken for the same thing
+const LABELS = 65536; // that masks can have
 
 // Those that cover each other best are one object; what is left is gone, or new.
 export function match(before: Detections, after: Detections): Pair[] {
@@ -21,10 +22,10 @@ export function match(before: Detections, after: Detections): Pair[] {
   for (let i = 0; i < ours.length; ++i) {
     if (ours[i]) add(area[0], ours[i]);
     if (theirs[i]) add(area[1], theirs[i]);
-    if (ours[i] && theirs[i]) add(both, ours[i] * 256 + theirs[i]);
+    if (ours[i] && theirs[i]) add(both, ours[i] * LABELS + theirs[i]);
   }
   const candidates = [...both].map(([key, count]) => {
-    const [a, b] = [key >> 8, key & 255];
+    const [a, b] = [Math.floor(key / LABELS), key % LABELS];
     return { a, b, iou: count / (area[0].get(a)! + area[1].get(b)! - count) };
   });
   candidates.sort((one, other) => other.iou - one.iou);
@@ -38,7 +39,7 @@ export function match(before: Detections, after: Detections): Pair[] {
   }
   for (const object of left.values()) pairs.push({ before: object, after: null, iou: 0 });
   for (const object of right.values()) pairs.push({ before: null, after: object, iou: 0 });
-  return pairs.sort((one, other) => (one.before?.label ?? 999) - (other.before?.label ?? 999));
+  return pairs.sort((one, other) => (one.before?.label ?? LABELS) - (other.before?.label ?? LABELS));
 }
 
 const percent = (share: number) => `${Math.round(100 * share)}\u00a0%`;

@@ -20,8 +20,8 @@ export function forEachRun(mask: Mask, run: (y: number, x: number, length: numbe
 }
 
 // The label of each pixel, 0 = none.
-export function labelsOf(objects: FoundObject[], width: number, height: number): Uint8Array {
-  const labels = new Uint8Array(width * height);
+export function labelsOf(objects: FoundObject[], width: number, height: number): Uint16Array {
+  const labels = new Uint16Array(width * height);
   for (const object of objects) {
     if (!object.mask) continue;
     forEachRun(object.mask, (y, x, n) => labels.fill(object.label, y * width + x, y * width + x + n));

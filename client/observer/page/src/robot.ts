@@ -53,7 +53,7 @@ export class RobotView {
   private readonly told = el("p", { role: "status", id: "picked" });
   private cloud: Cloud | null = null;
   private chosen = 0;
-  private labels = new Uint8Array();
+  private labels = new Uint16Array();
 
   constructor(
     readonly robot: string,
@@ -209,7 +209,7 @@ export class RobotView {
   private show(seen: Seen): void {
     const { line, frame, past } = seen;
     const detections = frame.detections;
-    this.labels = detections ? labelsOf(detections.objects, detections.width, detections.height) : new Uint8Array();
+    this.labels = detections ? labelsOf(detections.objects, detections.width, detections.height) : new Uint16Array();
     this.tellFacts();
     this.reasons.replaceChildren(...line.reasons.map((text) => el("li", {}, text)));
     this.table.show(frame);
