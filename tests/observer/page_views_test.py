@@ -173,3 +173,15 @@ def test_more_objects_than_a_byte_counts_are_told_apart(
     middle = np.argmin((xs - xs.mean()) ** 2 + (ys - ys.mean()) ** 2)
     browser.hover(picture, (xs[middle] + 0.5) / width, (ys[middle] + 0.5) / height)
     assert browser.find("#objects tr.chosen").get_attribute("data-label") == str(first + 256)
+
+
+def test_rows_of_the_table_keep_the_focus(browser: Browser, picture: Any) -> None:
+    """While other frames are shown."""
+    script = """const row = document.querySelector("#objects tbody tr:last-child");
+    row.focus();
+    return row.dataset.label;"""
+    label = browser.driver.execute_script(script)
+    at = int(picture.get_attribute("data-id"))
+    browser.until(lambda: int(picture.get_attribute("data-id")) > at)
+    assert browser.driver.switch_to.active_element.get_attribute("data-label") == label
+    assert browser.find("#objects tr.chosen").get_attribute("data-label") == label
