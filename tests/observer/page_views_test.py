@@ -185,3 +185,19 @@ def test_rows_of_the_table_keep_the_focus(browser: Browser, picture: Any) -> Non
     browser.until(lambda: int(picture.get_attribute("data-id")) > at)
     assert browser.driver.switch_to.active_element.get_attribute("data-label") == label
     assert browser.find("#objects tr.chosen").get_attribute("data-label") == label
+
+
+def test_a_finger_on_the_picture_scrolls_the_page(
+    browser: Browser, phone: int, picture: Any
+) -> None:
+    script = """const box = arguments[0].getBoundingClientRect();
+    return [box.x + box.width / 2, box.y + box.height / 2];"""
+    x, y = browser.driver.execute_script(script, picture)
+    for kind, points in (
+        ("touchStart", [{"x": x, "y": y}]),
+        *(("touchMove", [{"x": x, "y": y - up}]) for up in range(20, 201, 20)),
+        ("touchEnd", []),
+    ):
+        touch = {"type": kind, "touchPoints": points}
+        browser.driver.execute_cdp_cmd("Input.dispatchTouchEvent", touch)
+    browser.until(lambda: browser.driver.execute_script("return scrollY") > 0)
