@@ -6,6 +6,7 @@ from contextlib import ExitStack
 from typing import Any
 
 import pytest
+from conftest import Recorded, Scene
 from processes import OBSERVERS, ObserverProcess, ServerProcess
 
 pytest.importorskip("selenium", reason="python3-selenium is not installed")
@@ -101,3 +102,29 @@ def test_tabs_that_nobody_sees_hold_no_connections(
     at = picture.get_attribute("data-id")
     browser.sees(True)
     browser.until(lambda: picture.get_attribute("data-id") != at)
+
+
+def test_a_tab_that_nobody_sees_asks_for_no_history(
+    browser: Browser, recorded: Recorded, scene: Scene
+) -> None:
+    """What the page does each five seconds is done by hand here."""
+    recorded.record("arm", scene.frame())
+    browser.log_in(recorded.observer.url, OBSERVERS["ann"][0])
+    browser.find("#who button")
+    browser.driver.execute_script(
+        """const asked = window.fetch, repeat = window.setInterval;
+        window.lists = 0;
+        window.setInterval = (call, ms) => (ms === 5000 ? (window.look = call, 0) : repeat(call, ms));
+        window.fetch = (path, ...more) => (path.startsWith("/api/history?") && ++window.lists, asked(path, ...more));
+        location.hash = "robot=arm";"""
+    )
+
+    def lists(script: str) -> int:
+        """How many the page has asked for once that has run."""
+        return int(browser.driver.execute_script(f"{script}; return window.lists"))
+
+    browser.until(lambda: " recorded" in browser.text("#moment"))
+    assert lists("window.look()") == 2
+    browser.sees(False)
+    assert lists("window.look()") == 2
+    browser.until(lambda: browser.sees(True) or lists("") == 3)

@@ -21495,7 +21495,8 @@ var Reel = class {
     this.robot = robot;
     this.hasHistory = hasHistory;
     this.withDepth = withDepth;
-    this.timer = window.setInterval(() => void this.refresh(), REFRESH_MS);
+    this.timer = window.setInterval(this.onSeen, REFRESH_MS);
+    document.addEventListener("visibilitychange", this.onSeen);
     void this.refresh();
   }
   history = NONE;
@@ -21516,9 +21517,11 @@ var Reel = class {
   listedAt = 0;
   // 0: never yet
   timer;
+  onSeen = () => this.refreshIfSeen();
   stopped = false;
   close() {
     clearInterval(this.timer);
+    document.removeEventListener("visibilitychange", this.onSeen);
   }
   get isListed() {
     return this.listedAt > 0;
@@ -21576,6 +21579,9 @@ var Reel = class {
   refresh() {
     this.listing ??= this.list().finally(() => this.listing = null);
     return this.listing;
+  }
+  refreshIfSeen() {
+    if (!document.hidden) void this.refresh();
   }
   async list() {
     if (!this.hasHistory) return;

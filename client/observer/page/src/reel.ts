@@ -34,6 +34,7 @@ export class Reel {
   private listing: Promise<void> | null = null; // while the list of the history is fetched
   private listedAt = 0; // 0: never yet
   private readonly timer: number;
+  private readonly onSeen = () => this.refreshIfSeen();
   stopped = false;
 
   constructor(
@@ -41,12 +42,14 @@ export class Reel {
     private readonly hasHistory: boolean,
     private readonly withDepth: () => boolean,
   ) {
-    this.timer = window.setInterval(() => void this.refresh(), REFRESH_MS);
+    this.timer = window.setInterval(this.onSeen, REFRESH_MS);
+    document.addEventListener("visibilitychange", this.onSeen);
     void this.refresh();
   }
 
   close(): void {
     clearInterval(this.timer);
+    document.removeEventListener("visibilitychange", this.onSeen);
   }
 
   get isListed(): boolean {
@@ -114,6 +117,10 @@ export class Reel {
   refresh(): Promise<void> {
     this.listing ??= this.list().finally(() => (this.listing = null));
     return this.listing;
+  }
+
+  private refreshIfSeen(): void {
+    if (!document.hidden) void this.refresh();
   }
 
   private async list(): Promise<void> {
