@@ -165,3 +165,17 @@ def bent(
             y * radial + k[2] * (r2 + 2 * y * y) + 2 * k[3] * x * y,
         )
     return focal * x + middle[0], focal * y + middle[1]
+
+
+def test_a_browser_without_3d_is_told(observer: ObserverProcess, sending: Sending) -> None:
+    browser = Browser("--disable-3d-apis")
+    try:
+        browser.log_in(observer.url, OBSERVERS["ann"][0])
+        browser.find("[data-robot=kitchen-1] button").click()
+        browser.find("#picture[data-id]")
+        browser.press("3D")
+        browser.until(lambda: "no WebGL 2" in browser.text("#picked.bad"))
+        assert browser.find(".bar [title='key 3']").get_attribute("aria-pressed") == "false"
+        assert not browser.all("#cloud")
+    finally:
+        browser.close()

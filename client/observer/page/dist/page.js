@@ -22123,6 +22123,14 @@ var SWITCHES = [
 ];
 var WITHOUT_HISTORY = "No history is kept here. fovea-observer keeps the last minutes of each robot with --history FOLDER and --history-token-file FILE: frames can then be stepped back to, saved, and tried with other options.";
 var WITHOUT_DEPTH = "Depth comes with frames from when 3D was switched on; this one is older.";
+var WITHOUT_WEBGL = "There is no 3D here: the browser has no WebGL 2, or it is switched off.";
+function cloudOrNone() {
+  try {
+    return new Cloud();
+  } catch {
+    return null;
+  }
+}
 var mayTry = (me2) => me2.history !== null && me2.rights.includes("try");
 var RobotView = class {
   constructor(robot, me2) {
@@ -22331,7 +22339,11 @@ var RobotView = class {
   }
   async openCloud(on) {
     this.cloud?.close();
-    this.cloud = on ? new Cloud() : null;
+    this.cloud = on ? cloudOrNone() : null;
+    if (on && !this.cloud) {
+      this.buttons.get("3").setAttribute("aria-pressed", "false");
+      return this.say(WITHOUT_WEBGL, true);
+    }
     if (this.cloud) this.left.append(this.cloud.element);
     this.onDepth(on);
     const shown = this.reel.current;

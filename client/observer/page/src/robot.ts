@@ -30,6 +30,16 @@ const WITHOUT_HISTORY =
 
 const WITHOUT_DEPTH = "Depth comes with frames from when 3D was switched on; this one is older.";
 
+const WITHOUT_WEBGL = "There is no 3D here: the browser has no WebGL 2, or it is switched off.";
+
+function cloudOrNone(): Cloud | null {
+  try {
+    return new Cloud();
+  } catch {
+    return null;
+  }
+}
+
 const mayTry = (me: Who) => me.history !== null && me.rights.includes("try");
 
 export class RobotView {
@@ -257,7 +267,11 @@ export class RobotView {
 
   private async openCloud(on: boolean): Promise<void> {
     this.cloud?.close();
-    this.cloud = on ? new Cloud() : null;
+    this.cloud = on ? cloudOrNone() : null;
+    if (on && !this.cloud) {
+      this.buttons.get("3")!.setAttribute("aria-pressed", "false");
+      return this.say(WITHOUT_WEBGL, true);
+    }
     if (this.cloud) this.left.append(this.cloud.element);
     this.onDepth(on);
     const shown = this.reel.current;
