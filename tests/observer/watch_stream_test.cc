@@ -19,7 +19,7 @@ namespace {
 
 namespace experimental = grpc::experimental;
 
-// Holds the thread of a call, as a server does that is away.
+// Holds the thread of a call where it begins, as a server does that is away.
 struct Hold {
   std::promise<void> held, let;
   const std::shared_future<void> is_let = let.get_future().share();
@@ -32,8 +32,11 @@ class Holding final : public experimental::Interceptor,
   explicit Holding(std::shared_ptr<Hold> hold) : hold_(std::move(hold)) {}
 
   void Intercept(experimental::InterceptorBatchMethods* methods) override {
-    std::call_once(hold_->first, [&] { hold_->held.set_value(); });
-    hold_->is_let.wait();
+    using Point = experimental::InterceptionHookPoints;
+    if (methods->QueryInterceptionHookPoint(Point::PRE_SEND_INITIAL_METADATA)) {
+      std::call_once(hold_->first, [&] { hold_->held.set_value(); });
+      hold_->is_let.wait();
+    }
     methods->Proceed();
   }
   experimental::Interceptor* CreateClientInterceptor(experimental::ClientRpcInfo*) override {
