@@ -35,7 +35,8 @@ fi
 if [ -n "$sources" ]; then
   cmake -S . -B "$build/tidy" -G Ninja -D CMAKE_BUILD_TYPE=Release -D CMAKE_EXPORT_COMPILE_COMMANDS=ON \
     -D FOVEA_UNITY=OFF -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
-  sed -i "s#$build/tidy/#$build/#g" "$build/tidy/compile_commands.json"
+  # Nor does it know what is said of GCC's garbage.
+  sed -i -e "s#$build/tidy/#$build/#g" -e "s# --param=[^ ]*##g" "$build/tidy/compile_commands.json"
   echo "$sources" | xargs -P 2 -n 4 clang-tidy --quiet -p "$build/tidy"
 fi
 
