@@ -90,7 +90,7 @@ void Board::OnState(std::size_t server, const LinkState& state) {
   Change(&servers_[server].version);
 }
 
-void Board::OnFrame(std::size_t server, v1::WatchResponse response, bool is_close) {
+void Board::OnFrame(std::size_t server, v1::WatchResponse response, Look look) {
   constexpr std::size_t kArrivals = 10;
   auto shown = std::make_shared<ShownFrame>();
   shown->server = server;
@@ -105,9 +105,10 @@ void Board::OnFrame(std::size_t server, v1::WatchResponse response, bool is_clos
                                            [](const auto& each) { return each.second.version; }));
   }
   Robot& robot = robots_[name];
-  if (is_close) {
-    robot.close.push_back(shown);
-    if (robot.close.size() > kClose) robot.close.pop_front();
+  if (look != Look::kList) {
+    std::deque<ShownFramePtr>& close = robot.close[look];
+    close.push_back(shown);
+    if (close.size() > kClose) close.pop_front();
     to_pick_from_.push_back(ToPickFrom(*shown));
     if (to_pick_from_.size() > kToPickFrom) to_pick_from_.pop_front();
   } else {
@@ -126,12 +127,14 @@ void Board::OnFrame(std::size_t server, v1::WatchResponse response, bool is_clos
   Change(&robot.version);
 }
 
-void Board::OnCloseLook(const std::string& robot) {
+void Board::OnCloseLook(const std::string& robot, Look look) {
   const std::lock_guard lock(mutex_);
-  if (const auto found = robots_.find(robot); found != robots_.end()) found->second.close.clear();
+  if (const auto found = robots_.find(robot); found != robots_.end()) {
+    found->second.close.erase(look);
+  }
 }
 
-std::string Board::ChangesSince(std::uint64_t* version, const std::string& close) const {
+std::string Board::ChangesSince(std::uint64_t* version, const std::string& close, Look look) const {
   const std::lock_guard lock(mutex_);
   if (*version == version_) return {};
   nlohmann::json changes{{"now_us", NowUs()},
@@ -144,9 +147,10 @@ std::string Board::ChangesSince(std::uint64_t* version, const std::string& close
   for (const auto& [name, robot] : robots_) {
     if (robot.version <= *version) continue;
     if (MaySee(robot.newest)) changes["robots"].push_back(RobotJson(*robot.newest, robot.rate_hz));
-    if (name == close && !robot.close.empty() && MaySee(robot.close.back())) {
-      changes["close"] = RobotJson(*robot.close.back(), robot.rate_hz);
-    }
+    const auto frames = robot.close.find(look);
+    if (name != close || frames == robot.close.end()) continue;
+    const ShownFramePtr& shown = frames->second.back();
+    if (MaySee(shown)) changes["close"] = RobotJson(*shown, robot.rate_hz);
   }
   *version = version_;
   return JsonText(changes);
@@ -156,8 +160,10 @@ ShownFramePtr Board::Frame(const std::string& robot, std::uint64_t id) const {
   const std::lock_guard lock(mutex_);
   const auto found = robots_.find(robot);
   if (found == robots_.end()) return nullptr;
-  for (const ShownFramePtr& each : found->second.close) {
-    if (each->id == id) return MaySee(each) ? each : nullptr;
+  for (const auto& [look, frames] : found->second.close) {
+    for (const ShownFramePtr& each : frames) {
+      if (each->id == id) return MaySee(each) ? each : nullptr;
+    }
   }
   const ShownFramePtr& newest = found->second.newest;
   return newest && newest->id == id && MaySee(newest) ? newest : nullptr;

@@ -27,6 +27,9 @@ struct ShownFrame {
 };
 using ShownFramePtr = std::shared_ptr<const ShownFrame>;
 
+// How a robot is looked at: in the list of all, or closely, for its cloud with depth.
+enum class Look { kList, kClose, kCloseWithDepth };
+
 // What one who watches has seen last of each robot. Thread-safe; holds the newest frame of each
 // robot, and some more of those that are looked at closely. Gives away what may be seen when it is
 // asked, whatever it was let see before.
@@ -39,13 +42,13 @@ class Board {
 
   void OnObserver(std::size_t server, const v1::Observer& observer);
   void OnState(std::size_t server, const LinkState& state);
-  void OnFrame(std::size_t server, v1::WatchResponse response, bool is_close);
-  // Somebody looks at it closely, whom nothing of a look before concerns.
-  void OnCloseLook(const std::string& robot);
+  void OnFrame(std::size_t server, v1::WatchResponse response, Look look);
+  // Somebody looks at it so, whom nothing of such a look before concerns.
+  void OnCloseLook(const std::string& robot, Look look);
 
   // What has changed since `version`, as JSON; empty where nothing has. Takes `version` forward.
-  // `close` = of that robot, tell the frame that was looked at closely.
-  std::string ChangesSince(std::uint64_t* version, const std::string& close) const;
+  // `close` = of that robot, tell the frame that was looked at closely, in this way.
+  std::string ChangesSince(std::uint64_t* version, const std::string& close, Look look) const;
 
   // Null where it is not there any more, or never was, or may not be seen any more.
   ShownFramePtr Frame(const std::string& robot, std::uint64_t id) const;
@@ -84,7 +87,7 @@ class Board {
   struct Robot {
     std::uint64_t version = 0;
     ShownFramePtr newest;
-    std::deque<ShownFramePtr> close;
+    std::map<Look, std::deque<ShownFramePtr>> close;
     std::deque<ShownFramePtr> listed;  // without pictures and masks
     std::deque<Arrival> arrivals;      // the last ones
     double rate_hz = 0;

@@ -25,7 +25,8 @@ std::string BoardEvents::Take() {
     return "event: ended\ndata: {}\n\n";
   }
   LookClosely();  // there may have been no room before
-  const std::string changes = feed_->board().ChangesSince(&version_, close_);
+  const std::string changes = feed_->board().ChangesSince(
+      &version_, close_, with_depth_ ? Look::kCloseWithDepth : Look::kClose);
   return changes.empty() ? "" : "data: " + changes + "\n\n";
 }
 

@@ -47,20 +47,20 @@ v1::WatchRequest CloseRequest(const std::string& robot, bool with_depth) {
 
 Feed::Feed(const std::vector<ServerLink>& servers, std::string token)
     : servers_(servers), token_(std::move(token)), board_(AddressesOf(servers)) {
-  streams_ = Watch(ListRequest(), /*is_close=*/false);
+  streams_ = Watch(ListRequest(), Look::kList);
 }
 
-Feed::Streams Feed::Watch(const v1::WatchRequest& request, bool is_close) {
+Feed::Streams Feed::Watch(const v1::WatchRequest& request, Look look) {
   Streams streams;
   for (std::size_t i = 0; i < servers_.size(); ++i) {
     WatchStream::Listener listener{
         .on_observer = [this, i](const v1::Observer& who) { board_.OnObserver(i, who); },
         .on_frame =
-            [this, i, is_close](v1::WatchResponse response) {
-              board_.OnFrame(i, std::move(response), is_close);
+            [this, i, look](v1::WatchResponse response) {
+              board_.OnFrame(i, std::move(response), look);
             },
         .on_state = [this, i](const LinkState& state) { board_.OnState(i, state); }};
-    if (is_close) {  // how it stands with the server, the list says
+    if (look != Look::kList) {  // how it stands with the server, the list says
       listener.on_observer = [](const v1::Observer&) {};
       listener.on_state = [](const LinkState&) {};
     }
@@ -71,18 +71,18 @@ Feed::Streams Feed::Watch(const v1::WatchRequest& request, bool is_close) {
 }
 
 Feed::CloseLook Feed::LookAt(const std::string& robot, bool with_depth) {
-  const auto key_of = [&](bool is_with_depth) { return (is_with_depth ? "d" : "p") + robot; };
-  const std::string key = key_of(with_depth);
+  const std::string key = (with_depth ? "d" : "p") + robot;
   const std::lock_guard lock(mutex_);
   std::erase_if(close_, [](const auto& each) { return each.second.expired(); });
   if (const auto found = close_.find(key); found != close_.end()) {
     if (auto look = found->second.lock()) return look;
   }
   if (close_.size() >= kMaxClose) return nullptr;
-  if (!close_.contains(key_of(!with_depth))) board_.OnCloseLook(robot);
-  auto look = std::make_shared<Streams>(Watch(CloseRequest(robot, with_depth), /*is_close=*/true));
-  close_[key] = look;
-  return look;
+  const Look look = with_depth ? Look::kCloseWithDepth : Look::kClose;
+  board_.OnCloseLook(robot, look);
+  auto streams = std::make_shared<Streams>(Watch(CloseRequest(robot, with_depth), look));
+  close_[key] = streams;
+  return streams;
 }
 
 void Feed::AwaitAnswer(std::chrono::milliseconds patience) {

@@ -37,7 +37,7 @@ class Feed {
  private:
   using Streams = std::vector<std::unique_ptr<WatchStream>>;
 
-  Streams Watch(const v1::WatchRequest& request, bool is_close);
+  Streams Watch(const v1::WatchRequest& request, Look look);
 
   const std::vector<ServerLink> servers_;
   const std::string token_;

@@ -14,6 +14,7 @@ namespace {
 
 using observer::Board;
 using observer::Feed;
+using observer::Look;
 
 v1::Observer WhoSeesAll() {
   v1::Observer who;
@@ -29,10 +30,10 @@ v1::WatchResponse FrameOfArm(std::uint64_t sequence) {
   return response;
 }
 
-// The number of the frame that is told to who looks closely; 0 where none is.
-std::uint64_t CloseId(const Board& board) {
+// The number of the frame that is told to who looks so; 0 where none is.
+std::uint64_t CloseId(const Board& board, Look look = Look::kClose) {
   std::uint64_t version = 0;
-  const auto changes = nlohmann::json::parse(board.ChangesSince(&version, "arm"));
+  const auto changes = nlohmann::json::parse(board.ChangesSince(&version, "arm", look));
   return changes.contains("close") ? changes["close"]["id"].get<std::uint64_t>() : 0;
 }
 
@@ -40,7 +41,7 @@ TEST(ObserverBoard, ALookThatStartsShowsNothingOfTheOneBefore) {
   Feed feed(observer::LinkServers("127.0.0.1:1", {}), "token");  // where nobody is
   feed.board().OnObserver(0, WhoSeesAll());
   Feed::CloseLook first = feed.LookAt("arm", /*with_depth=*/false);
-  feed.board().OnFrame(0, FrameOfArm(1), /*is_close=*/true);
+  feed.board().OnFrame(0, FrameOfArm(1), Look::kClose);
   EXPECT_NE(CloseId(feed.board()), 0U);
   Feed::CloseLook second = feed.LookAt("arm", /*with_depth=*/false);
   EXPECT_NE(CloseId(feed.board()), 0U) << "somebody looks at it still";
@@ -48,6 +49,20 @@ TEST(ObserverBoard, ALookThatStartsShowsNothingOfTheOneBefore) {
   second.reset();
   const Feed::CloseLook later = feed.LookAt("arm", /*with_depth=*/false);
   EXPECT_EQ(CloseId(feed.board()), 0U) << "it may be hours old";
+}
+
+TEST(ObserverBoard, LooksWithDepthAndWithoutAreToldTheirOwnFrames) {
+  Board board({"server"});
+  board.OnObserver(0, WhoSeesAll());
+  board.OnFrame(0, FrameOfArm(1), Look::kCloseWithDepth);
+  const std::uint64_t with_depth = CloseId(board, Look::kCloseWithDepth);
+  EXPECT_NE(with_depth, 0U);
+  EXPECT_EQ(CloseId(board, Look::kClose), 0U);
+  board.OnFrame(0, FrameOfArm(1), Look::kClose);
+  EXPECT_EQ(CloseId(board, Look::kCloseWithDepth), with_depth) << "the same frame again, without";
+  EXPECT_NE(CloseId(board, Look::kClose), 0U);
+  EXPECT_TRUE(board.Frame("arm", with_depth));
+  EXPECT_TRUE(board.Frame("arm", CloseId(board, Look::kClose)));
 }
 
 }  // namespace
