@@ -15,7 +15,6 @@
 namespace fovea::observer {
 namespace {
 
-constexpr const char* kCookie = "fovea_session";
 constexpr std::size_t kMaxToken = 256, kMaxRobot = 1024;
 
 std::string InSmallLetters(std::string text) {
@@ -28,6 +27,14 @@ std::string NameOfHost(const std::string& host) {
   const std::size_t bracket = host.rfind(']');
   const std::size_t colon = host.find(':', bracket == std::string::npos ? 0 : bracket);
   return InSmallLetters(host.substr(0, colon));
+}
+
+// Cookies know hosts, but no ports: that of another observer there has another name.
+std::string CookieNameOf(const HttpRequest& request) {
+  const std::string host = request.Header("host");
+  const std::string port = host.substr(std::min(NameOfHost(host).size() + 1, host.size()));
+  const bool is_number = std::ranges::all_of(port, [](char c) { return c >= '0' && c <= '9'; });
+  return port.empty() || !is_number ? "fovea_session" : "fovea_session_" + port;
 }
 
 std::string TokenIn(const std::string& body) {
@@ -99,7 +106,7 @@ HttpResponse Routes::Route(const HttpRequest& request) {
   }
   if (is_post && request.path == "/api/login") return LogIn(request);
   if (is_get && !request.path.starts_with("/api/")) return AssetResponse(request.path);
-  const auto session = sessions_.Find(request.Cookie(kCookie));
+  const auto session = sessions_.Find(request.Cookie(CookieNameOf(request)));
   if (!session) return ErrorResponse(401, "log in with an observer's token");
   if (is_post && request.Header("x-fovea-csrf") != session->csrf) {
     return ErrorResponse(403, "the request does not come from the page");
@@ -115,7 +122,7 @@ HttpResponse Routes::Route(const HttpRequest& request) {
 std::string Routes::CookieOf(const HttpRequest& request, const std::string& id, bool ends) const {
   // By which browsers say how they came; other pages have been refused.
   const bool is_secure = request.Header("origin").starts_with("https://");
-  return std::string(kCookie) + "=" + id + "; Path=/; HttpOnly; SameSite=Strict" +
+  return CookieNameOf(request) + "=" + id + "; Path=/; HttpOnly; SameSite=Strict" +
          (is_secure ? "; Secure" : "") + (ends ? "; Max-Age=0" : "");
 }
 
@@ -125,7 +132,7 @@ HttpResponse Routes::LogIn(const HttpRequest& request) {
   std::string problem;
   const auto session = sessions_.LogIn(token, &problem);
   if (!session) return ErrorResponse(401, problem);
-  sessions_.LogOut(request.Cookie(kCookie));  // the browser forgets that one
+  sessions_.LogOut(request.Cookie(CookieNameOf(request)));  // the browser forgets that one
   HttpResponse response = Who(*session);
   response.headers.emplace_back("Set-Cookie", CookieOf(request, session->id, /*ends=*/false));
   return response;

@@ -128,3 +128,25 @@ def test_a_tab_that_nobody_sees_asks_for_no_history(
     browser.sees(False)
     assert lists("window.look()") == 2
     browser.until(lambda: browser.sees(True) or lists("") == 3)
+
+
+def test_observers_at_other_ports_log_nobody_out(
+    browser: Browser, observer: ObserverProcess, server: ServerProcess
+) -> None:
+    """Cookies know hosts, but no ports."""
+    browser.log_in(observer.url, OBSERVERS["ann"][0])
+    is_of(browser, "ann")
+    with ObserverProcess(server.address) as other, browser.tab():
+        browser.driver.get(f"{other.url}#token={OBSERVERS['ben'][0]}")
+        is_of(browser, "ben")
+        browser.driver.get(observer.url)
+        is_of(browser, "ann")
+        browser.driver.get(other.url)
+        is_of(browser, "ben")
+
+
+def test_a_page_whose_session_is_lost_asks_for_a_token(browser: Browser, picture: Any) -> None:
+    """Its events go on, but nothing of them can be fetched."""
+    browser.driver.delete_all_cookies()
+    browser.find("#token")
+    assert browser.text("#failure").startswith("Logged out elsewhere")

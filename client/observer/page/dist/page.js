@@ -22,11 +22,16 @@ var OPENING_MS = 5e3;
 var RETRY_MS = 1e3;
 var csrf = "";
 var underWay = new AbortController();
+var onRefused = () => {
+};
 var Refused = class extends Error {
 };
 async function get(path) {
   const response = await fetch(path, { signal: underWay.signal });
-  if (response.status === 401) throw new Refused("not logged in");
+  if (response.status === 401) {
+    onRefused();
+    throw new Refused("not logged in");
+  }
   return response.ok ? response : null;
 }
 async function ask(path, init) {
@@ -44,6 +49,7 @@ async function who() {
   csrf = answer.csrf;
   return answer;
 }
+var hasSession = () => fetch("/api/session").then((response) => response.status !== 401, () => true);
 async function logIn(token) {
   const response = await ask("/api/login", { method: "POST", body: JSON.stringify({ token }) });
   const answer = await response.json();
@@ -115,6 +121,8 @@ var Events = class {
   // a timer
   query = null;
   // of what is wanted; null: nothing
+  asking = null;
+  // whether there is a session
   onChanges = () => {
   };
   onState = () => {
@@ -122,6 +130,7 @@ var Events = class {
   onEnd = () => {
   };
   constructor() {
+    onRefused = () => void this.endUnlessKnown();
     document.addEventListener("visibilitychange", () => {
       if (document.hidden) this.disconnect();
       else this.connect();
@@ -166,11 +175,17 @@ var Events = class {
   // The browser gives up where it is answered with an error: the observer may have started anew.
   reopen(source) {
     setTimeout(async () => {
-      if (this.source !== source) return;
-      const known = await fetch("/api/session").then((r) => r.status !== 401, () => true);
-      if (!known) this.onEnd();
-      else this.connect();
+      if (this.source === source && await this.endUnlessKnown() && this.source === source) this.connect();
     }, RETRY_MS);
+  }
+  // Of a browser that has lost its cookie the events go on; one of a log in just now is known. True
+  // where the page goes on.
+  async endUnlessKnown() {
+    if (this.query === null) return false;
+    this.asking ??= hasSession().finally(() => this.asking = null);
+    const known = await this.asking;
+    if (!known && this.query !== null) this.onEnd();
+    return known;
   }
   stop() {
     this.query = null;
@@ -204,7 +219,7 @@ function paceOf(line) {
   return line.rate_hz < LEAST_HZ ? `one in ${spanOf(1e3 / line.rate_hz)}` : `${line.rate_hz.toFixed(1)} a second`;
 }
 
-// ../../work/scratch/pagework/node_modules/three/build/three.module.js
+// node_modules/three/build/three.module.js
 /**
  * @license
  * Copyright 2010-2024 Three.js Authors
@@ -20091,7 +20106,7 @@ if (typeof window !== "undefined") {
   }
 }
 
-// ../../work/scratch/pagework/node_modules/three/examples/jsm/controls/OrbitControls.js
+// node_modules/three/examples/jsm/controls/OrbitControls.js
 var _changeEvent = { type: "change" };
 var _startEvent = { type: "start" };
 var _endEvent = { type: "end" };

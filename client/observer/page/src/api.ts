@@ -10,11 +10,16 @@ export const RETRY_MS = 1000; // where nobody answers
 let csrf = "";
 let underWay = new AbortController(); // of what is fetched
 
+let onRefused: () => void = () => {};
+
 export class Refused extends Error {}
 
 async function get(path: string): Promise<Response | null> {
   const response = await fetch(path, { signal: underWay.signal });
-  if (response.status === 401) throw new Refused("not logged in");
+  if (response.status === 401) {
+    onRefused();
+    throw new Refused("not logged in");
+  }
   return response.ok ? response : null; // 404: the frame has passed
 }
 
@@ -36,6 +41,8 @@ export async function who(): Promise<Who | null> {
   csrf = answer.csrf;
   return answer;
 }
+
+const hasSession = () => fetch("/api/session").then((response) => response.status !== 401, () => true);
 
 export async function logIn(token: string): Promise<Who> {
   const response = await ask("/api/login", { method: "POST", body: JSON.stringify({ token }) });
@@ -128,11 +135,13 @@ export class Events {
   private source: EventSource | null = null;
   private silence = 0; // a timer
   private query: string | null = null; // of what is wanted; null: nothing
+  private asking: Promise<boolean> | null = null; // whether there is a session
   onChanges: (changes: Changes) => void = () => {};
   onState: (connected: boolean) => void = () => {};
   onEnd: () => void = () => {};
 
   constructor() {
+    onRefused = () => void this.endUnlessKnown();
     document.addEventListener("visibilitychange", () => {
       if (document.hidden) this.disconnect();
       else this.connect();
@@ -181,11 +190,18 @@ export class Events {
   // The browser gives up where it is answered with an error: the observer may have started anew.
   private reopen(source: EventSource): void {
     setTimeout(async () => {
-      if (this.source !== source) return;
-      const known = await fetch("/api/session").then((r) => r.status !== 401, () => true);
-      if (!known) this.onEnd();
-      else this.connect();
+      if (this.source === source && (await this.endUnlessKnown()) && this.source === source) this.connect();
     }, RETRY_MS);
+  }
+
+  // Of a browser that has lost its cookie the events go on; one of a log in just now is known. True
+  // where the page goes on.
+  private async endUnlessKnown(): Promise<boolean> {
+    if (this.query === null) return false;
+    this.asking ??= hasSession().finally(() => (this.asking = null));
+    const known = await this.asking;
+    if (!known && this.query !== null) this.onEnd();
+    return known;
   }
 
   stop(): void {
