@@ -4,6 +4,7 @@
 #include <google/protobuf/util/time_util.h>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "client/observer/board_json.h"
@@ -14,7 +15,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kMaxRobots = 1024, kClose = 4, kListed = 20, kToPickFrom = 300;
+constexpr std::size_t kMaxRobots = 1024, kListed = 20, kToPickFrom = 300;
+
+// Of those that are looked at closely. A slow connection asks for what it was told seconds ago.
+constexpr std::uint64_t kCloseUs = 3'000'000;
+constexpr std::size_t kCloseBytes = std::size_t{16} << 20, kLeastClose = 4;
 
 // Since 1970.
 std::uint64_t NowUs() {
@@ -54,6 +59,18 @@ ShownFramePtr ToPickFrom(const ShownFrame& shown) {
     *kept.mutable_oriented_box() = object.oriented_box();
   }
   return light;
+}
+
+void DropOld(std::deque<ShownFramePtr>* frames) {
+  const auto bytes_with = [](std::size_t sum, const ShownFramePtr& each) {
+    return sum + each->frame.picture().size() + each->frame.depth().data().size();
+  };
+  const auto is_too_much = [&] {
+    return frames->back()->came_at_us - frames->front()->came_at_us > kCloseUs ||
+           std::accumulate(frames->begin(), frames->end(), std::size_t{0}, bytes_with) >
+               kCloseBytes;
+  };
+  while (frames->size() > kLeastClose && is_too_much()) frames->pop_front();
 }
 
 }  // namespace
@@ -108,7 +125,7 @@ void Board::OnFrame(std::size_t server, v1::WatchResponse response, Look look) {
   if (look != Look::kList) {
     std::deque<ShownFramePtr>& close = robot.close[look];
     close.push_back(shown);
-    if (close.size() > kClose) close.pop_front();
+    DropOld(&close);
     to_pick_from_.push_back(ToPickFrom(*shown));
     if (to_pick_from_.size() > kToPickFrom) to_pick_from_.pop_front();
   } else {
@@ -127,7 +144,7 @@ void Board::OnFrame(std::size_t server, v1::WatchResponse response, Look look) {
   Change(&robot.version);
 }
 
-void Board::OnCloseLook(const std::string& robot, Look look) {
+void Board::Forget(const std::string& robot, Look look) {
   const std::lock_guard lock(mutex_);
   if (const auto found = robots_.find(robot); found != robots_.end()) {
     found->second.close.erase(look);

@@ -43,8 +43,8 @@ class Board {
   void OnObserver(std::size_t server, const v1::Observer& observer);
   void OnState(std::size_t server, const LinkState& state);
   void OnFrame(std::size_t server, v1::WatchResponse response, Look look);
-  // Somebody looks at it so, whom nothing of such a look before concerns.
-  void OnCloseLook(const std::string& robot, Look look);
+  // Nobody looks at it so any more, or somebody begins to, whom nothing from before concerns.
+  void Forget(const std::string& robot, Look look);
 
   // What has changed since `version`, as JSON; empty where nothing has. Takes `version` forward.
   // `close` = of that robot, tell the frame that was looked at closely, in this way.

@@ -79,10 +79,22 @@ Feed::CloseLook Feed::LookAt(const std::string& robot, bool with_depth) {
   }
   if (close_.size() >= kMaxClose) return nullptr;
   const Look look = with_depth ? Look::kCloseWithDepth : Look::kClose;
-  board_.OnCloseLook(robot, look);
-  auto streams = std::make_shared<Streams>(Watch(CloseRequest(robot, with_depth), look));
-  close_[key] = streams;
-  return streams;
+  board_.Forget(robot, look);
+  auto streams = std::make_unique<Streams>(Watch(CloseRequest(robot, with_depth), look));
+  CloseLook held(streams.release(), [this, key, robot, look](Streams* each) {
+    delete each;
+    EndLook(key, robot, look);
+  });
+  close_[key] = held;
+  return held;
+}
+
+// What was kept for it takes memory.
+void Feed::EndLook(const std::string& key, const std::string& robot, Look look) {
+  const std::lock_guard lock(mutex_);
+  const auto found = close_.find(key);
+  const bool is_held_anew = found != close_.end() && !found->second.expired();
+  if (!is_held_anew) board_.Forget(robot, look);
 }
 
 void Feed::AwaitAnswer(std::chrono::milliseconds patience) {

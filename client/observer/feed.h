@@ -38,6 +38,7 @@ class Feed {
   using Streams = std::vector<std::unique_ptr<WatchStream>>;
 
   Streams Watch(const v1::WatchRequest& request, Look look);
+  void EndLook(const std::string& key, const std::string& robot, Look look);
 
   const std::vector<ServerLink> servers_;
   const std::string token_;

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "client/observer/feed.h"
 
@@ -23,8 +25,9 @@ v1::Observer WhoSeesAll() {
   return who;
 }
 
-v1::WatchResponse FrameOfArm(std::uint64_t sequence) {
+v1::WatchResponse FrameOfArm(std::uint64_t sequence, std::size_t bytes = 0) {
   v1::WatchResponse response;
+  response.mutable_frame()->set_picture(std::string(bytes, 'x'));
   response.mutable_frame()->set_robot("arm");
   response.mutable_frame()->set_sequence(sequence);
   return response;
@@ -47,6 +50,8 @@ TEST(ObserverBoard, ALookThatStartsShowsNothingOfTheOneBefore) {
   EXPECT_NE(CloseId(feed.board()), 0U) << "somebody looks at it still";
   first.reset();
   second.reset();
+  EXPECT_EQ(CloseId(feed.board()), 0U) << "nobody looks at it";
+  feed.board().OnFrame(0, FrameOfArm(2), Look::kClose);  // which was on its way
   const Feed::CloseLook later = feed.LookAt("arm", /*with_depth=*/false);
   EXPECT_EQ(CloseId(feed.board()), 0U) << "it may be hours old";
 }
@@ -63,6 +68,29 @@ TEST(ObserverBoard, LooksWithDepthAndWithoutAreToldTheirOwnFrames) {
   EXPECT_NE(CloseId(board, Look::kClose), 0U);
   EXPECT_TRUE(board.Frame("arm", with_depth));
   EXPECT_TRUE(board.Frame("arm", CloseId(board, Look::kClose)));
+}
+
+TEST(ObserverBoard, KeepsForSlowConnectionsWhatTheyWereTold) {
+  Board board({"server"});
+  board.OnObserver(0, WhoSeesAll());
+  board.OnFrame(0, FrameOfArm(1), Look::kClose);
+  const std::uint64_t told = CloseId(board);
+  for (std::uint64_t i = 2; i < 20; ++i) board.OnFrame(0, FrameOfArm(i), Look::kClose);
+  EXPECT_TRUE(board.Frame("arm", told));
+}
+
+TEST(ObserverBoard, KeepsFewLargeFrames) {
+  constexpr std::size_t kLargeFrame = std::size_t{6} << 20;
+  Board board({"server"});
+  board.OnObserver(0, WhoSeesAll());
+  std::vector<std::uint64_t> told;
+  for (std::uint64_t i = 1; i < 10; ++i) {
+    board.OnFrame(0, FrameOfArm(i, kLargeFrame), Look::kClose);
+    told.push_back(CloseId(board));
+  }
+  const auto is_there = [&](std::uint64_t id) { return board.Frame("arm", id) != nullptr; };
+  EXPECT_EQ(std::ranges::count_if(told, is_there), 4);
+  EXPECT_TRUE(is_there(told.back()));
 }
 
 }  // namespace

@@ -201,3 +201,19 @@ def test_a_finger_on_the_picture_scrolls_the_page(
         touch = {"type": kind, "touchPoints": points}
         browser.driver.execute_cdp_cmd("Input.dispatchTouchEvent", touch)
     browser.until(lambda: browser.driver.execute_script("return scrollY") > 0)
+
+
+def test_a_slow_connection_shows_a_robot_in_large(
+    browser: Browser, observer: ObserverProcess, sending: Sending
+) -> None:
+    """Which asks for frames when others have come since."""
+    browser.log_in(observer.url, OBSERVERS["ann"][0])
+    tile = browser.find("[data-robot=kitchen-1] button")
+    browser.driver.execute_script(
+        """const asked = window.fetch;
+        window.fetch = (...all) => new Promise((go) => setTimeout(go, 1000)).then(() => asked(...all));"""
+    )
+    tile.click()
+    picture = browser.find("#picture[data-id]")
+    at = picture.get_attribute("data-id")
+    browser.until(lambda: picture.get_attribute("data-id") != at)
