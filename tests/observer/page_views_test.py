@@ -13,6 +13,8 @@ import pytest
 from conftest import Recorded, Robots, Scene, Sending
 from processes import OBSERVERS, ObserverProcess
 
+import fovea
+
 pytest.importorskip("selenium", reason="python3-selenium is not installed")
 from browser import Browser, label_last  # noqa: E402
 
@@ -217,3 +219,30 @@ def test_a_slow_connection_shows_a_robot_in_large(
     picture = browser.find("#picture[data-id]")
     at = picture.get_attribute("data-id")
     browser.until(lambda: picture.get_attribute("data-id") != at)
+
+
+def test_tiles_hold_no_more_pixels_than_they_show(
+    browser: Browser, observer: ObserverProcess, robots: Robots, scene: Scene
+) -> None:
+    """And none while they are scrolled away."""
+    wide = fovea.Frame(
+        scene.color.repeat(3, 0).repeat(3, 1),
+        scene.depth.repeat(3, 0).repeat(3, 1),
+        fovea.CameraIntrinsics(787.5, 787.5, 479.5, 359.5),
+    )
+    browser.log_in(observer.url, OBSERVERS["ann"][0])
+    browser.find("#who button")
+    answer = robots.detect("wide", wide, return_masks=True)
+    canvas = browser.find("[data-robot=wide] canvas[data-id]")
+    pixels = browser.pixels(canvas)
+    assert pixels.shape == (360, 480, 4)
+    # What is drawn is where it is: the left side of the first object's box, in the first colour.
+    box = answer.objects[0].bounding_box
+    side = pixels[box.y // 2 + 4 : (box.y + box.height) // 2 - 4, box.x // 2, :3].astype(int)
+    assert (np.abs(side - (230, 159, 0)).max(axis=1) < 60).mean() > 0.5
+    shown = "return document.querySelector('[data-robot=wide] canvas').width"
+    down = "document.querySelector('.tiles').style.marginTop = arguments[0]"
+    browser.driver.execute_script(down, "5000px")
+    browser.until(lambda: browser.driver.execute_script(shown) == 0)
+    browser.driver.execute_script(down, "0")
+    browser.until(lambda: browser.driver.execute_script(shown) == 480)

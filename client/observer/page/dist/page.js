@@ -21059,13 +21059,16 @@ function maskImage(objects, width, height, alpha) {
 
 // src/overlay.ts
 var MASK_ALPHA = 110;
-function drawFrame(canvas, picture, frame, shown, chosen) {
+function drawFrame(canvas, picture, frame, shown, chosen, mostWide = Infinity) {
   const detections = frame.detections;
   const width = detections?.width || picture?.width || 4;
   const height = detections?.height || picture?.height || 3;
-  if (canvas.width !== width) canvas.width = width;
-  if (canvas.height !== height) canvas.height = height;
+  const zoom = Math.min(1, mostWide / width);
+  const [wide, high] = [Math.round(width * zoom), Math.round(height * zoom)];
+  if (canvas.width !== wide) canvas.width = wide;
+  if (canvas.height !== high) canvas.height = high;
   const context = canvas.getContext("2d");
+  context.setTransform(wide / width, 0, 0, high / height, 0, 0);
   context.clearRect(0, 0, width, height);
   if (picture) context.drawImage(picture, 0, 0, width, height);
   if (!detections) return;
@@ -22377,6 +22380,8 @@ var RobotView = class {
 
 // src/tiles.ts
 var ON_TILES = { masks: true, boxes: true, labels: false, grasps: false, rejected: false, seeds: false, saliency: false };
+var MOST_WIDE = 480;
+var NEAR = { rootMargin: "50%" };
 var PAUSE_MS = 50;
 var Tile = class {
   constructor(line, open) {
@@ -22386,8 +22391,9 @@ var Tile = class {
     this.item = el("li", { "data-robot": line.robot }, this.button);
     new IntersectionObserver((entries) => {
       this.visible = entries[entries.length - 1].isIntersecting;
+      if (!this.visible) this.free();
       void this.draw();
-    }).observe(this.item);
+    }, NEAR).observe(this.item);
   }
   item;
   canvas = el("canvas", { "aria-hidden": "true" });
@@ -22401,6 +22407,13 @@ var Tile = class {
     this.line = line;
     this.describe();
     void this.draw();
+  }
+  // Of what is scrolled away, not of a list that a robot in large covers. What cannot be drawn again
+  // stays.
+  free() {
+    if (!this.item.isConnected || this.canvas.classList.contains("before")) return;
+    this.canvas.width = this.canvas.height = 0;
+    this.fetched = 0;
   }
   describe() {
     const { objects, took_ms, problem, reasons } = this.line;
@@ -22416,10 +22429,11 @@ var Tile = class {
     let pause = PAUSE_MS;
     try {
       const [frame, picture] = await Promise.all([answerOf(robot, id), this.line.has_picture ? pictureOf("preview", robot, id) : null]);
+      if (!this.visible) return;
       if (frame) {
         const isSeen = picture !== null || frame.detections !== void 0;
         this.canvas.classList.toggle("before", !isSeen);
-        if (isSeen) drawFrame(this.canvas, picture, frame, ON_TILES, 0);
+        if (isSeen) drawFrame(this.canvas, picture, frame, ON_TILES, 0, MOST_WIDE);
         this.canvas.dataset.id = String(id);
       }
       this.fetched = id;

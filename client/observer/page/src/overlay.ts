@@ -1,4 +1,4 @@
-// The picture with what was found, drawn pixel for pixel of the frame.
+// The picture with what was found, drawn pixel for pixel of the frame where that is not too wide.
 import { project } from "./lens";
 import { maskImage } from "./masks";
 import { cssOf } from "./palette";
@@ -22,13 +22,17 @@ export function drawFrame(
   frame: Frame,
   shown: Shown,
   chosen: number,
+  mostWide = Infinity, // pixels of the canvas
 ): void {
   const detections = frame.detections;
   const width = detections?.width || picture?.width || 4;
   const height = detections?.height || picture?.height || 3;
-  if (canvas.width !== width) canvas.width = width;
-  if (canvas.height !== height) canvas.height = height;
+  const zoom = Math.min(1, mostWide / width);
+  const [wide, high] = [Math.round(width * zoom), Math.round(height * zoom)];
+  if (canvas.width !== wide) canvas.width = wide;
+  if (canvas.height !== high) canvas.height = high;
   const context = canvas.getContext("2d")!;
+  context.setTransform(wide / width, 0, 0, high / height, 0, 0);
   context.clearRect(0, 0, width, height);
   if (picture) context.drawImage(picture, 0, 0, width, height);
   if (!detections) return;

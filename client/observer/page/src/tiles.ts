@@ -6,6 +6,8 @@ import { isQuiet, paceOf } from "./pace";
 import type { RobotLine } from "./types";
 
 const ON_TILES: Shown = { masks: true, boxes: true, labels: false, grasps: false, rejected: false, seeds: false, saliency: false };
+const MOST_WIDE = 480; // pixels; whole frames of many robots would take gigabytes
+const NEAR: IntersectionObserverInit = { rootMargin: "50%" }; // drawn before it is seen
 const PAUSE_MS = 50; // from one picture to the next
 
 class Tile {
@@ -27,14 +29,23 @@ class Tile {
     this.item = el("li", { "data-robot": line.robot }, this.button);
     new IntersectionObserver((entries) => {
       this.visible = entries[entries.length - 1].isIntersecting;
+      if (!this.visible) this.free();
       void this.draw();
-    }).observe(this.item);
+    }, NEAR).observe(this.item);
   }
 
   update(line: RobotLine): void {
     this.line = line;
     this.describe();
     void this.draw();
+  }
+
+  // Of what is scrolled away, not of a list that a robot in large covers. What cannot be drawn again
+  // stays.
+  private free(): void {
+    if (!this.item.isConnected || this.canvas.classList.contains("before")) return;
+    this.canvas.width = this.canvas.height = 0;
+    this.fetched = 0;
   }
 
   describe(): void {
@@ -52,11 +63,12 @@ class Tile {
     let pause = PAUSE_MS;
     try {
       const [frame, picture] = await Promise.all([answerOf(robot, id), this.line.has_picture ? pictureOf("preview", robot, id) : null]);
+      if (!this.visible) return; // it is drawn when it is seen again
       if (frame) {
         // Of a frame that was refused there is nothing to see: what was seen before stays, dimmed.
         const isSeen = picture !== null || frame.detections !== undefined;
         this.canvas.classList.toggle("before", !isSeen);
-        if (isSeen) drawFrame(this.canvas, picture, frame, ON_TILES, 0);
+        if (isSeen) drawFrame(this.canvas, picture, frame, ON_TILES, 0, MOST_WIDE);
         this.canvas.dataset.id = String(id);
       }
       this.fetched = id;
