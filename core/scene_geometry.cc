@@ -52,9 +52,9 @@ SceneGeometry FindGeometry(const RgbdFrame& frame, const cv::Mat& depth_m, const
   scene.gravity = FindGravity(frame.gravity, wide_normals.vectors, options.gravity);
   scene.supports = FindSupports(points, wide_normals, scene.gravity.direction, options.support);
   // What cannot be measured leaves a hole in its support.
-  scene.standing = StandInForMissing(depth_m, scene.supports, frame.intrinsics,
-                                     {options.support.max_height_m, options.max_depth_m},
-                                     scene.points, normals);
+  scene.standing =
+      StandInForMissing(depth_m, scene.supports, frame.intrinsics,
+                        {options.support.max_height_m, options.max_depth_m}, scene.points, normals);
   clock.Begin("voxels");
 
   RunTogether({[&] { scene.grid = BuildVoxelGrid(scene.points, normals, options.voxels); },
