@@ -16,6 +16,7 @@ namespace fovea::testing {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::AnyOf;
 using ::testing::HasSubstr;
 
 // Waits until the file has grown to this size; where it does not in a minute, the recording ends
@@ -154,7 +155,9 @@ TEST_F(RecordingTest, SaysThatAnUnendedRecordingHoldsNothing) {
   EXPECT_EQ(record.Wait().exit_code, 0);
   const Finished replay = Capture(Replay(At("unended.oni")));
   EXPECT_NE(replay.exit_code, 0);
-  EXPECT_THAT(replay.err, HasSubstr(At("unended.oni") + " has no frame that can be played"));
+  // The latter where the copy ends in the midst of what was being written.
+  EXPECT_THAT(replay.err, AnyOf(HasSubstr(At("unended.oni") + " has no frame that can be played"),
+                                HasSubstr(At("unended.oni") + " is damaged")));
 }
 
 TEST_F(RecordingTest, UnpluggingLeavesARecordingThatPlays) {
