@@ -139,6 +139,8 @@ def test_what_the_robot_did_not_ask_for_is_told(browser: Browser, picture: Any) 
 
 
 def test_a_key_that_is_held_steps_and_does_no_more(browser: Browser, picture: Any) -> None:
+    first = int(picture.get_attribute("data-id"))
+    browser.until(lambda: int(picture.get_attribute("data-id")) > first)  # so that one is before
     browser.press("stop")
     hold = """const [key] = arguments;
         document.body.dispatchEvent(new KeyboardEvent("keydown", { key, repeat: true, bubbles: true }))"""
