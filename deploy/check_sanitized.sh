@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Runs server and command line with the address and undefined-behaviour sanitizers: frames that are
-# part of the clone with all that can be asked of them, both profiles, and files that are none. There
-# must be no report, and the same pictures, answers and errors as from BUILD_FOLDER, except for times and the commit.
+# Runs server and command line with the sanitizers of addresses, of undefined behaviour and of numbers
+# too large for an int, which the one before leaves out: frames that are part of the clone with all
+# that can be asked of them, both profiles, and files that are none. There must be no report, and the
+# same pictures, answers and errors as from BUILD_FOLDER, except for times and the commit.
 # Compiled by Clang without optimisation, which takes half of the time of GCC, and shows that another
 # compiler gives the same answers; `make check-long PART=asan` runs the tests.
 # usage: deploy/check_sanitized.sh BUILD_FOLDER
@@ -23,6 +24,7 @@ frames=client/examples/frames
 
 deploy/install_dependencies.sh clang libclang-rt-dev
 cmake --preset asan -B "$sanitized" -D CMAKE_CXX_COMPILER=clang++ -D CMAKE_BUILD_TYPE=None -D CMAKE_CXX_FLAGS="-O0 -g1" \
+  -D FOVEA_SANITIZE=address,undefined,float-cast-overflow \
   -D FOVEA_BUILD_TESTS=OFF -D FOVEA_BUILD_CAPTURE=OFF -D FOVEA_BUILD_PCL=OFF >/dev/null
 cmake --build "$sanitized" --target fovea-server fovea
 eval "$(/usr/bin/python3 deploy/preset_environment.py asan)"
