@@ -56,7 +56,8 @@ std::unique_ptr<WatchHub> MakeWatchHub(const ServerOptions& options) {
 
 template <typename Part>
 std::unique_ptr<Part> MakeIfWatched(const ServerOptions& options) {
-  return options.observers.empty() ? nullptr : std::make_unique<Part>();
+  if (options.observers.empty()) return nullptr;
+  return std::make_unique<Part>();
 }
 
 // More wait at the client until one of them is done.
