@@ -6,4 +6,14 @@ namespace fovea::server {
 // could not be done.
 void LogCurrentException(const char* what) noexcept;
 
+// Calls `step`; what it throws goes no further.
+template <typename Step>
+void CallOrLog(const char* what, Step&& step) noexcept {
+  try {
+    step();
+  } catch (...) {
+    LogCurrentException(what);
+  }
+}
+
 }  // namespace fovea::server

@@ -32,15 +32,6 @@ constexpr std::chrono::milliseconds kRest{10};
 
 FileDescriptor Spare() { return FileDescriptor(open("/dev/null", O_RDONLY | O_CLOEXEC)); }
 
-// One connection for which there is no memory ends no others.
-void Try(const std::function<void()>& step) noexcept {
-  try {
-    step();
-  } catch (...) {
-    LogCurrentException("a connection was not looked at");
-  }
-}
-
 }  // namespace
 
 std::size_t FileLimit() {
@@ -108,10 +99,11 @@ void Door::Run(const std::stop_token& stop) {
     const int found = epoll_wait(epoll_.get(), events.data(), kBatch, timeout);
     for (int i = 0; i < found; ++i) {
       const int fd = events.at(static_cast<std::size_t>(i)).data.fd;
-      Try([&] { OnReady(fd); });
+      // One connection for which there is no memory ends no others.
+      CallOrLog("a connection was not looked at", [&] { OnReady(fd); });
     }
     if (Clock::now() < next) continue;
-    Try([&] { Inspect(); });
+    CallOrLog("connections were not looked at", [&] { Inspect(); });
     next = Clock::now() + kLook;
   }
 }

@@ -39,8 +39,8 @@ class WatchHub {
     };
     std::map<std::string, Turn> turns;
 
-    // Whether it is to see this robot. Looking at many long patterns takes as long as answering a
-    // small frame does, so it is done once for each robot.
+    // Whether it is to see this robot. Patterns may be many and long, and frames wait while they
+    // are matched, so that is done once for each robot.
     bool Covers(const std::string& robot);
 
     // When this may be shown; max() = never, or it has been.

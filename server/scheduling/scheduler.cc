@@ -20,13 +20,7 @@ constexpr std::chrono::milliseconds kGrace{500};
 constexpr std::chrono::seconds kLongestUpload{10};
 
 // What is thrown here has nobody else to go to.
-void Call(const std::function<void()>& work) noexcept {
-  try {
-    work();
-  } catch (...) {
-    LogCurrentException("work was not done");
-  }
-}
+void Call(const std::function<void()>& work) noexcept { CallOrLog("work was not done", work); }
 
 // Frames of streams wait for a turn.
 int Holding::*WaitingOf(bool counted) { return counted ? &Holding::waiting : &Holding::turns; }
