@@ -210,12 +210,12 @@ void StreamCall::Proceed() {
 }
 
 void StreamCall::TakeTurn() {
-  busy_ = true;
   const auto self = shared_from_this();
   ticket_ = environment_.scheduler.SubmitTurn(
       caller_.id(), {.compute = [self] { self->ComputeOrSayWhyNot(); },
                      .deliver = [self] { self->caller_.Guard([&] { self->DeliverOrEnd(); }); },
                      .displaced = {}});
+  busy_ = true;  // not where there was no memory for it, which ends the call
 }
 
 // An answer for which there was no memory leaves nothing behind that waits for its end.
