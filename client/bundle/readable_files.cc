@@ -9,9 +9,9 @@
 #include <cstring>
 #include <memory>
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <vector>
 
+#include "client/image_files/image_files.h"
 #include "client/rvl.h"
 
 namespace fovea::bundle {
@@ -28,11 +28,7 @@ std::size_t PixelsOf(const Image& image) {
   return pixels <= kMaxPixels ? static_cast<std::size_t>(pixels) : 0;
 }
 
-std::optional<ImageFile> PngOf(const cv::Mat& image) {
-  std::vector<unsigned char> bytes;
-  if (!cv::imencode(".png", image, bytes, {cv::IMWRITE_PNG_COMPRESSION, 1})) return std::nullopt;
-  return ImageFile{".png", {bytes.begin(), bytes.end()}};
-}
+ImageFile PngOf(const cv::Mat& image) { return {".png", image_files::EncodePng(image)}; }
 
 cv::Mat MatOf(std::uint32_t width, std::uint32_t height, int type, const void* data) {
   return {static_cast<int>(height), static_cast<int>(width), type,

@@ -17,4 +17,11 @@ inline std::string LowerEnding(const std::string& path) {
   return Lower(std::filesystem::path(path).extension().string());
 }
 
+inline bool IsPngName(const std::string& path) { return LowerEnding(path) == ".png"; }
+
+inline bool IsJpegName(const std::string& path) {
+  const std::string ending = LowerEnding(path);
+  return ending == ".jpg" || ending == ".jpeg";
+}
+
 }  // namespace fovea::cli

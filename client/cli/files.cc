@@ -4,8 +4,10 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
+
+#include "client/cli/endings.h"
+#include "client/image_files/image_files.h"
 
 namespace fovea::cli {
 namespace {
@@ -21,17 +23,6 @@ void RequireSize(const std::string& path, std::uintmax_t size, std::uintmax_t mo
   throw std::runtime_error(
       path + " has more than " +
       (mib < 1024 ? std::to_string(mib) + " MiB" : std::to_string(mib / 1024) + " GiB"));
-}
-
-constexpr int kJpegQuality = 92;
-
-cv::Mat Decode(const std::string& file, int flags) {
-  try {
-    return cv::imdecode(
-        cv::Mat(1, static_cast<int>(file.size()), CV_8UC1, const_cast<char*>(file.data())), flags);
-  } catch (const cv::Exception&) {
-    return {};
-  }
 }
 
 }  // namespace
@@ -74,29 +65,26 @@ void WriteFile(const std::string& path, const std::string& bytes) {
 }
 
 cv::Mat DecodeColor(const std::string& file, const std::string& path) {
-  cv::Mat image = Decode(file, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
-  if (image.empty()) throw std::runtime_error(path + " is not a readable colour image");
-  return image;
+  try {
+    return image_files::DecodeColor(file);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(path + " is not a readable colour image: " + error.what());
+  }
 }
 
 cv::Mat DecodeDepth(const std::string& file, const std::string& path) {
-  cv::Mat image = Decode(file, cv::IMREAD_UNCHANGED);
-  if (image.type() != CV_16UC1) throw std::runtime_error(path + " is not a 16-bit depth image");
-  return image;
+  try {
+    return image_files::DecodeDepth(file);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(path + " is not a 16-bit depth image: " + error.what());
+  }
 }
 
 void WriteImage(const std::string& path, const cv::Mat& image) {
-  const std::size_t dot = path.rfind('.');
-  if (dot == std::string::npos || path.find('/', dot) != std::string::npos) {
-    throw std::runtime_error("cannot write " + path + ": give it an extension, for example .png");
-  }
-  std::vector<unsigned char> bytes;
-  try {
-    cv::imencode(path.substr(dot), image, bytes, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality});
-  } catch (const cv::Exception&) {
-    throw std::runtime_error("cannot write " + path + ": unknown image format " + path.substr(dot));
-  }
-  WriteFile(path, {bytes.begin(), bytes.end()});
+  constexpr int kJpegQuality = 92;
+  if (IsPngName(path)) return WriteFile(path, image_files::EncodePng(image));
+  if (IsJpegName(path)) return WriteFile(path, image_files::EncodeJpeg(image, kJpegQuality));
+  throw std::runtime_error("cannot write " + path + ": end it in .png or .jpg");
 }
 
 }  // namespace fovea::cli

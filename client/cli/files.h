@@ -23,7 +23,7 @@ cv::Mat DecodeColor(const std::string& file, const std::string& path);
 // CV_16UC1.
 cv::Mat DecodeDepth(const std::string& file, const std::string& path);
 
-// Encodes by the extension of `path`.
+// As PNG or JPEG, by the ending of `path`.
 void WriteImage(const std::string& path, const cv::Mat& image);
 
 }  // namespace fovea::cli

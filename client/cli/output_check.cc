@@ -6,7 +6,6 @@
 #include <cstring>
 #include <filesystem>
 #include <map>
-#include <opencv2/imgcodecs.hpp>
 #include <set>
 #include <stdexcept>
 
@@ -52,15 +51,15 @@ void RequireOther(const std::string& flag, const std::string& path, const FrameF
 void RequireImageFormat(const std::string& flag, const std::string& path) {
   const std::string extension = fs::path(path).extension().string();
   if (extension.empty()) FailToWrite(flag, path, "give it an extension, for example .png");
-  if (!cv::haveImageWriter(path)) FailToWrite(flag, path, "unknown image format " + extension);
+  if (IsPngName(path) || IsJpegName(path)) return;
+  FailToWrite(flag, path, "unknown image format " + extension + "; end it in .png or .jpg");
 }
 
 // Numbers must come back as they were.
 void RequireLossless(const std::string& flag, const std::string& path) {
   RequireImageFormat(flag, path);
-  const std::string ending = LowerEnding(path);
-  if (ending == ".png" || ending == ".tif" || ending == ".tiff" || ending == ".pgm") return;
-  FailToWrite(flag, path, "labels need a format without loss; end it in .png");
+  if (!IsPngName(path))
+    FailToWrite(flag, path, "labels need a format without loss; end it in .png");
 }
 
 }  // namespace

@@ -5,11 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <opencv2/imgcodecs.hpp>
+#include <opencv2/core.hpp>
 
 #include "client/bundle/comparison.h"
 #include "client/bundle/readable_files.h"
 #include "client/bundle/zip_writer.h"
+#include "client/image_files/image_files.h"
 #include "client/rvl.h"
 #include "tests/server/frames.h"
 
@@ -37,11 +38,6 @@ std::string ErrorOf(const std::string& bytes, const bundle::ZipLimits& limits = 
     return error.what();
   }
   return "none";
-}
-
-cv::Mat Decoded(const bundle::ImageFile& file) {
-  return cv::imdecode(std::vector<char>(file.bytes.begin(), file.bytes.end()),
-                      cv::IMREAD_UNCHANGED);
 }
 
 TEST(ObserverBundle, HoldsWhatWasSentAndAnswered) {
@@ -74,11 +70,14 @@ TEST(ObserverBundle, HasReadableImagesOfEveryEncoding) {
         DepthMessage(v1::DEPTH_ENCODING_16UC1_RVL_ZSTD, ZstdOf(RvlOf(depth)), kWidth, kHeight)}) {
     const auto file = bundle::DepthFile(image);
     ASSERT_TRUE(file) << image.encoding();
-    EXPECT_EQ(cv::norm(Decoded(*file), depth, cv::NORM_INF), 0) << image.encoding();
+    EXPECT_EQ(cv::norm(image_files::DecodeDepth(file->bytes), depth, cv::NORM_INF), 0) << image.encoding();
   }
   const auto color = bundle::ColorFile(TestFrame().color());
   ASSERT_TRUE(color);
-  EXPECT_EQ(Decoded(*color).size(), cv::Size(kWidth, kHeight));
+  const cv::Mat bgr = image_files::DecodeColor(color->bytes);
+  ASSERT_EQ(bgr.size(), cv::Size(kWidth, kHeight));
+  const auto sent = TestColor().at<cv::Vec3b>(5, 7);
+  EXPECT_EQ(bgr.at<cv::Vec3b>(5, 7), cv::Vec3b(sent[2], sent[1], sent[0]));
 }
 
 TEST(ObserverBundle, HasNoImageFileOfWhatIsNoImage) {

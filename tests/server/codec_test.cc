@@ -90,7 +90,7 @@ TEST(Png, DecodesColorExactly) {
 }
 
 TEST(Png, DropsAlpha) {
-  const cv::Mat blue_rgba(4, 5, CV_8UC4, cv::Scalar(255, 0, 0, 7));  // B first for imencode
+  const cv::Mat blue_rgba(4, 5, CV_8UC4, cv::Scalar(255, 0, 0, 7));  // B first for PngOf
   const cv::Mat image = DecodePngColor(PngOf(blue_rgba), kLimits);
   EXPECT_EQ(Difference(image, cv::Mat(4, 5, CV_8UC3, cv::Scalar(0, 0, 255))), 0);
 }

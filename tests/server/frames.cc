@@ -3,21 +3,14 @@
 #include <zstd.h>
 
 #include <limits>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <utility>
-#include <vector>
 
+#include "client/image_files/image_files.h"
 #include "client/rvl.h"
 
 namespace fovea::testing {
 namespace {
-
-std::string Encoded(const char* extension, const cv::Mat& image, const std::vector<int>& options) {
-  std::vector<unsigned char> bytes;
-  cv::imencode(extension, image, bytes, options);
-  return {bytes.begin(), bytes.end()};
-}
 
 cv::Mat ToBgr(const cv::Mat& image) {
   if (image.channels() != 3) return image;
@@ -83,10 +76,11 @@ std::string BytesOf(const cv::Mat& image) {
   return {reinterpret_cast<const char*>(image.data), image.total() * image.elemSize()};
 }
 
-std::string PngOf(const cv::Mat& image) { return Encoded(".png", ToBgr(image), {}); }
+std::string PngOf(const cv::Mat& image) { return image_files::EncodePng(ToBgr(image)); }
 
 std::string JpegOf(const cv::Mat& image_rgb) {
-  return Encoded(".jpg", ToBgr(image_rgb), {cv::IMWRITE_JPEG_QUALITY, 95});
+  constexpr int kQuality = 95;
+  return image_files::EncodeJpeg(ToBgr(image_rgb), kQuality);
 }
 
 std::string ZstdOf(const std::string& bytes) {

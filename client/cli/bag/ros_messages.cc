@@ -3,13 +3,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 #include <vector>
 
 #include "client/cli/bag/byte_reader.h"
 #include "client/cli/distortion.h"
+#include "client/image_files/image_files.h"
 
 namespace fovea::cli {
 namespace {
@@ -97,12 +97,6 @@ cv::Mat PixelsOf(const Raw& raw, int type) {
   return pixels;
 }
 
-std::string PngOf(const cv::Mat& pixels) {
-  std::vector<std::uint8_t> bytes;
-  cv::imencode(".png", pixels, bytes, {cv::IMWRITE_PNG_COMPRESSION, 1});
-  return {bytes.begin(), bytes.end()};
-}
-
 cv::Mat Converted(const cv::Mat& pixels, int code) {
   cv::Mat converted;
   cv::cvtColor(pixels, converted, code);
@@ -143,11 +137,16 @@ std::string ColorFile(std::string_view message, bool compressed) {
   }
   const Raw raw = ReadImage(message);
   const std::string_view encoding = raw.encoding;
-  if (encoding == "bgr8" || encoding == "8UC3") return PngOf(PixelsOf(raw, CV_8UC3));
-  if (encoding == "rgb8") return PngOf(Converted(PixelsOf(raw, CV_8UC3), cv::COLOR_RGB2BGR));
-  if (encoding == "bgra8") return PngOf(Converted(PixelsOf(raw, CV_8UC4), cv::COLOR_BGRA2BGR));
-  if (encoding == "rgba8") return PngOf(Converted(PixelsOf(raw, CV_8UC4), cv::COLOR_RGBA2BGR));
-  if (encoding == "mono8" || encoding == "8UC1") return PngOf(PixelsOf(raw, CV_8UC1));
+  if (encoding == "bgr8" || encoding == "8UC3")
+    return image_files::EncodePng(PixelsOf(raw, CV_8UC3));
+  if (encoding == "rgb8")
+    return image_files::EncodePng(Converted(PixelsOf(raw, CV_8UC3), cv::COLOR_RGB2BGR));
+  if (encoding == "bgra8")
+    return image_files::EncodePng(Converted(PixelsOf(raw, CV_8UC4), cv::COLOR_BGRA2BGR));
+  if (encoding == "rgba8")
+    return image_files::EncodePng(Converted(PixelsOf(raw, CV_8UC4), cv::COLOR_RGBA2BGR));
+  if (encoding == "mono8" || encoding == "8UC1")
+    return image_files::EncodePng(PixelsOf(raw, CV_8UC1));
   throw NoUse("colour", encoding);
 }
 
@@ -163,8 +162,10 @@ std::string DepthFile(std::string_view message, bool compressed, double unit_m) 
   }
   const Raw raw = ReadImage(message);
   if (raw.big_endian) throw std::invalid_argument("depth is big-endian");
-  if (raw.encoding == "16UC1" || raw.encoding == "mono16") return PngOf(PixelsOf(raw, CV_16UC1));
-  if (raw.encoding == "32FC1") return PngOf(UnitsOf(PixelsOf(raw, CV_32FC1), unit_m));
+  if (raw.encoding == "16UC1" || raw.encoding == "mono16")
+    return image_files::EncodePng(PixelsOf(raw, CV_16UC1));
+  if (raw.encoding == "32FC1")
+    return image_files::EncodePng(UnitsOf(PixelsOf(raw, CV_32FC1), unit_m));
   throw NoUse("depth", raw.encoding);
 }
 
