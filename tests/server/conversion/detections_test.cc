@@ -1,0 +1,169 @@
+// Every field of an answer has a value of its own, so that none is taken for another.
+#include "server/conversion/detections.h"
+
+#include <gmock/gmock.h>
+#include <google/protobuf/text_format.h>
+
+#include <string>
+#include <utility>
+
+namespace fovea::testing {
+namespace {
+
+v1::Detections AnswerWith(const Detections& detections, bool with_rejected = false) {
+  v1::Frame frame;
+  frame.set_id("frame");
+  frame.mutable_captured_at()->set_seconds(5);
+  v1::DetectOptions options;
+  options.set_return_rejected(with_rejected);
+  v1::Detections proto = server::ToProto(detections, {}, frame, options);
+  EXPECT_NE(proto.server_version(), "");
+  proto.clear_server_version();
+  proto.clear_server_build();
+  return proto;
+}
+
+Detections SomeDetections() {
+  Detections some;
+  some.labels = cv::Mat::zeros(3, 4, CV_16UC1);
+  some.rejected = {{.bounds_px = {1, 2, 3, 4}, .probability = 0.25F, .reason = "small"}};
+  some.gravity = {.direction = {0.25F, 0.5F, 0.75F}, .source = Gravity::Source::kGiven};
+  some.support = {.normal = {1, 2, 3}, .offset_m = 0.5F, .num_points = 4};
+  some.free_places.resize(1);
+  some.free_places[0].box.center = {1, 2, 3};
+  some.free_places[0].clearance_m = 4;
+  some.support_collisions.resize(1);
+  some.support_collisions[0].kind = CollisionPrimitive::Kind::kCylinder;
+  some.incomplete = true;
+  some.stage_times = {{"first", 2500.5}, {"second", 0.25}};
+  return some;
+}
+
+TEST(Answers, SayEachThingInItsOwnField) {
+  v1::Detections expected;
+  ASSERT_TRUE(google::protobuf::TextFormat::ParseFromString(R"(
+    frame_id: "frame" captured_at { seconds: 5 } profile: "default" width: 4 height: 3
+    gravity { direction { x: 0.25 y: 0.5 z: 0.75 } source: GRAVITY_SOURCE_REQUEST }
+    support_surface { plane { normal { x: 1 y: 2 z: 3 } offset: 0.5 } num_points: 4 }
+    stage_times { stage: "first" duration { seconds: 2 nanos: 500500000 } }
+    stage_times { stage: "second" duration { nanos: 250000 } }
+    diagnostics {}
+    incomplete: true
+    rejected {
+      bounding_box { x: 1 y: 2 width: 3 height: 4 } probability: 0.25 reason: "small"
+    }
+    free_places {
+      box { pose { position { x: 1 y: 2 z: 3 } orientation { w: 1 } } size {} } clearance_m: 4
+    }
+    support_collisions {
+      kind: COLLISION_KIND_CYLINDER pose { position {} orientation { w: 1 } } size {}
+    })",
+                                                            &expected));
+  EXPECT_EQ(AnswerWith(SomeDetections(), /*with_rejected=*/true).DebugString(),
+            expected.DebugString());
+  expected.clear_rejected();
+  EXPECT_EQ(AnswerWith(SomeDetections()).DebugString(), expected.DebugString());
+}
+
+TEST(Answers, CountWhatWasLeftAfterEachStep) {
+  Detections detections;
+  Diagnostics& counts = detections.diagnostics;
+  std::size_t number = 0;
+  for (std::size_t* count :
+       {&counts.num_pixels, &counts.num_measured, &counts.num_points, &counts.seeds_from_color,
+        &counts.seeds_from_depth, &counts.seeds_without_depth, &counts.seeds_on_support,
+        &counts.num_seeds, &counts.num_voxels, &counts.num_segments, &counts.num_merged,
+        &counts.segments_too_small, &counts.segments_implausible}) {
+    *count = ++number;
+  }
+  counts.messages = {"a", "b"};
+  v1::Diagnostics expected;
+  ASSERT_TRUE(google::protobuf::TextFormat::ParseFromString(R"(
+    num_pixels: 1 num_measured: 2 num_points: 3 seeds_from_color: 4 seeds_from_depth: 5
+    seeds_without_depth: 6 seeds_on_support: 7 num_seeds: 8 num_voxels: 9 num_segments: 10
+    num_merged: 11 segments_too_small: 12 segments_implausible: 13 messages: ["a", "b"])",
+                                                            &expected));
+  EXPECT_EQ(AnswerWith(detections).diagnostics().DebugString(), expected.DebugString());
+}
+
+TEST(Answers, SayWhereGravityIsFrom) {
+  using Source = Gravity::Source;
+  for (const auto& [source, said] : {std::pair(Source::kGiven, v1::GRAVITY_SOURCE_REQUEST),
+                                     std::pair(Source::kEstimated, v1::GRAVITY_SOURCE_ESTIMATED),
+                                     std::pair(Source::kAssumed, v1::GRAVITY_SOURCE_ASSUMED)}) {
+    Detections detections;
+    detections.gravity.source = source;
+    EXPECT_EQ(AnswerWith(detections).gravity().source(), said);
+  }
+}
+
+TEST(Answers, SayWhatIsKnownOfTracks) {
+  Detections detections;
+  DetectedObject moving;
+  moving.track.emplace();
+  moving.track->id = 1;
+  moving.track->first_seen = CaptureTime{2, 3};
+  moving.track->times_seen = 4;
+  moving.track->steadied_over = 5;
+  moving.track->steadied_box.center = {6, 7, 8};
+  moving.track->is_moving = true;
+  DetectedObject standing = moving;
+  standing.track->first_seen.reset();
+  standing.track->is_moving = false;
+  detections.objects = {moving, standing, {}};
+  HiddenTrack hidden;
+  hidden.id = 9;
+  hidden.last_seen = CaptureTime{10, 11};
+  hidden.times_seen = 12;
+  hidden.box.center = {13, 14, 15};
+  detections.tracking.emplace();
+  detections.tracking->epoch = 16;
+  detections.tracking->hidden = {hidden};
+
+  const v1::Detections proto = AnswerWith(detections);
+  const v1::Object& first = proto.objects(0);
+  EXPECT_EQ(first.track_id(), 1U);
+  EXPECT_EQ(first.first_seen().seconds(), 2);
+  EXPECT_EQ(first.first_seen().nanos(), 3);
+  EXPECT_EQ(first.times_seen(), 4U);
+  EXPECT_EQ(first.steadied_over(), 5U);
+  EXPECT_EQ(first.steadied_box().pose().position().y(), 7);
+  EXPECT_TRUE(first.moving());
+  EXPECT_FALSE(proto.objects(1).has_first_seen());
+  EXPECT_FALSE(proto.objects(1).moving());
+  EXPECT_FALSE(proto.objects(2).has_steadied_box());
+  EXPECT_EQ(proto.track_epoch(), 16U);
+  EXPECT_FALSE(proto.has_camera_motion());
+  const v1::HiddenTrack& then = proto.hidden_tracks(0);
+  EXPECT_EQ(then.track_id(), 9U);
+  EXPECT_EQ(then.last_seen().seconds(), 10);
+  EXPECT_EQ(then.last_seen().nanos(), 11);
+  EXPECT_EQ(then.times_seen(), 12U);
+  EXPECT_EQ(then.last_box().pose().position().y(), 14);
+}
+
+TEST(Answers, SayWhyATrackIsHidden) {
+  Detections detections;
+  detections.tracking.emplace();
+  detections.tracking->hidden.resize(1);
+  for (int reason = 0; reason <= static_cast<int>(HiddenReason::kGone); ++reason) {
+    detections.tracking->hidden[0].reason = static_cast<HiddenReason>(reason);
+    EXPECT_EQ(AnswerWith(detections).hidden_tracks(0).reason(), reason + 1);
+  }
+}
+
+TEST(Answers, SayHowTheCameraMoved) {
+  Detections detections;
+  detections.tracking.emplace();
+  CameraMotion& motion = detections.tracking->motion;
+  motion.last_from_this.translation() = Eigen::Vector3d(1, 2, 3);
+  for (int source = 1; source <= static_cast<int>(CameraMotionSource::kUnknown); ++source) {
+    motion.source = static_cast<CameraMotionSource>(source);
+    const v1::Detections proto = AnswerWith(detections);
+    EXPECT_EQ(proto.camera_motion().source(), source);
+    EXPECT_EQ(proto.camera_motion().motion().position().y(), 2);
+  }
+}
+
+}  // namespace
+}  // namespace fovea::testing
