@@ -11,11 +11,15 @@ namespace fovea {
 
 class TimeBudget {
  public:
+  using Clock = std::chrono::steady_clock;
+
   // From now on. 0: as long as it takes. `should_stop` (may be empty): whether the caller wants no
-  // answer at all.
-  TimeBudget(std::chrono::duration<double, std::milli> budget, std::function<bool()> should_stop)
-      : is_limited_(budget.count() > 0),
-        begin_(Clock::now()),
+  // answer at all. `now`: what tells the time.
+  TimeBudget(std::chrono::duration<double, std::milli> budget, std::function<bool()> should_stop,
+             std::function<Clock::time_point()> now = Clock::now)
+      : now_(std::move(now)),
+        is_limited_(budget.count() > 0),
+        begin_(now_()),
         end_(begin_ + std::chrono::duration_cast<Clock::duration>(budget)),
         should_stop_(std::move(should_stop)) {}
 
@@ -30,7 +34,7 @@ class TimeBudget {
   }
   // Whether what is left of it is more than so many times what has been used.
   bool HasMoreLeftThan(double times) const {
-    const Clock::time_point now = Clock::now();
+    const Clock::time_point now = now_();
     return !is_limited_ || end_ - now > times * (now - begin_);
   }
   // Works; whether that ended before the budget did, which is lifted otherwise, for what is left to
@@ -45,13 +49,12 @@ class TimeBudget {
       return false;
     }
   }
-  bool HasEnded() const { return is_limited_ && Clock::now() >= end_; }
+  bool HasEnded() const { return is_limited_ && now_() >= end_; }
   // For what is left to do once it has ended.
   void Lift() { is_limited_ = false; }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
+  std::function<Clock::time_point()> now_;
   bool is_limited_;
   bool is_stopped_ = false;
   Clock::time_point begin_, end_;

@@ -194,13 +194,18 @@ TEST_P(Detector, StopsBetweenStages) {
 TEST_P(Detector, AnswersWithWhatItHasWhenItsTimeEnds) {
   DetectorOptions options = options_;
   options.time_budget = std::chrono::nanoseconds(1);
-  const RgbdFrame frame = Tabletop();
+  RgbdFrame frame = Tabletop();
   const Detections found = Detect(frame, options);
   EXPECT_TRUE(found.incomplete);
   EXPECT_TRUE(found.objects.empty());
   EXPECT_EQ(found.labels.size(), frame.depth_m.size());
   EXPECT_THAT(found.diagnostics.messages, testing::ElementsAre(HasSubstr("time budget ended")));
   EXPECT_FALSE(found.stage_times.empty());
+  EXPECT_EQ(found.gravity.source, Gravity::Source::kAssumed);
+  frame.gravity = Eigen::Vector3f(0.6F, 0.8F, 0.0F);
+  const Gravity given = Detect(frame, options).gravity;
+  EXPECT_TRUE(given.direction.isApprox(*frame.gravity, 1e-6F));
+  EXPECT_EQ(given.source, Gravity::Source::kGiven);
 }
 
 TEST_P(Detector, FindsTheSameObjectsWithTimeToSpare) {
