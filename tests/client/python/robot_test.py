@@ -12,6 +12,8 @@ from conftest import Scene
 from server_process import PATIENCE, ServerProcess
 
 import fovea
+from fovea.objects import object_from_proto
+from fovea.v1 import detection_pb2
 
 
 def detect(client: fovea.Client, scene: Scene, **asked: object) -> fovea.Detections:
@@ -84,6 +86,25 @@ def test_free_places_keep_the_margin_and_the_number(client: fovea.Client, scene:
         detect(client, scene, **small, place_margin_m=2)
 
 
+def test_grasps_say_each_thing_as_it_was_sent() -> None:
+    proto = detection_pb2.Object()
+    sent = proto.grasps.add(kind=detection_pb2.GRASP_KIND_HANDLE, gripper="hand")
+    for number, field in enumerate(sent.DESCRIPTOR.fields, start=1):
+        if field.message_type:
+            getattr(sent, field.name).x = number
+        elif field.type != field.TYPE_STRING and not field.enum_type:
+            setattr(sent, field.name, number)
+    (grasp,) = object_from_proto(proto, 1, 1).grasps
+    assert {each.name for each in fields(grasp)} == {each.name for each in sent.DESCRIPTOR.fields}
+    assert (grasp.kind, grasp.gripper) == ("handle", "hand")
+    for field in sent.DESCRIPTOR.fields:
+        said = getattr(grasp, field.name)
+        if field.message_type:
+            assert said.tolist() == [getattr(sent, field.name).x, 0, 0], field.name
+        elif not field.enum_type:
+            assert said == getattr(sent, field.name), field.name
+
+
 def test_the_operator_knows_the_robots_grippers(scene: Scene) -> None:
     cup = '{"name": "cup", "suction": {"diameter_m": 0.02}}'
     with ServerProcess("--gripper", f"arm={cup}") as server:
@@ -91,7 +112,7 @@ def test_the_operator_knows_the_robots_grippers(scene: Scene) -> None:
             found = detect(client, scene)
             assert found.grippers_source == "server"
             grasps = [grasp for each in found.objects for grasp in each.grasps]
-            assert all(grasp.gripper == "cup" for grasp in grasps)
+            assert grasps and all(grasp.gripper == "cup" for grasp in grasps)
             (gripper,) = found.grippers
             assert gripper.name == "cup" and gripper.max_opening_m is None
             assert gripper.suction_diameter_m == pytest.approx(0.02)
