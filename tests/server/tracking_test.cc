@@ -126,7 +126,8 @@ TEST(Tracking, TellsOfWhatIsHidden) {
   EXPECT_EQ(hidden.hidden_tracks(0).track_id(), 1U);
   EXPECT_EQ(hidden.hidden_tracks(0).times_seen(), 2U);
   EXPECT_FALSE(hidden.hidden_tracks(0).has_last_seen()) << "the frames have no times";
-  EXPECT_NE(hidden.hidden_tracks(0).reason(), v1::HIDDEN_REASON_UNSPECIFIED);
+  EXPECT_EQ(hidden.hidden_tracks(0).reason(), v1::HIDDEN_REASON_OUT_OF_VIEW)
+      << "its one point, 2 m down and 3 m ahead, is below the image";
   EXPECT_NEAR(hidden.hidden_tracks(0).last_box().size().x(), 0.3, 1e-6);
   const v1::Detections again = AnswerOver(*stream, TrackedFrame());
   EXPECT_EQ(again.hidden_tracks_size(), 0);
