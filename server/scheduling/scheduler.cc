@@ -13,9 +13,6 @@ namespace {
 
 using Clock = WaitingLine::Clock;
 
-// How much later than it was told a robot may come back without losing its place in line: it has
-// to send its frame once more.
-constexpr std::chrono::milliseconds kGrace{500};
 // How long the place is kept for a robot that has come back, while its frame is on the way.
 constexpr std::chrono::seconds kLongestUpload{10};
 
@@ -124,7 +121,7 @@ void Scheduler::FindRoom(const RobotId& robot, IfFull if_full) {
       RetryAfter(ahead + static_cast<std::size_t>(num_own));
   // Who has frames here already waits by these.
   if (num_own == 0 && if_full == IfFull::kKeepPlace)
-    turned_away_.Keep(robot, now + retry_after + kGrace);
+    turned_away_.Keep(robot, now + retry_after + limits_.grace);
   std::string text = "the queue is full with " + std::to_string(num_taken) + " frames";
   if (ahead > 0) text += " and " + std::to_string(ahead) + " robots in line";
   throw Overloaded("QUEUE_FULL", text, retry_after);

@@ -43,6 +43,9 @@ struct SchedulerLimits {
   // How much the threads give way to all others: they take what time they get for a hundred
   // milliseconds, while a refusal is worth something at once only.
   int nice = 0;
+  // How much later than it was told a robot that was turned away may come back without losing its
+  // place in line: it has to send its frame once more.
+  std::chrono::milliseconds grace{500};
 };
 
 // Frames of calls take places, of which there are as many as threads and waiting ones together.

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <cmath>
 #include <condition_variable>
 #include <future>
 #include <mutex>
@@ -25,29 +27,41 @@ class Desk {
   explicit Desk(const SchedulerLimits& limits) : scheduler_(limits) {}
   ~Desk() { gate_.release(100); }
 
-  void Submit(const RobotId& robot, const std::string& frame) {
-    scheduler_.Submit(robot, {.compute =
-                                  [this, frame] {
-                                    Note(begun_, frame);
-                                    gate_.acquire();
-                                  },
-                              .deliver = [this, frame] { Note(answered_, frame); },
-                              .displaced =
-                                  [this, frame](const Overloaded& why) {
-                                    EXPECT_STREQ(why.reason, "DISPLACED");
-                                    EXPECT_GE(why.retry_after.count(), 10);
-                                    Note(displaced_, frame);
-                                  }});
+  Scheduler::Ticket Submit(const RobotId& robot, const std::string& frame) {
+    return scheduler_.Submit(robot, {.compute =
+                                         [this, frame] {
+                                           Note(begun_, frame);
+                                           gate_.acquire();
+                                         },
+                                     .deliver = [this, frame] { Note(answered_, frame); },
+                                     .displaced =
+                                         [this, frame](const Overloaded& why) {
+                                           EXPECT_STREQ(why.reason, "DISPLACED");
+                                           EXPECT_GE(why.retry_after.count(), 10);
+                                           Note(displaced_, frame);
+                                         }});
   }
 
   // What a refusal says.
-  std::string Refusal(const RobotId& robot) {
+  std::string Refusal(const RobotId& robot,
+                      Scheduler::IfFull if_full = Scheduler::IfFull::kKeepPlace) {
     try {
-      scheduler_.Enter(robot);
+      scheduler_.Enter(robot, if_full);
     } catch (const Overloaded& full) {
       return std::string(full.reason) + ": " + full.what();
     }
     return "";
+  }
+
+  // When a robot that is refused is told to come back.
+  std::chrono::milliseconds RetryAfter(const RobotId& robot) {
+    try {
+      scheduler_.Enter(robot);
+    } catch (const Overloaded& full) {
+      return full.retry_after;
+    }
+    ADD_FAILURE() << "was let in";
+    return {};
   }
 
   void AwaitBegun(std::size_t count) { Await(begun_, count); }
@@ -138,8 +152,54 @@ TEST(Scheduler, HostsTakeTurnsBeforeNamesDo) {
               ElementsAre("many 1", "many 2", "few 1", "many 3", "few 2", "many 4"));
 }
 
+// Places in line are kept longer than a test takes.
+SchedulerLimits OneThreadAndALine(int max_waiting) {
+  return {.num_threads = 1,
+          .max_waiting = max_waiting,
+          .max_per_robot = 10,
+          .grace = std::chrono::hours(1)};
+}
+
+TEST(Scheduler, LetsInFirstWhomItTurnedAwayFirst) {
+  Desk desk(OneThreadAndALine(/*max_waiting=*/1));
+  desk.Submit(Named("first"), "first");
+  desk.AwaitBegun(1);
+  const Scheduler::Ticket second = desk.Submit(Named("second"), "second");
+  EXPECT_THAT(desk.Refusal(Named("third")), HasSubstr("2 frames"));
+  EXPECT_THAT(desk.Refusal(Named("fourth")), HasSubstr("2 frames and 1 robots in line"));
+  EXPECT_TRUE(desk.scheduler().Withdraw(Named("second"), second));
+  EXPECT_THAT(desk.Refusal(Named("fourth")), HasSubstr("1 frames and 1 robots in line"));
+  EXPECT_THAT(desk.Refusal(Named("newcomer")), HasSubstr("1 frames and 2 robots in line"));
+  desk.Submit(Named("third"), "third");
+  EXPECT_THAT(desk.LetAll(2), ElementsAre("first", "third"));
+}
+
+TEST(Scheduler, KeepsNoPlaceForWhoComesOnlyIfThereIsRoom) {
+  Desk desk(OneThreadAndALine(/*max_waiting=*/0));
+  desk.Submit(Named("first"), "first");
+  desk.AwaitBegun(1);
+  EXPECT_THAT(desk.Refusal(Named("second"), Scheduler::IfFull::kForget), HasSubstr("QUEUE_FULL"));
+  EXPECT_THAT(desk.Refusal(Named("third")), Not(HasSubstr("in line")));
+  EXPECT_THAT(desk.Refusal(Named("fourth")), HasSubstr("1 robots in line"));
+}
+
+// A guess of 100 ms at first, of which each piece of work leaves nine tenths.
+TEST(Scheduler, TellsWhenToComeBackByWhatWorkTook) {
+  Desk desk(OneThreadAndALine(/*max_waiting=*/0));
+  const auto begin = std::chrono::steady_clock::now();
+  constexpr int kTimes = 20;
+  for (int time = 1; time <= kTimes; ++time) {
+    desk.Submit(Named("a"), "short");
+    desk.LetAll(static_cast<std::size_t>(time));
+  }
+  const std::chrono::duration<double, std::milli> all = std::chrono::steady_clock::now() - begin;
+  desk.Submit(Named("a"), "long");
+  desk.AwaitBegun(kTimes + 1);
+  EXPECT_LE(desk.RetryAfter(Named("b")).count(), 100 * std::pow(0.9, kTimes) + all.count() + 1);
+}
+
 TEST(Scheduler, WhoHoldsPlacesHasNoneInLine) {
-  Desk desk({.num_threads = 1, .max_waiting = 1, .max_per_robot = 10});
+  Desk desk(OneThreadAndALine(/*max_waiting=*/1));
   desk.Submit(Named("a"), "a");
   desk.AwaitBegun(1);
   desk.Submit(Named("b"), "b");

@@ -167,20 +167,16 @@ std::string RefusalOf(const Loopback& loopback, const std::string& robot) {
   return status.error_message();
 }
 
-TEST(Scheduling, LetsInFirstWhomItTurnedAwayFirst) {
-  Held held(OneThread(/*max_waiting=*/1, /*max_per_robot=*/10));
-  Crowd crowd(held.loopback);
-  crowd.Join("second");
-  EXPECT_THAT(RefusalOf(held.loopback, "third"), HasSubstr("2 frames"));
-  EXPECT_THAT(RefusalOf(held.loopback, "fourth"), HasSubstr("2 frames and 1 robots in line"));
-  crowd.LeaveLast();
-  AwaitWaiting(held.loopback, 0);
-  EXPECT_THAT(RefusalOf(held.loopback, "fourth"), HasSubstr("1 frames and 1 robots in line"));
-  EXPECT_THAT(RefusalOf(held.loopback, "newcomer"), HasSubstr("1 frames and 2 robots in line"));
-  Crowd those_in_line(held.loopback);
-  those_in_line.Join("third");
-  held.gate.Let(2);
-  EXPECT_THAT(those_in_line.Answered(), ElementsAre("third"));
+// A place in line is kept for a moment, which a slow machine may miss; then others try.
+TEST(Scheduling, KeepsAPlaceForWhomItTurnsAway) {
+  Held held(OneThread(/*max_waiting=*/0, /*max_per_robot=*/10));
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  std::string refusal;
+  for (int robot = 0; refusal.find("in line") == std::string::npos; ++robot) {
+    ASSERT_LT(std::chrono::steady_clock::now(), end);
+    refusal = RefusalOf(held.loopback, "robot-" + std::to_string(robot));
+  }
+  EXPECT_THAT(refusal, HasSubstr("1 robots in line"));
 }
 
 TEST(Scheduling, KeepsNoPlaceForWhoComesOnlyIfThereIsRoom) {
@@ -189,8 +185,6 @@ TEST(Scheduling, KeepsNoPlaceForWhoComesOnlyIfThereIsRoom) {
   call.context.AddMetadata("fovea-only-if-room", "1");
   EXPECT_EQ(call.Run().error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
   EXPECT_THAT(RefusalOf(held.loopback, "third"), Not(HasSubstr("in line")));
-  EXPECT_THAT(RefusalOf(held.loopback, "fourth"), HasSubstr("1 robots in line"));
-  held.gate.Let();
 }
 
 TEST(Scheduling, OneRobotCannotTakeAllPlaces) {
