@@ -85,10 +85,17 @@ std::string Process::ReadLine() {
 }
 
 void Process::AwaitError(const std::string& text) const {
-  std::string seen(1 << 16, '\0');
+  std::string seen;
   while (true) {
-    const ssize_t size = pread(err_, seen.data(), seen.size(), 0);
-    if (seen.substr(0, static_cast<std::size_t>(size)).find(text) != std::string::npos) return;
+    siginfo_t end{};  // asked for first: what is read then is all
+    waitid(P_PID, static_cast<id_t>(pid_), &end, WEXITED | WNOHANG | WNOWAIT);
+    char buffer[4096];
+    for (ssize_t size;
+         (size = pread(err_, buffer, sizeof buffer, static_cast<off_t>(seen.size()))) > 0;) {
+      seen.append(buffer, static_cast<std::size_t>(size));
+    }
+    if (seen.find(text) != std::string::npos) return;
+    if (end.si_pid != 0) throw std::runtime_error("it has not said " + text + " but: " + seen);
     std::this_thread::yield();
   }
 }

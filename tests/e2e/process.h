@@ -34,7 +34,7 @@ class Process {
   // The next line of stdout, without its end; empty when the child closed it.
   std::string ReadLine();
   pid_t pid() const { return pid_; }
-  // Returns once stderr holds `text`.
+  // Returns once stderr holds `text`; throws where the child has ended without it.
   void AwaitError(const std::string& text) const;
   void Signal(int number) const;
   Finished Wait();
