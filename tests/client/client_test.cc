@@ -17,6 +17,7 @@
 #include "tests/server/detectors.h"
 #include "tests/server/frames.h"
 #include "tests/server/loopback.h"
+#include "tests/support/held_address.h"
 
 namespace fovea::client {
 namespace {
@@ -28,12 +29,8 @@ using ::testing::StartsWith;
 using ::testing::ThrowsMessage;
 
 TEST(Client, SaysWhenNoServerIsThere) {
-  std::string address;
-  {
-    const Loopback gone;
-    address = gone.server.Address();
-  }
-  const Client client(address);
+  const testing::HeldAddress nobody;
+  const Client client(nobody.Text());
   const grpc::Status call = testing::StatusOf([&] { client.Detect({}); });
   EXPECT_EQ(call.error_code(), grpc::StatusCode::UNAVAILABLE);
   const grpc::Status wait =

@@ -12,11 +12,13 @@
 #include "tests/server/frames.h"
 #include "tests/server/loopback.h"
 #include "tests/server/metric_value.h"
+#include "tests/support/held_address.h"
 
 namespace fovea::client {
 namespace {
 
 using testing::FindOne;
+using testing::HeldAddress;
 using testing::kPatience;
 using testing::LoopbackOptions;
 
@@ -28,9 +30,9 @@ ClientOptions RetryingLong() {
   return options;
 }
 
-server::ServerOptions At(const std::string& address) {
+server::ServerOptions At(const HeldAddress& address) {
   server::ServerOptions options = LoopbackOptions();
-  options.listen = {address};
+  options.listen = {address.Text()};
   return options;
 }
 
@@ -59,9 +61,9 @@ TEST(Retry, ComesBackWhenABusyServerSaysWhen) {
 }
 
 TEST(Retry, FindsAServerThatIsBack) {
-  std::optional<server::Server> server(std::in_place, LoopbackOptions(), FindOne);
-  const std::string address = server->Address();
-  const Client client(address, RetryingLong());
+  const HeldAddress address;
+  std::optional<server::Server> server(std::in_place, At(address), FindOne);
+  const Client client(address.Text(), RetryingLong());
   EXPECT_NO_THROW(client.Detect(testing::TestRequest()));
   server.reset();
   std::jthread late([&] { server.emplace(At(address), FindOne); });
@@ -76,9 +78,9 @@ TEST(Retry, DoesNotRepeatWhatIsWrong) {
 }
 
 TEST(ResumingStream, OutlivesItsServerAndCountsWhatWasLost) {
-  std::optional<server::Server> server(std::in_place, LoopbackOptions(), FindOne);
-  const std::string address = server->Address();
-  const Client client(address, RetryingLong());
+  const HeldAddress address;
+  std::optional<server::Server> server(std::in_place, At(address), FindOne);
+  const Client client(address.Text(), RetryingLong());
   const auto stream = client.OpenResumingStream(kPatience);
   v1::DetectStreamRequest first = StreamFrame("0");
   first.mutable_options()->set_return_masks(true);
@@ -118,14 +120,10 @@ TEST(ResumingStream, OutlivesItsServerAndCountsWhatWasLost) {
 }
 
 TEST(ResumingStream, GivesUpInTheEnd) {
-  std::string address;
-  {
-    const testing::Loopback gone(FindOne);
-    address = gone.server.Address();
-  }
+  const HeldAddress nobody;
   ClientOptions options = RetryingLong();
   options.timeout = std::chrono::milliseconds(200);
-  const auto stream = Client(address, options).OpenResumingStream(kPatience);
+  const auto stream = Client(nobody.Text(), options).OpenResumingStream(kPatience);
   EXPECT_EQ(testing::StatusOf([&] { stream->Receive(); }).error_code(),
             grpc::StatusCode::UNAVAILABLE);
 }

@@ -5,14 +5,15 @@
 #include <vector>
 
 #include "tests/e2e/process.h"
+#include "tests/support/held_address.h"
 
 namespace fovea::testing {
 
-// fovea-server on a free port.
+// fovea-server on a free port, which stays its own: another one may follow it there.
 class ServerProcess {
  public:
   explicit ServerProcess(std::vector<std::string> flags = {})
-      : process_(CommandLine(std::move(flags))), line_(process_.ReadLine()) {}
+      : process_(CommandLine(address_.Text(), std::move(flags))), line_(process_.ReadLine()) {}
 
   // What it printed when it was ready.
   const std::string& line() const { return line_; }
@@ -20,11 +21,13 @@ class ServerProcess {
   Process& process() { return process_; }
 
  private:
-  static std::vector<std::string> CommandLine(std::vector<std::string> flags) {
-    flags.insert(flags.begin(), {FOVEA_SERVER, "--listen", "127.0.0.1:0"});
+  static std::vector<std::string> CommandLine(const std::string& address,
+                                              std::vector<std::string> flags) {
+    flags.insert(flags.begin(), {FOVEA_SERVER, "--listen", address});
     return flags;
   }
 
+  const HeldAddress address_;
   Process process_;
   std::string line_;
 };

@@ -31,11 +31,12 @@ using ::testing::MatchesRegex;
 using ::testing::StartsWith;
 
 TEST(ServerProcess, PrintsItsAddressAndStopsOnSigterm) {
-  ServerProcess server;
-  EXPECT_THAT(server.line(), MatchesRegex("listening on 127\\.0\\.0\\.1:[1-9][0-9]*"));
-  client::Client(server.address()).WaitUntilReady(kPatience);
-  server.process().Signal(SIGTERM);
-  const Finished finished = server.process().Wait();
+  Process server({FOVEA_SERVER, "--listen", "127.0.0.1:0"});
+  const std::string line = server.ReadLine();
+  EXPECT_THAT(line, MatchesRegex("listening on 127\\.0\\.0\\.1:[1-9][0-9]*"));
+  client::Client(line.substr(line.rfind(' ') + 1)).WaitUntilReady(kPatience);
+  server.Signal(SIGTERM);
+  const Finished finished = server.Wait();
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
 }
 
@@ -216,20 +217,20 @@ TEST(ServerProcess, TheConfigurationOfTheImageWantsProtection) {
 
 TEST(ServerProcess, IsAskedForItsHealthByTheImage) {
   const std::string check = FOVEA_SOURCE_DIR "/deploy/container/fovea-health";
-  ServerProcess server({"--metrics-listen", "127.0.0.1:0"});
-  const std::string url = server.process().ReadLine();
-  const std::string port = url.substr(url.rfind(':') + 1, url.rfind('/') - url.rfind(':') - 1);
-  const Finished alive = Execute({check, port});
+  const HeldAddress metrics;
+  ServerProcess server({"--metrics-listen", metrics.Text()});
+  EXPECT_THAT(server.process().ReadLine(), HasSubstr(metrics.Text()));
+  const Finished alive = Execute({check, metrics.Port()});
   EXPECT_EQ(alive.exit_code, 0) << alive.err;
   EXPECT_EQ(alive.out, "/livez says 200\n");
   server.process().Signal(SIGTERM);
   server.process().Wait();
-  EXPECT_NE(Execute({check, port}).exit_code, 0);
+  EXPECT_NE(Execute({check, metrics.Port()}).exit_code, 0);
 
   // The port is free again; this time the check finds it by itself.
-  const ConfigFile file("metrics-listen = \"0.0.0.0:" + port + "\"\n");
+  const ConfigFile file("metrics-listen = \"0.0.0.0:" + metrics.Port() + "\"\n");
   ServerProcess next({"--config", file.path()});
-  EXPECT_THAT(next.process().ReadLine(), HasSubstr(port));
+  EXPECT_THAT(next.process().ReadLine(), HasSubstr(metrics.Port()));
   const std::string pid = "SERVER_PID=" + std::to_string(next.process().pid());
   const Finished found = Execute({"/usr/bin/env", pid, check});
   EXPECT_EQ(found.out, "/livez says 200\n") << found.err;

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import re
 import signal
-import socket
 import subprocess
 import threading
 import urllib.request
@@ -13,28 +12,11 @@ from collections.abc import Callable
 from pathlib import Path
 
 from access_test import Authority
-from server_process import PATIENCE
+from server_process import PATIENCE, HeldAddress
 
 import fovea
 
 CONFIGURATION = Path(__file__).resolve().parents[2] / "deploy" / "haproxy" / "haproxy.cfg"
-
-
-class HeldAddress:
-    """An address of loopback that nobody else is given until it is closed, while whoever sets
-    SO_REUSEADDR may listen on it: servers do, and HAProxy."""
-
-    def __init__(self) -> None:
-        self._socket = socket.socket()
-        self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        self._socket.bind(("127.0.0.1", 0))
-        self.port = int(self._socket.getsockname()[1])
-
-    def __str__(self) -> str:
-        return f"127.0.0.1:{self.port}"
-
-    def close(self) -> None:
-        self._socket.close()
 
 
 class Member:

@@ -15,6 +15,7 @@ from processes import (
     ObserverProcess,
     ServerProcess,
     Visitor,
+    held_address,
     history_flags,
     write_observers,
 )
@@ -73,7 +74,7 @@ def test_outlives_both_programs(scene: Scene, tmp_path: Path) -> None:
     observers, flags = write_observers(tmp_path), history_flags(tmp_path)
     with ServerProcess(observers) as server:
         robots = Robots(server.address)
-        with ObserverProcess(server.address, "127.0.0.1:0", *flags) as observer:
+        with ObserverProcess(server.address, held_address(), *flags) as observer:
             visitor = Visitor(observer.address)
             visitor.log_in(OBSERVERS["ann"][0])
             recorder_is_ready(visitor, robots)

@@ -16,6 +16,7 @@ from processes import (
     ObserverProcess,
     ServerProcess,
     Visitor,
+    held_address,
     history_flags,
     write_observers,
 )
@@ -253,7 +254,7 @@ def test_the_history_goes_on_after_both_were_killed(
     says = lambda text: browser.until(lambda: text in browser.text("#servers"))  # noqa: E731
     with (
         ServerProcess(observers) as server,
-        ObserverProcess(server.address, "127.0.0.1:0", *flags) as observer,
+        ObserverProcess(server.address, held_address(), *flags) as observer,
     ):
         visitor = Visitor(observer.address)
         visitor.log_in(OBSERVERS["ann"][0])

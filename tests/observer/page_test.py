@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 from conftest import Robots, Scene, Sending
-from processes import OBSERVERS, ObserverProcess, ServerProcess, write_observers
+from processes import OBSERVERS, ObserverProcess, ServerProcess, held_address, write_observers
 
 import fovea
 
@@ -135,7 +135,10 @@ def test_says_in_words_why_little_was_found(
 def test_says_what_is_away_and_goes_on(browser: Browser, scene: Scene, tmp_path: Path) -> None:
     observers = write_observers(tmp_path)
     says = lambda text: browser.until(lambda: text in browser.text("#servers"))  # noqa: E731
-    with ServerProcess(observers) as server, ObserverProcess(server.address) as observer:
+    with (
+        ServerProcess(observers) as server,
+        ObserverProcess(server.address, held_address()) as observer,
+    ):
         browser.log_in(observer.url, OBSERVERS["ann"][0])
         says(server.address)
         server.kill()

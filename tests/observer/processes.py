@@ -7,6 +7,7 @@ import http.client
 import json
 import os
 import signal
+import socket
 import subprocess
 import time
 from pathlib import Path
@@ -84,9 +85,23 @@ class Process:
         return self._process.pid
 
 
+_held: list[socket.socket] = []
+
+
+def held_address() -> str:
+    """One of loopback that nobody else is given while this program runs; whoever sets SO_REUSEADDR,
+    as our programs do, may listen on it, now or again."""
+    held = socket.socket()
+    held.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    held.bind(("127.0.0.1", 0))
+    _held.append(held)
+    return f"127.0.0.1:{held.getsockname()[1]}"
+
+
 class ServerProcess(Process):
-    def __init__(self, observers: Path, address: str = "127.0.0.1:0") -> None:
-        flags = ["--listen", address, "--log-level", "error", "--observers", str(observers)]
+    def __init__(self, observers: Path, address: str = "") -> None:
+        flags = ["--listen", address or held_address(), "--log-level", "error"]
+        flags += ["--observers", str(observers)]
         super().__init__(os.environ["FOVEA_SERVER"], *flags)
         self.address = self.line.split()[-1]
 
