@@ -14,7 +14,8 @@ struct SaliencyMethod {
   std::function<cv::Mat(const cv::Mat& color_rgb)> compute;
 };
 
-// strength: the paper's, at full resolution. strength_default: as the default profile uses it.
+// strength: the paper's, at full resolution. strength_default: with the options of the default
+// profile, on pixels; the detector computes it on blocks of them, which want depth.
 // spectral_residual, fine_grained: OpenCV's. center: a Gaussian about the image centre, which shows
 // how much the scores owe to people's habit of looking there.
 std::vector<std::string> SaliencyMethodNames();
