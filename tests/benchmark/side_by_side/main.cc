@@ -14,6 +14,7 @@
 #include "flags/misspelling.h"
 #include "server/compute_process.h"
 #include "tests/benchmark/side_by_side/measurement.h"
+#include "tests/benchmark/side_by_side/summary.h"
 #include "tests/evaluation/detection_run.h"
 #include "tests/evaluation/output.h"
 #include "tests/evaluation/statistics.h"
@@ -63,60 +64,52 @@ std::size_t Reference(const std::vector<std::string>& methods) {
   return peer == methods.end() ? 0 : static_cast<std::size_t>(peer - methods.begin());
 }
 
-double MedianRatio(const Measurement& own, const Measurement& reference) {
-  std::vector<double> ratios;
-  for (std::size_t i = 0; i < std::min(own.frame_ms.size(), reference.frame_ms.size()); ++i) {
-    ratios.push_back(own.frame_ms[i] / reference.frame_ms[i]);
-  }
-  return Quantile(ratios, 0.5);
+// "-" where there is none.
+std::string Text(const std::optional<double>& value, int decimals) {
+  return value ? fmt::sprintf("%.*f", decimals, *value) : "-";
 }
 
-struct Sums {
-  double pixels = 0, objects = 0;
-};
-Sums SumsOf(const FrameSet& set) {
-  Sums sums;
-  for (const BenchFrame& frame : set.frames) {
-    sums.pixels += static_cast<double>(frame.scene.frame.depth_m.total());
-    sums.objects += static_cast<double>(frame.num_objects);
+nlohmann::json Json(const std::optional<double>& value) {
+  return value ? nlohmann::json(*value) : nlohmann::json();
+}
+
+void PrintRow(const std::string& name, const BenchFigures& figures, std::size_t num_failed) {
+  std::cout << fmt::sprintf(
+      "  %-16s %7s %8s %8s %8s %8s %8s %8s %8s %8s", name, Text(figures.ratio, 2),
+      Text(figures.median_ms, 1), Text(figures.p95_ms, 1), Text(figures.p99_ms, 1),
+      Text(figures.most_ms, 1), Text(figures.ns_per_pixel, 0), Text(figures.ms_per_object, 1),
+      Text(figures.allocations, 0), Text(figures.peak_mb, 1));
+  if (num_failed > 0) std::cout << fmt::sprintf("  refuses %d frames", num_failed);
+  std::cout << '\n';
+}
+
+nlohmann::json RowOf(const BenchFigures& figures, const Measurement& own) {
+  nlohmann::json row = {{"ratio", Json(figures.ratio)},
+                        {"median_ms", Json(figures.median_ms)},
+                        {"p95_ms", Json(figures.p95_ms)},
+                        {"p99_ms", Json(figures.p99_ms)},
+                        {"most_ms", Json(figures.most_ms)},
+                        {"ns_per_pixel", Json(figures.ns_per_pixel)},
+                        {"ms_per_object", Json(figures.ms_per_object)},
+                        {"allocations", Json(figures.allocations)},
+                        {"peak_mb", Json(figures.peak_mb)},
+                        {"refused", own.num_failed}};
+  for (const std::string& stage : own.stages) {
+    row["stages"][stage] = Quantile(own.stage_ms.at(stage), 0.5);
   }
-  return sums;
+  return row;
 }
 
 nlohmann::json Report(const FrameSet& set, const std::vector<Method>& methods,
                       const std::vector<Measurement>& measured, std::size_t reference) {
-  const Sums sums = SumsOf(set);
   nlohmann::json json;
   std::cout << fmt::sprintf("\n%s: %d frames, %s\n", set.name, set.frames.size(), set.source);
   std::cout << fmt::sprintf("  %-16s %7s %8s %8s %8s %8s %8s %8s %8s %8s\n", "", "ratio", "median",
                             "p95", "p99", "most", "ns/pixel", "ms/obj.", "allocs", "MB");
   for (std::size_t m = 0; m < methods.size(); ++m) {
-    const Measurement& own = measured[m];
-    double total = 0;
-    for (const double ms : own.frame_ms) total += ms;
-    const auto at = [&](double share) { return Quantile(own.run_ms, share); };
-    const double ratio = MedianRatio(own, measured[reference]);
-    const double per_object = sums.objects > 0 ? total / sums.objects : 0;
-    std::cout << fmt::sprintf("  %-16s %7.2f %8.1f %8.1f %8.1f %8.1f %8.0f %8.1f %8.0f %8.1f",
-                              methods[m].name, ratio, Quantile(own.frame_ms, 0.5), at(0.95),
-                              at(0.99), at(1), 1e6 * total / sums.pixels, per_object,
-                              own.allocations, own.peak_mb);
-    if (own.num_failed > 0) std::cout << fmt::sprintf("  refuses %d frames", own.num_failed);
-    std::cout << '\n';
-    nlohmann::json& row = json[methods[m].name];
-    row = {{"ratio", ratio},
-           {"median_ms", Quantile(own.frame_ms, 0.5)},
-           {"p95_ms", at(0.95)},
-           {"p99_ms", at(0.99)},
-           {"most_ms", at(1)},
-           {"ns_per_pixel", 1e6 * total / sums.pixels},
-           {"ms_per_object", per_object},
-           {"allocations", own.allocations},
-           {"peak_mb", own.peak_mb},
-           {"refused", own.num_failed}};
-    for (const std::string& stage : own.stages) {
-      row["stages"][stage] = Quantile(own.stage_ms.at(stage), 0.5);
-    }
+    const BenchFigures figures = FiguresOf(set, measured[m], measured[reference]);
+    PrintRow(methods[m].name, figures, measured[m].num_failed);
+    json[methods[m].name] = RowOf(figures, measured[m]);
   }
   for (std::size_t m = 0; m < methods.size(); ++m) {
     if (measured[m].stages.empty()) continue;

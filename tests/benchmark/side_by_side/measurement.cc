@@ -29,7 +29,13 @@ Run RunOnce(const Method& method, const evaluation::Scene& scene) {
   return run;
 }
 
-void Add(const std::vector<Run>& runs, std::size_t num_frames, Measurement& to) {
+// The runs of the next frame; none where it is refused.
+void Add(const std::vector<Run>& runs, Measurement& to) {
+  if (runs.empty()) {
+    to.frame_ms.emplace_back();
+    ++to.num_failed;
+    return;
+  }
   std::vector<double> times;
   for (const Run& run : runs) {
     times.push_back(run.ms);
@@ -39,9 +45,8 @@ void Add(const std::vector<Run>& runs, std::size_t num_frames, Measurement& to) 
       to.stage_ms[time.stage].push_back(time.duration_ms);
     }
   }
-  to.frame_ms.push_back(evaluation::Median(times));
-  to.allocations +=
-      static_cast<double>(runs.back().allocations.count) / static_cast<double>(num_frames);
+  to.frame_ms.emplace_back(evaluation::Median(times));
+  to.allocations += static_cast<double>(runs.back().allocations.count);
   to.peak_mb = std::max(to.peak_mb, static_cast<double>(runs.back().allocations.peak_bytes) / 1e6);
 }
 
@@ -64,14 +69,11 @@ std::vector<Measurement> Measure(const FrameSet& set, const std::vector<Method>&
         try {
           const Run run = RunOnce(methods[m], frame.scene);
           if (round > 0) runs[m].push_back(run);
-        } catch (const TooComplex&) {
-          if (round == 0) ++measurements[m].num_failed;
+        } catch (const TooComplex&) {  // Add counts it
         }
       }
     }
-    for (std::size_t m = 0; m < methods.size(); ++m) {
-      if (!runs[m].empty()) Add(runs[m], set.frames.size(), measurements[m]);
-    }
+    for (std::size_t m = 0; m < methods.size(); ++m) Add(runs[m], measurements[m]);
     frame_done();
   }
   return measurements;

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,11 +23,12 @@ Method MethodOf(const std::string& name);
 
 // Of one method on one set.
 struct Measurement {
-  std::vector<double> frame_ms;                         // of each frame the median over the rounds
+  // Of each frame the median over the rounds; absent where it refuses the frame.
+  std::vector<std::optional<double>> frame_ms;
   std::vector<double> run_ms;                           // of each frame and round
   std::vector<std::string> stages;                      // in the order of the pipeline
   std::map<std::string, std::vector<double>> stage_ms;  // likewise of each frame and round
-  double allocations = 0;                               // mean of the frames
+  double allocations = 0;                               // sum over the frames
   double peak_mb = 0;          // most of the frames, beyond the frame itself
   std::size_t num_failed = 0;  // frames that it refuses
 };
