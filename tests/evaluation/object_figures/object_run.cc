@@ -4,12 +4,11 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <map>
-#include <set>
 
 #include "core/objects/color_names.h"
 #include "tests/evaluation/generated/generated_run.h"
 #include "tests/evaluation/generated/true_class.h"
+#include "tests/evaluation/object_figures/relation_counts.h"
 #include "tests/evaluation/object_figures/true_supports.h"
 #include "tests/evaluation/statistics.h"
 
@@ -57,51 +56,6 @@ DescribedObject Describe(const GeneratedScene& scene, const GeneratedFrame& fram
   return object;
 }
 
-void AddRelations(const GeneratedFrame& frame, const std::vector<std::vector<int>>& supports,
-                  ObjectRun& run) {
-  std::map<int, int> label_of_truth;  // true label → answered label
-  std::set<int> answered_labels;
-  for (const MatchedObject& match : frame.matches) {
-    label_of_truth[static_cast<int>(match.truth) + 1] = static_cast<int>(match.answer) + 1;
-    answered_labels.insert(static_cast<int>(match.answer) + 1);
-  }
-  for (const MatchedObject& match : frame.matches) {
-    std::set<int> truth, answered, both;
-    for (const int below : supports[match.truth]) {
-      if (label_of_truth.contains(below)) truth.insert(label_of_truth[below]);
-    }
-    for (const int below : frame.detections.objects[match.answer].stands_on) {
-      if (answered_labels.contains(below)) answered.insert(below);
-    }
-    std::set_intersection(truth.begin(), truth.end(), answered.begin(), answered.end(),
-                          std::inserter(both, both.end()));
-    run.on_objects.truth += static_cast<int>(truth.size());
-    run.on_objects.answered += static_cast<int>(answered.size());
-    run.on_objects.right += static_cast<int>(both.size());
-    run.stands_right += truth == answered;
-  }
-}
-
-// Where one of both was not found, the pair counts as little as those of AddRelations.
-void AddLeaning(const GeneratedScene& scene, const GeneratedFrame& frame, Relations& leaning) {
-  std::map<int, int> label_of_truth;
-  for (const MatchedObject& match : frame.matches) {
-    label_of_truth[static_cast<int>(match.truth) + 1] = static_cast<int>(match.answer) + 1;
-  }
-  std::pair<int, int> truth = {0, 0};  // what leans on what, as answered
-  if (scene.leaning && label_of_truth.contains(scene.leaning->label) &&
-      label_of_truth.contains(scene.leaning->against)) {
-    truth = {label_of_truth[scene.leaning->label], label_of_truth[scene.leaning->against]};
-    ++leaning.truth;
-  }
-  for (const DetectedObject& object : frame.detections.objects) {
-    for (const int other : object.leans_on) {
-      ++leaning.answered;
-      leaning.right += truth == std::pair(object.label, other);
-    }
-  }
-}
-
 void AddTimes(const Detections& detections, ObjectRun& run) {
   for (const StageTime& time : detections.stage_times) {
     if (time.stage != "objects") continue;
@@ -119,7 +73,7 @@ ObjectRun DescribeScene(const GeneratedScene& scene) {
       run.objects.push_back(Describe(scene, frame, match, *bodies[match.truth]));
     }
     AddRelations(frame, supports, run);
-    AddLeaning(scene, frame, run.leaning);
+    AddLeaning(scene.leaning, frame, run.leaning);
     AddTimes(frame.detections, run);
   }
   return run;
