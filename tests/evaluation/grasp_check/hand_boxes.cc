@@ -1,5 +1,8 @@
 #include "tests/evaluation/grasp_check/hand_boxes.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace fovea::evaluation {
 
 Eigen::Matrix3d HandAxes(const Eigen::Vector3d& approach, const Eigen::Vector3d& closing) {
@@ -33,6 +36,22 @@ std::array<SolidBox, 3> SweptHand(const JawGripper& gripper, const JawPose& pose
           box({inner, -side, -length - sweep_m}, {outer, side, 0}),
           box({-palm.x() / 2, -palm.y() / 2, -length - palm.z() - sweep_m},
               {palm.x() / 2, palm.y() / 2, -length})};
+}
+
+Outcome OnTheWayIn(const PhysicalScene& scene, int target, std::span<const SolidBox> hand) {
+  const auto touches = [&](int body) {
+    return std::any_of(hand.begin(), hand.end(),
+                       [&](const SolidBox& box) { return scene.Touches(body, box); });
+  };
+  if (touches(target)) return Outcome::kHitsTarget;
+  Outcome outcome = Outcome::kSuccess;
+  const std::vector<scenes::Body>& bodies = scene.Scene().bodies;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (static_cast<int>(i) == target || !touches(static_cast<int>(i))) continue;
+    if (bodies[i].is_object) return Outcome::kHitsNeighbor;
+    outcome = Outcome::kHitsFurniture;
+  }
+  return outcome;
 }
 
 }  // namespace fovea::evaluation

@@ -84,22 +84,6 @@ bool Holds(const JawContacts& contacts, const JawPose& pose, double opening_m, d
   return within(axes.col(0)) && within(line);
 }
 
-Outcome OnTheWayIn(const PhysicalScene& scene, int target, const std::array<SolidBox, 3>& hand) {
-  const auto touches = [&](int body) {
-    return std::any_of(hand.begin(), hand.end(),
-                       [&](const SolidBox& box) { return scene.Touches(body, box); });
-  };
-  if (touches(target)) return Outcome::kHitsTarget;
-  Outcome outcome = Outcome::kSuccess;
-  const std::vector<scenes::Body>& bodies = scene.Scene().bodies;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (static_cast<int>(i) == target || !touches(static_cast<int>(i))) continue;
-    if (bodies[i].is_object) return Outcome::kHitsNeighbor;
-    outcome = Outcome::kHitsFurniture;
-  }
-  return outcome;
-}
-
 // Whether a pad meets something else within its travel.
 bool MeetsOther(const PhysicalScene& scene, int target, const std::vector<PadRay>& rays,
                 double travel_m) {

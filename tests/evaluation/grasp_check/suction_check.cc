@@ -1,6 +1,7 @@
 #include "tests/evaluation/grasp_check/suction_check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -58,22 +59,17 @@ bool Seals(const std::vector<Place>& places, double lip_radius_m, double max_cur
   });
 }
 
-// Whether the cup, from what it rests on backwards, touches a body, the target too. Two squares
-// that fill it.
-bool TouchesOnTheWayIn(const PhysicalScene& scene, const Eigen::Matrix3d& axes,
-                       const SuctionPose& pose, double lip_radius_m, double rests_at_m) {
+// The cup, from what it rests on backwards: two squares that fill it.
+std::array<SolidBox, 2> SweptCup(const Eigen::Matrix3d& axes, const SuctionPose& pose,
+                                 double lip_radius_m, double rests_at_m) {
   const double half = lip_radius_m / std::numbers::sqrt2 - kTolerance_m;
   const double end = -rests_at_m - 2 * kTolerance_m;
   const Eigen::Matrix3d turned =
       axes * Eigen::AngleAxisd(std::numbers::pi / 4, Eigen::Vector3d::UnitZ()).matrix();
-  for (const Eigen::Matrix3d& hand : {axes, turned}) {
-    const SolidBox box =
-        BoxOfHand(hand, pose.tool_center_point, {-half, -half, -kSweep_m}, {half, half, end});
-    for (std::size_t i = 0; i < scene.Scene().bodies.size(); ++i) {
-      if (scene.Touches(static_cast<int>(i), box)) return true;
-    }
-  }
-  return false;
+  const auto box = [&](const Eigen::Matrix3d& hand) {
+    return BoxOfHand(hand, pose.tool_center_point, {-half, -half, -kSweep_m}, {half, half, end});
+  };
+  return {box(axes), box(turned)};
 }
 
 double DistanceOfMass(const PhysicalScene& scene, int target, const SuctionPose& pose) {
@@ -112,9 +108,8 @@ Outcome CheckSuction(const PhysicalScene& scene, int target, const SuctionGrippe
     return rests_at_m > 0 ? Outcome::kHitsTarget : Outcome::kNoContact;
   }
   if (!meets_all) return Outcome::kNoSeal;
-  if (TouchesOnTheWayIn(scene, axes, pose, lip_radius_m, rests_at_m)) {
-    return Outcome::kHitsNeighbor;
-  }
+  const Outcome way_in = OnTheWayIn(scene, target, SweptCup(axes, pose, lip_radius_m, rests_at_m));
+  if (way_in != Outcome::kSuccess) return way_in;
   if (faces < kMinFacing) return Outcome::kTilted;
   if (!Seals(places, lip_radius_m, gripper.max_curvature_per_m)) return Outcome::kNoSeal;
   const bool holds = DistanceOfMass(scene, target, pose) <= kOffMass_diameters * gripper.diameter_m;

@@ -73,6 +73,15 @@ TEST(SuctionCheck, IsStoppedByWhatHangsAbove) {
   EXPECT_EQ(Check(scene, {0, 0, 0.04}), Outcome::kSuccess);
 }
 
+// Narrow enough to stand between the rays that look for it.
+TEST(SuctionCheck, TellsWhatIsInTheWay) {
+  scenes::Scene scene = With(ShapeKind::kBox, {0.1, 0.1, 0.04});
+  scene.bodies.push_back(scenes::Block("wire", {0.0037, 0, 0.14}, {0.002, 0.002, 0.02}, {}));
+  EXPECT_EQ(Check(scene, {0, 0, 0.04}), Outcome::kHitsFurniture);
+  scene.bodies.back().is_object = true;
+  EXPECT_EQ(Check(scene, {0, 0, 0.04}), Outcome::kHitsNeighbor);
+}
+
 TEST(SuctionCheck, HoldsNearTheMassOnly) {
   const scenes::Scene scene = With(ShapeKind::kBox, {0.3, 0.1, 0.04});
   EXPECT_EQ(Check(scene, {0.039, 0, 0.04}), Outcome::kSuccess);
