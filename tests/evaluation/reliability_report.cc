@@ -1,7 +1,6 @@
 #include "tests/evaluation/reliability_report.h"
 
 #include <fmt/ostream.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -22,7 +21,9 @@ ReliabilityReport ReportReliability(const std::vector<std::vector<Prediction>>& 
   std::vector<Prediction> all;
   for (const std::vector<Prediction>& group : groups) {
     all.insert(all.end(), group.begin(), group.end());
-    report.confident_share_of_groups.push_back(MeasureReliability(group).share_of_confident);
+    const Reliability own = MeasureReliability(group);
+    report.confident_share_of_groups.emplace_back();
+    if (own.confident > 0) report.confident_share_of_groups.back() = own.share_of_confident;
   }
   report.reported = MeasureReliability(all);
   const auto with_predictions =
@@ -46,8 +47,11 @@ void PrintReliability(std::ostream& out, const ReliabilityReport& report) {
   } else {
     fmt::print(out, "  {:28} there are none\n", "calibrated on other groups");
   }
-  fmt::print(out, "  {:28} {:.3f}\n", "as reported, by group",
-             fmt::join(report.confident_share_of_groups, " "));
+  fmt::print(out, "  {:28}", "as reported, by group");
+  for (const std::optional<double>& share : report.confident_share_of_groups) {
+    fmt::print(out, " {}", share ? fmt::format("{:.3f}", *share) : "-");
+  }
+  fmt::print(out, "\n");
 }
 
 nlohmann::json ToJson(const Reliability& reliability) {
@@ -66,9 +70,13 @@ nlohmann::json ToJson(const Reliability& reliability) {
 }
 
 nlohmann::json ToJson(const ReliabilityReport& report) {
+  nlohmann::json shares = nlohmann::json::array();
+  for (const std::optional<double>& share : report.confident_share_of_groups) {
+    shares.push_back(share ? nlohmann::json(*share) : nlohmann::json());
+  }
   nlohmann::json json = {
       {"reported", ToJson(report.reported)},
-      {"confident_share_of_groups", report.confident_share_of_groups},
+      {"confident_share_of_groups", shares},
       {"calibration", {{"from", report.calibration.from}, {"share", report.calibration.share}}}};
   if (report.held_out) json["calibrated_on_other_groups"] = ToJson(*report.held_out);
   return json;

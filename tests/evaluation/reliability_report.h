@@ -17,8 +17,8 @@ struct ReliabilityReport {
   // Calibrated on the other groups; absent where fewer than two have predictions.
   std::optional<Reliability> held_out;
   Calibration calibration;  // on all groups: for use, not for judging
-  // Share right among those with confidence ≥ 0.8 in each group; 0 in a group without any.
-  std::vector<double> confident_share_of_groups;
+  // Share right among those with confidence ≥ 0.8 in each group; absent in a group without any.
+  std::vector<std::optional<double>> confident_share_of_groups;
 };
 
 ReliabilityReport ReportReliability(const std::vector<std::vector<Prediction>>& groups);

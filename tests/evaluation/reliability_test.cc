@@ -13,6 +13,7 @@ namespace {
 using testing::DoubleEq;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Optional;
 
 TEST(Reliability, ByHand) {
   const Reliability reliability =
@@ -47,6 +48,17 @@ TEST(Reliability, WithoutOtherGroupsIsCalibratedOnNone) {
     EXPECT_THAT(text.str(), HasSubstr("calibrated on other groups   there are none"));
   }
   EXPECT_TRUE(ReportReliability({{{0.9, true}}, {{0.8, true}}}).held_out);
+}
+
+TEST(ReliabilityReport, HasNoShareOfGroupsWithoutConfidentPredictions) {
+  const ReliabilityReport report =
+      ReportReliability({{{0.5, true}}, {{0.9, false}}, {{0.9, true}}});
+  EXPECT_THAT(report.confident_share_of_groups,
+              ElementsAre(std::nullopt, Optional(0), Optional(1)));
+  std::ostringstream text;
+  PrintReliability(text, report);
+  EXPECT_THAT(text.str(), HasSubstr("by group         - 0.000 1.000\n"));
+  EXPECT_TRUE(ToJson(report)["confident_share_of_groups"][0].is_null());
 }
 
 TEST(Calibration, PoolsAdjacentViolators) {
