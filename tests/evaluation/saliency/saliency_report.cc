@@ -81,6 +81,7 @@ std::vector<Chart> SaliencyCharts(const std::vector<SaliencyResult>& results,
       chart.y_max = std::max(chart.y_max, 1.1 * spreads[IndexOfBest(spreads)].mean);
       chart.series.push_back(std::move(series));
     }
+    if (chart.y_max == 0) chart.y_max = 1;  // of maps that say nothing
     charts.push_back(std::move(chart));
   }
   return charts;

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 
+#include "tests/evaluation/saliency/saliency_report.h"
 #include "tests/support/data_path.h"
 
 namespace fovea::evaluation {
@@ -101,6 +102,13 @@ TEST_F(SaliencyRun, ACenterPriorFavoursTheMiddle) {
                                                 }}};
   EXPECT_LT(RunSaliency(folder_, images, methods, {})[0].scores[0][0].nss, 0.1);
   EXPECT_GT(RunSaliency(folder_, images, methods, {.center_prior = 0.25})[0].scores[0][0].nss, 1);
+}
+
+TEST(SaliencyCharts, AreDrawnOfMapsThatSayNothing) {
+  const SaliencyResult flat{"flat", {{{.auc = 0.5, .nss = 0, .cc = 0}}}, 0};
+  const std::string svg = DrawSvg(SaliencyCharts({flat}, {0.0}));
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  EXPECT_EQ(svg.find("inf"), std::string::npos);
 }
 
 TEST(SaliencyOfRecordings, IsAboveChance) {
