@@ -42,7 +42,9 @@ std::optional<std::uint64_t> TrackOn(std::uint64_t thing, const TrackFrame& fram
   return std::nullopt;
 }
 
-void JudgeCovered(int thing, TrackedStream& stream) {
+}  // namespace
+
+void JudgeCovered(std::uint64_t thing, TrackedStream& stream) {
   std::optional<std::uint64_t> before, after;
   bool is_away = false;
   for (const TrackFrame& frame : stream.frames) {
@@ -52,11 +54,10 @@ void JudgeCovered(int thing, TrackedStream& stream) {
     if (track && !is_away) before = track;
     if (track && is_away && !after) after = track;
   }
-  stream.was_covered = is_away && after;
-  stream.is_same_after = stream.was_covered && *before == *after;
+  stream.was_covered = is_away;
+  stream.is_found_after = is_away && after;
+  stream.is_same_after = stream.is_found_after && *before == *after;
 }
-
-}  // namespace
 
 std::array<TrackedStream, 2> TrackStream(const StreamSpec& spec, const DetectorOptions& options,
                                          Masks masks) {
@@ -86,7 +87,9 @@ std::array<TrackedStream, 2> TrackStream(const StreamSpec& spec, const DetectorO
     }
   }
   for (TrackedStream& result : results) {
-    if (stream.covered != 0) JudgeCovered(stream.covered, result);
+    if (stream.covered != 0) {
+      JudgeCovered(static_cast<std::uint64_t>(stream.covered), result);
+    }
   }
   return results;
 }

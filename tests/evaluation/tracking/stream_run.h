@@ -22,9 +22,13 @@ struct TrackedStream {
   TrackSequence frames;
   std::vector<double> times_ms;                      // processor time of tracking a frame
   std::map<CameraMotionSource, int> motion_sources;  // frames with each
-  // Of the thing that is covered: whether it was found before and after that, and under one id.
-  bool was_covered = false, is_same_after = false;
+  // Of the thing that is covered: whether it was found before that, then after it too, and then
+  // under one id.
+  bool was_covered = false, is_found_after = false, is_same_after = false;
 };
+
+// Sets these of `thing`.
+void JudgeCovered(std::uint64_t thing, TrackedStream& stream);
 
 struct StreamSpec {
   std::string motion, kind;

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "tests/evaluation/tracking/stream_run.h"
+
 namespace fovea::evaluation {
 namespace {
 
@@ -93,6 +95,27 @@ TEST(ScoreTracks, NothingAtAll) {
   EXPECT_DOUBLE_EQ(ScoreTracks({}).hota, 0);
   EXPECT_DOUBLE_EQ(ScoreTracks({{Found({0})}}).hota, 0);
   EXPECT_DOUBLE_EQ(ScoreTracks({{Found({0})}}).KeptShare(), 1);
+}
+
+// Thing 1 is seen under 7, then not at all, then again: found or not.
+TEST(JudgeCovered, TellsLostFromOtherwiseNamed) {
+  const auto judged = [](std::uint64_t track_after) {
+    TrackedStream stream;
+    stream.frames = {Found({7}), Found({}), Found({track_after})};
+    JudgeCovered(1, stream);
+    EXPECT_TRUE(stream.was_covered);
+    return std::pair(stream.is_found_after, stream.is_same_after);
+  };
+  EXPECT_EQ(judged(7), std::pair(true, true));
+  EXPECT_EQ(judged(8), std::pair(true, false));
+  EXPECT_EQ(judged(0), std::pair(false, false));
+}
+
+TEST(JudgeCovered, CountsNoneThatWasNotFoundBefore) {
+  TrackedStream stream;
+  stream.frames = {Found({0}), Found({}), Found({7})};
+  JudgeCovered(1, stream);
+  EXPECT_FALSE(stream.was_covered || stream.is_found_after || stream.is_same_after);
 }
 
 }  // namespace

@@ -40,9 +40,9 @@ void List(const std::vector<Switch>& switches, const std::vector<StreamSpec>& sp
 
 void PrintTrackingHeader() {
   std::cout << fmt::format(
-      "{:<8} {:<6} {:>7} {:>7} {:>6} {:>6} {:>6} {:>8} {:>6} {:>9} {:>7} {:>9} {:>6} {:>6}  {}\n",
+      "{:<8} {:<6} {:>7} {:>7} {:>6} {:>6} {:>6} {:>8} {:>6} {:>9} {:>7} {:>14} {:>6} {:>6}  {}\n",
       "motion", "poses", "objects", "found", "HOTA", "DetA", "AssA", "AssAfnd", "IDF1", "switch100",
-      "kept%", "same/cov", "ms", "ms95", "frames by source of motion");
+      "kept%", "same/found/cov", "ms", "ms95", "frames by source of motion");
 }
 
 nlohmann::json ReportTracking(const std::vector<StreamSpec>& specs,
@@ -51,13 +51,14 @@ nlohmann::json ReportTracking(const std::vector<StreamSpec>& specs,
   std::vector<TrackSequence> sequences;
   std::vector<double> times_ms;
   std::map<std::string, int> sources;
-  int covered = 0, same = 0;
+  int covered = 0, found_after = 0, same = 0;
   for (const auto& both : streams) {
     const TrackedStream& stream = both[static_cast<std::size_t>(poses)];
     sequences.push_back(stream.frames);
     times_ms.insert(times_ms.end(), stream.times_ms.begin(), stream.times_ms.end());
     for (const auto& [source, frames] : stream.motion_sources) sources[NameOf(source)] += frames;
     covered += stream.was_covered;
+    found_after += stream.is_found_after;
     same += stream.is_same_after;
   }
   const TrackScores scores = ScoreTracks(sequences);
@@ -65,10 +66,11 @@ nlohmann::json ReportTracking(const std::vector<StreamSpec>& specs,
   const char* name = poses == Poses::kGiven ? "given" : "none";
   std::cout << fmt::format(
       "{:<8} {:<6} {:>7} {:>7} {:>6.1f} {:>6.1f} {:>6.1f} {:>8.1f} {:>6.1f} {:>9.2f} {:>7.2f} "
-      "{:>4}/{:<4} {:>6.2f} {:>6.2f} ",
+      "{:>14} {:>6.2f} {:>6.2f} ",
       motion, name, scores.things, scores.found, 100 * scores.hota, 100 * scores.det_a,
       100 * scores.ass_a, 100 * scores.ass_a_of_found, 100 * scores.idf1, scores.SwitchesPer100(),
-      100 * scores.KeptShare(), same, covered, Median(times_ms), Quantile(times_ms, 0.95));
+      100 * scores.KeptShare(), fmt::format("{}/{}/{}", same, found_after, covered),
+      Median(times_ms), Quantile(times_ms, 0.95));
   for (const auto& [source, frames] : sources) std::cout << ' ' << source << ' ' << frames;
   std::cout << '\n' << std::flush;
   if (list_switches) List(scores.switches, specs);
@@ -86,6 +88,7 @@ nlohmann::json ReportTracking(const std::vector<StreamSpec>& specs,
           {"switches_per_100", scores.SwitchesPer100()},
           {"kept_share", scores.KeptShare()},
           {"covered", covered},
+          {"found_after_cover", found_after},
           {"same_after_cover", same},
           {"median_ms", Median(times_ms)},
           {"p95_ms", Quantile(times_ms, 0.95)},
