@@ -112,10 +112,6 @@ int Run(int argc, char** argv) {
   Flags flags;
   std::vector<std::string> kinds = SceneKinds();
   kinds.emplace_back("all");
-  const std::map<std::string, SensorKind> sensors = {{"ideal", SensorKind::kIdeal},
-                                                     {"kinect", SensorKind::kKinect},
-                                                     {"realsense", SensorKind::kRealSense},
-                                                     {"halo_stereo", SensorKind::kHaloStereo}};
   app.add_option("--output", flags.output, "Folder for the files; made if missing")->required();
   app.add_option("--kind", flags.kind, "Kind of scene")
       ->check(CLI::IsMember(kinds))
@@ -126,7 +122,7 @@ int Run(int argc, char** argv) {
   app.add_option("--seed", flags.seed, "Seed of the first scene; the next ones count up")
       ->capture_default_str();
   app.add_option("--sensor", flags.sensor, "ideal, kinect (the default), realsense or halo_stereo")
-      ->transform(CLI::CheckedTransformer(sensors));
+      ->transform(CLI::CheckedTransformer(SensorsByName()));
   app.add_option("--size", flags.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
   app.add_option("--roll", flags.roll_deg, "Turns the camera about its optical axis; degrees")
       ->check(CLI::Range(-180.0, 180.0));

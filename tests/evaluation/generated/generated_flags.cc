@@ -1,27 +1,13 @@
 #include "tests/evaluation/generated/generated_flags.h"
 
 #include <algorithm>
-#include <map>
 
 #include "tests/evaluation/output.h"
 #include "tests/evaluation/settings.h"
 #include "tests/support/random_scene.h"
+#include "tests/support/sensor_names.h"
 
 namespace fovea::evaluation {
-namespace {
-
-using scenes::SensorKind;
-
-const std::map<std::string, SensorKind>& Sensors() {
-  static const std::map<std::string, SensorKind> sensors = {
-      {"ideal", SensorKind::kIdeal},
-      {"kinect", SensorKind::kKinect},
-      {"realsense", SensorKind::kRealSense},
-      {"halo_stereo", SensorKind::kHaloStereo}};
-  return sensors;
-}
-
-}  // namespace
 
 void AddGeneratedFlags(CLI::App& command, GeneratedFlags& flags) {
   command.add_option("--kinds", flags.kinds, "Of scenes; all but empty_table unless told")
@@ -34,7 +20,7 @@ void AddGeneratedFlags(CLI::App& command, GeneratedFlags& flags) {
       ->capture_default_str();
   command.add_option("--sensors", flags.sensors, "That see them")
       ->delimiter(',')
-      ->check(CLI::IsMember(Sensors()))
+      ->check(CLI::IsMember(scenes::SensorsByName()))
       ->capture_default_str();
   command.add_option("--set", flags.settings, "name=value of a detector option; repeatable");
   command.add_flag("--gravity", flags.give_gravity, "Tell the detector where down is");
@@ -61,6 +47,6 @@ DetectorOptions OptionsOf(const GeneratedFlags& flags) {
   return options;
 }
 
-SensorKind SensorOf(const std::string& name) { return Sensors().at(name); }
+scenes::SensorKind SensorOf(const std::string& name) { return scenes::SensorsByName().at(name); }
 
 }  // namespace fovea::evaluation

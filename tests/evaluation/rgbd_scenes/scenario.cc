@@ -1,37 +1,22 @@
 #include "tests/evaluation/rgbd_scenes/scenario.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
 #include "core/detector.h"
 #include "tests/evaluation/box_matching.h"
+#include "tests/evaluation/dataset.h"
 
 namespace fovea::evaluation {
 namespace {
 
 namespace fs = std::filesystem;
 
-cv::Mat Read(const fs::path& path, int type) {
-  cv::Mat image = cv::imread(path.string(), cv::IMREAD_UNCHANGED);
-  if (image.empty()) throw std::runtime_error(path.string() + ": cannot be read as an image");
-  if (image.type() != type) throw std::runtime_error(path.string() + ": unexpected pixel type");
-  return image;
-}
-
 RgbdFrame ReadFrame(const fs::path& color, const CameraIntrinsics& intrinsics) {
-  RgbdFrame frame;
-  frame.intrinsics = intrinsics;
-  cv::cvtColor(Read(color, CV_8UC3), frame.color_rgb, cv::COLOR_BGR2RGB);
   fs::path depth = color;
   depth.replace_filename(color.stem().string() + "_depth.png");
-  const cv::Mat depth_mm = Read(depth, CV_16UC1);
-  depth_mm.convertTo(frame.depth_m, CV_32F, 0.001);
-  frame.depth_m.setTo(std::numeric_limits<float>::quiet_NaN(), depth_mm == 0);
-  return frame;
+  return LoadFrame(color, depth, intrinsics);
 }
 
 template <typename Objects, typename BoxOf>

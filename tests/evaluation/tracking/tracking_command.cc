@@ -4,11 +4,13 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 
+#include "tests/evaluation/generated/generated_flags.h"
 #include "tests/evaluation/output.h"
 #include "tests/evaluation/parallel.h"
 #include "tests/evaluation/tracking/stream_run.h"
 #include "tests/evaluation/tracking/tracking_report.h"
 #include "tests/support/random_scene.h"
+#include "tests/support/sensor_names.h"
 
 namespace fovea::evaluation {
 namespace {
@@ -25,12 +27,6 @@ struct TrackingFlags {
   int num_threads = 1;
   std::string json;
 };
-
-scenes::SensorKind SensorOf(const std::string& name) {
-  if (name == "realsense") return scenes::SensorKind::kRealSense;
-  if (name == "halo_stereo") return scenes::SensorKind::kHaloStereo;
-  return name == "ideal" ? scenes::SensorKind::kIdeal : scenes::SensorKind::kKinect;
-}
 
 // Kinds and sensors in turn, so that a few streams have some of all.
 std::vector<StreamSpec> SpecsOf(const TrackingFlags& flags, const std::string& motion) {
@@ -84,7 +80,7 @@ void AddTrackingCommand(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--sensors", flags->sensors, "Their sensors, in turn")
       ->delimiter(',')
-      ->check(CLI::IsMember({"ideal", "kinect", "realsense", "halo_stereo"}))
+      ->check(CLI::IsMember(scenes::SensorsByName()))
       ->capture_default_str();
   command->add_option("--streams", flags->num_streams, "Of each motion")
       ->check(CLI::Range(1, 10000))
