@@ -40,13 +40,13 @@ void AddDetectionCommand(CLI::App& app) {
           "mosd: object = value / 10 from 20 on (the default); plain: object = value; boxes: "
           "boxes.json and intrinsics.txt in the folder, or in each of its folders")
       ->transform(CLI::CheckedTransformer(encodings));
-  command->add_option("--profile", flags->profile, "Options to start from")
-      ->check(CLI::IsMember(ProfileNames()));
+  auto* profile = command->add_option("--profile", flags->profile, "Options to start from");
+  profile->check(CLI::IsMember(ProfileNames()));
   command->add_option("--set", flags->settings, "name=value of a detector option; repeatable");
   auto* methods =
       command->add_option("--methods", flags->methods,
                           "A row of scores for each of these profiles and peers, side by side");
-  methods->delimiter(',')->check(CLI::IsMember(DetectionMethodNames()));
+  methods->delimiter(',')->check(CLI::IsMember(DetectionMethodNames()))->excludes(profile);
   auto* sweep = command->add_option("--sweep", flags->sweeps,
                                     "name=v1,v2,… : a row of scores for each value; repeatable");
   sweep->excludes(methods);
@@ -72,14 +72,16 @@ void AddDetectionCommand(CLI::App& app) {
           "Groups of scenes: for the spread of box F1, and to calibrate confidence on others")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
-  command->add_flag("--scenes", flags->print_scenes, "Print a line per scene");
+  command->add_flag("--scenes", flags->print_scenes,
+                    "Print a line per scene; of boxes also with --methods");
   command->add_option("--json", flags->json, "Write all scores to this file")
       ->check(WhyNotWritable);
   command
       ->add_option("--plot", flags->plot,
                    "Write an SVG: the sweeps, the methods, or how far confidence is right")
       ->check(WhyNotWritable);
-  command->add_option("--overlays", flags->overlays, "Write a picture per scene to this folder");
+  command->add_option("--overlays", flags->overlays,
+                      "Write a picture per scene, and row of scores, to this folder");
   command->callback([flags] { RunDetectionMode(*flags); });
 }
 

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
 
 #include "tests/evaluation/camera_effects.h"
 #include "tests/evaluation/detection_run.h"
@@ -31,15 +33,16 @@ std::vector<Scene> LoadScenes(const DetectionFlags& flags) {
   return scenes;
 }
 
+// `row`: which of several, in the names of pictures.
 std::vector<SceneResult> Evaluate(const DetectionFlags& flags, const std::vector<Scene>& scenes,
-                                  const DetectFunction& detect) {
+                                  const DetectFunction& detect, const std::string& row = "") {
   std::size_t done = 0;
   return RunDetection(
       scenes, detect, flags.num_threads,
       [&](const Scene& scene, const Detections& detections) {
         ShowProgress("detecting", ++done, scenes.size());
         if (flags.overlays.empty()) return;
-        scenes::WriteImage(flags.overlays + "/" + scene.name + "_overlay.png",
+        scenes::WriteImage(OverlayPath(flags, scene.name + "_overlay", row),
                            DrawOverlay(scene, detections.labels));
       },
       flags.num_repeats);
@@ -81,10 +84,10 @@ void RunSweeps(const DetectionFlags& flags, const std::vector<Scene>& scenes,
     for (const double value : values) {
       DetectorOptions changed = options;
       SetOption(changed, name, value);
-      const Summary summary =
-          Summarize(Evaluate(flags, scenes, OurDetector(flags, changed)), flags.num_folds);
       std::ostringstream title;
       title << name << '=' << value;
+      const Summary summary = Summarize(
+          Evaluate(flags, scenes, OurDetector(flags, changed), title.str()), flags.num_folds);
       PrintSummaryRow(std::cout, title.str(), summary);
       rows.push_back({{"name", name}, {"value", value}, {"summary", ToJson(summary)}});
       summaries.push_back(summary);
@@ -102,7 +105,7 @@ void CompareMethods(const DetectionFlags& flags, const std::vector<Scene>& scene
   for (const std::string& method : flags.methods) {
     const DetectFunction detect =
         IsPeer(method) ? DetectWithPeer(method) : OurDetector(flags, OptionsOf(flags, method));
-    const std::vector<SceneResult> results = Evaluate(flags, scenes, detect);
+    const std::vector<SceneResult> results = Evaluate(flags, scenes, detect, method);
     const Summary summary = Summarize(results, flags.num_folds);
     PrintSummaryRow(std::cout, method, summary);
     rows.push_back({{"method", method}, {"summary", ToJson(summary)}, {"scenes", ToJson(results)}});
@@ -131,7 +134,7 @@ void RunEffects(const DetectionFlags& flags, const std::vector<Scene>& scenes,
   std::vector<Summary> summaries;
   const auto run = [&](const std::string& name, const std::vector<Scene>& seen) {
     const Summary summary =
-        Summarize(Evaluate(flags, seen, OurDetector(flags, options)), flags.num_folds);
+        Summarize(Evaluate(flags, seen, OurDetector(flags, options), name), flags.num_folds);
     PrintSummaryRow(std::cout, name, summary);
     rows.push_back({{"effect", name}, {"summary", ToJson(summary)}});
     names.push_back(name);
@@ -159,7 +162,19 @@ DetectorOptions OptionsOf(const DetectionFlags& flags, const std::string& profil
   return options;
 }
 
+std::string OverlayPath(const DetectionFlags& flags, const std::string& scene,
+                        const std::string& row) {
+  std::string name = row.empty() ? scene : scene + "_" + row;
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return flags.overlays + "/" + name + ".png";
+}
+
 void RunDetectionMode(const DetectionFlags& flags) {
+  const bool has_rows = !flags.methods.empty() || !flags.sweeps.empty() || flags.with_effects;
+  const bool has_lines = flags.encoding == LabelEncoding::kBoxes && !flags.with_effects;
+  if (flags.print_scenes && has_rows && !has_lines) {
+    throw std::invalid_argument("--scenes does not go with several rows of scores");
+  }
   if (!flags.overlays.empty()) std::filesystem::create_directories(flags.overlays);
   if (flags.encoding == LabelEncoding::kBoxes) return RunBoxesMode(flags);
   const std::vector<Scene> scenes = LoadScenes(flags);

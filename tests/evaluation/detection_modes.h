@@ -33,8 +33,13 @@ bool IsPeer(const std::string& method);
 // `flags.settings` on top of a profile.
 DetectorOptions OptionsOf(const DetectionFlags& flags, const std::string& profile);
 
+// The picture of a scene; with the name of the row, if there are several.
+std::string OverlayPath(const DetectionFlags& flags, const std::string& scene,
+                        const std::string& row);
+
 // Loads the scenes and prints one row per method, or else one per value of the sweeps or per camera
 // effect, or else the scores of one run with its stage times; writes the files that are asked for.
+// Throws std::invalid_argument for flags that do not go together.
 void RunDetectionMode(const DetectionFlags& flags);
 
 }  // namespace fovea::evaluation

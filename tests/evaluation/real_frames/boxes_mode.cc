@@ -46,14 +46,13 @@ DetectInFrame Detector(const DetectionFlags& flags, const std::string& method) {
 }
 
 std::vector<BoxedFrameResult> Run(const DetectionFlags& flags,
-                                  const std::vector<BoxedFrame>& frames,
-                                  const std::string& method) {
+                                  const std::vector<BoxedFrame>& frames, const std::string& method,
+                                  const std::string& row) {
   std::size_t count = 0;
   const auto done = [&](const BoxedFrame& frame, const Detections& detections) {
     ShowProgress("detecting", ++count, frames.size());
     if (flags.overlays.empty()) return;
-    const std::string suffix = flags.methods.empty() ? "" : "_" + method;
-    scenes::WriteImage(flags.overlays + "/" + frame.source + "_" + frame.name + suffix + ".png",
+    scenes::WriteImage(OverlayPath(flags, frame.source + "_" + frame.name, row),
                        DrawBoxes(frame, detections.labels));
   };
   return RunBoxedFrames(frames, Detector(flags, method), flags.num_threads, done);
@@ -85,7 +84,7 @@ void PrintFrames(const std::vector<BoxedFrameResult>& results) {
 void RunEffects(const DetectionFlags& flags, const std::vector<BoxedFrame>& frames) {
   nlohmann::json rows = nlohmann::json::array();
   const auto run = [&](const std::string& effect, const std::vector<BoxedFrame>& seen) {
-    const BoxSummary summary = Summarize(Run(flags, seen, flags.profile));
+    const BoxSummary summary = Summarize(Run(flags, seen, flags.profile, effect));
     fmt::print("{:<16} F1 {:.1f}, mean of the sources {:.1f}{}\n", effect,
                100 * summary.all.Boxes().f, 100 * summary.mean_f1,
                summary.has_clear
@@ -115,7 +114,8 @@ void RunBoxesMode(const DetectionFlags& flags) {
   std::vector<BoxSummary> summaries;
   nlohmann::json rows = nlohmann::json::array();
   for (const std::string& method : methods) {
-    const std::vector<BoxedFrameResult> results = Run(flags, frames, method);
+    const std::vector<BoxedFrameResult> results =
+        Run(flags, frames, method, flags.methods.empty() ? "" : method);
     summaries.push_back(Summarize(results));
     if (flags.print_scenes) PrintFrames(results);
     PrintBoxSummary(std::cout, method, summaries.back());
