@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "fovea/v1/detection_service.pb.h"
+#include "server/conversion/gripper.h"
 
 namespace fovea::evaluation {
 namespace {
@@ -22,17 +23,6 @@ std::string PngOf(const cv::Mat& image) {
   std::vector<std::uint8_t> bytes;
   cv::imencode(".png", image, bytes);
   return {bytes.begin(), bytes.end()};
-}
-
-v1::Gripper ToProto(const Gripper& hand) {
-  v1::Gripper proto;
-  proto.set_name(hand.name);
-  if (const auto* jaw = std::get_if<JawGripper>(&hand.hand)) {
-    proto.mutable_jaw()->set_max_opening_m(jaw->max_opening_m);
-  } else {
-    proto.mutable_suction()->set_diameter_m(std::get<SuctionGripper>(hand.hand).diameter_m);
-  }
-  return proto;
 }
 
 Json At(const Json& json, const char* key) { return json.contains(key) ? json[key] : Json(); }
@@ -108,7 +98,7 @@ std::string RequestLine(const scenes::LabelledFrame& frame, const std::vector<Gr
   proto.mutable_intrinsics()->set_cx(frame.frame.intrinsics.cx_px);
   proto.mutable_intrinsics()->set_cy(frame.frame.intrinsics.cy_px);
   for (const Gripper& hand : hands) {
-    *request.mutable_options()->mutable_grasps()->add_grippers() = ToProto(hand);
+    *request.mutable_options()->mutable_grasps()->add_grippers() = server::ToProto(hand);
   }
   std::string line;
   if (!google::protobuf::util::MessageToJsonString(request, &line).ok()) {

@@ -22,7 +22,10 @@ TEST(ClientDialog, ARequestHasTheFrameAndTheHands) {
   frame.frame.intrinsics = {500, 501, 1, 0.5};
   Gripper jaw, cup;
   jaw.name = "jaw";
+  jaw.max_grasps = 20;
+  jaw.min_probability = 0.05F;
   cup.hand = SuctionGripper{.diameter_m = 0.04F};
+  cup.max_tilt_rad = 0.8F;
   const std::string line = RequestLine(frame, {jaw, cup}, "1/2");
   EXPECT_EQ(line.find('\n'), std::string::npos);
   v1::DetectRequest request;
@@ -37,8 +40,13 @@ TEST(ClientDialog, ARequestHasTheFrameAndTheHands) {
   const cv::Mat bgr = cv::imdecode({color.data(), static_cast<int>(color.size())}, -1);
   EXPECT_EQ(bgr.at<cv::Vec3b>(1, 1), cv::Vec3b(50, 100, 200));
   ASSERT_EQ(request.options().grasps().grippers_size(), 2);
-  EXPECT_EQ(request.options().grasps().grippers(0).name(), "jaw");
-  EXPECT_FLOAT_EQ(request.options().grasps().grippers(1).suction().diameter_m(), 0.04F);
+  const v1::Gripper& asked_jaw = request.options().grasps().grippers(0);
+  const v1::Gripper& asked_cup = request.options().grasps().grippers(1);
+  EXPECT_EQ(asked_jaw.name(), "jaw");
+  EXPECT_EQ(asked_jaw.max_grasps(), 20U);
+  EXPECT_FLOAT_EQ(asked_jaw.min_probability(), 0.05F);
+  EXPECT_FLOAT_EQ(asked_cup.suction().diameter_m(), 0.04F);
+  EXPECT_FLOAT_EQ(asked_cup.max_tilt_rad(), 0.8F);
 }
 
 TEST(ClientDialog, ReadsDecisionsOfBothLibraries) {
