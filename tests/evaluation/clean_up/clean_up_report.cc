@@ -22,7 +22,8 @@ bool Collides(const Attempt& attempt) {
          attempt.outcome == Outcome::kHitsFurniture;
 }
 
-std::string StateOf(const LeftThing& left) {
+std::string StateOf(const CleanedScene& scene, const LeftThing& left) {
+  if (scene.gave_up) return "given up";
   if (left.IsTrue()) return left.reason + ": true";
   if (left.reason.empty()) return "not found";
   return left.reason + ": not true";
@@ -55,7 +56,7 @@ void PrintSteps(std::ostream& out, const CleanedScene& scene) {
                NameOf(attempt));
   }
   for (const LeftThing& left : scene.left) {
-    fmt::print(out, "left {:14} {}\n", left.name, StateOf(left));
+    fmt::print(out, "left {:14} {}\n", left.name, StateOf(scene, left));
   }
   if (!scene.error.empty()) {
     fmt::print(out, "ended early: {}\n", scene.error);
@@ -77,7 +78,7 @@ void PrintSummary(std::ostream& out, const std::vector<CleanedScene>& scenes) {
       collisions += Collides(attempt) ? 1 : 0;
       ++ends[NameOf(attempt)];
     }
-    for (const LeftThing& thing : scene.left) ++left[thing.name + ": " + StateOf(thing)];
+    for (const LeftThing& thing : scene.left) ++left[thing.name + ": " + StateOf(scene, thing)];
   }
   fmt::print(
       out,

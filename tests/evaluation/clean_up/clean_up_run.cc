@@ -99,7 +99,7 @@ void CleanUpOne(const CleanUpFlags& flags, CleanedScene& result) {
     result.attempts.push_back(world.Take(std::get<Grasp>(decision)));
     WritePicture(flags, result, frame, world.hands(), &result.attempts.back());
     if (result.attempts.size() < kAttemptsPerThing * result.num_things) continue;
-    result.gave_up = true;
+    result.gave_up = world.NumThings() > 0;
     result.left = WhatIsLeft(world, world.Look(), {});
     return;
   }

@@ -22,7 +22,7 @@ struct CleanUpFlags {
 // What is left in the end.
 struct LeftThing {
   std::string name;
-  std::string reason;  // as the answer says it; empty: it was not found
+  std::string reason;  // as the answer says it; empty: it was not found, or no answer says it
   bool can_be_taken = false;
   bool carries_another = false;
 
@@ -35,7 +35,7 @@ struct CleanedScene {
   std::size_t num_things = 0;
   std::vector<Attempt> attempts;
   std::vector<LeftThing> left;
-  bool gave_up = false;  // four attempts for each thing did not do
+  bool gave_up = false;  // four attempts for each thing did not do; `left` has no reasons
   std::string error;     // the program ended before its time, or said no decision
 };
 
