@@ -17,6 +17,10 @@ namespace {
 constexpr std::size_t kPerTerm = kColumnsOfTerm;
 constexpr std::size_t kNumSlopes = kNumObjectTerms * kPerTerm;
 
+bool IsIn(const TreeSample& sample, const std::string& left_out) {
+  return left_out.empty() || sample.group != left_out;
+}
+
 // What the slopes are multiplied by.
 Eigen::RowVectorXd RowOf(const ObjectTerms& terms, const ObjectModel& knots) {
   Eigen::RowVectorXd row(kNumSlopes);
@@ -68,7 +72,7 @@ class Problem {
           const std::string& left_out, double penalty)
       : penalty_(penalty), scale_(Eigen::VectorXd::Ones(kNumSlopes)) {
     for (const TreeSample& sample : samples) {
-      if (sample.terms.empty() || (!left_out.empty() && sample.group == left_out)) continue;
+      if (sample.terms.empty() || !IsIn(sample, left_out)) continue;
       samples_.push_back(&sample);
       Eigen::MatrixXd rows(sample.terms.size(), kNumSlopes);
       for (std::size_t n = 0; n < sample.terms.size(); ++n) {
@@ -127,10 +131,12 @@ class Problem {
   Eigen::VectorXd scale_;
 };
 
-void SetUsual(const std::vector<TreeSample>& samples, ObjectModel& model) {
+void SetUsual(const std::vector<TreeSample>& samples, const std::string& left_out,
+              ObjectModel& model) {
   double count = 0;
   model.usual.fill(0);
   for (const TreeSample& sample : samples) {
+    if (!IsIn(sample, left_out)) continue;
     for (std::size_t n = 0; n < sample.terms.size(); ++n) {
       if (sample.states[n] != NodeState::kIs) continue;
       ++count;
@@ -156,11 +162,12 @@ DlibVector ToDlib(const Eigen::VectorXd& x) {
 
 }  // namespace
 
-ObjectModel ModelWithKnots(const std::vector<TreeSample>& samples) {
+ObjectModel ModelWithKnots(const std::vector<TreeSample>& samples, const std::string& left_out) {
   ObjectModel model;
   for (std::size_t t = 0; t < static_cast<std::size_t>(ObjectTerm::kNearestJoin); ++t) {
     std::vector<double> values;
     for (const TreeSample& sample : samples) {
+      if (!IsIn(sample, left_out)) continue;
       for (const ObjectTerms& terms : sample.terms) values.push_back(terms[t]);
     }
     model.functions[t] = WithKnotsAt(std::move(values));
@@ -197,7 +204,7 @@ ObjectModel FitModel(const std::vector<TreeSample>& samples, const ObjectModel& 
     model.functions[i / kPerTerm].slopes[i % kPerTerm] = solution(c) / scale[c];
   }
   model.bias = solution(kNumSlopes);
-  SetUsual(samples, model);
+  SetUsual(samples, left_out, model);
   return model;
 }
 

@@ -104,9 +104,9 @@ struct LeftOut {
 
 // The frames of one group of sources by a model that was fitted to everything but it.
 LeftOut LeaveOut(const std::string& group, const ObjectModelFlags& flags,
-                 const std::vector<TreeSample>& samples, const std::vector<BoxedFrame>& frames,
-                 const ObjectModel& start) {
-  const ObjectModel model = FitModel(samples, start, group, flags.penalty, kMaxIterations);
+                 const std::vector<TreeSample>& samples, const std::vector<BoxedFrame>& frames) {
+  const ObjectModel model =
+      FitModel(samples, ModelWithKnots(samples, group), group, flags.penalty, kMaxIterations);
   std::vector<BoxedFrame> own;
   for (const BoxedFrame& frame : frames) {
     if (GroupOf(frame.source) == group) own.push_back(frame);
@@ -127,7 +127,7 @@ LeftOut LeaveOut(const std::string& group, const ObjectModelFlags& flags,
 }
 
 LeftOut LeaveOneOut(const ObjectModelFlags& flags, const std::vector<TreeSample>& samples,
-                    const std::vector<BoxedFrame>& frames, const ObjectModel& start) {
+                    const std::vector<BoxedFrame>& frames) {
   std::set<std::string> names;
   for (const BoxedFrame& frame : frames) names.insert(GroupOf(frame.source));
   const std::vector<std::string> groups(names.begin(), names.end());
@@ -135,7 +135,7 @@ LeftOut LeaveOneOut(const ObjectModelFlags& flags, const std::vector<TreeSample>
   std::mutex mutex;  // guards done
   std::size_t done = 0;
   ForEachIndex(groups.size(), flags.num_threads, [&](std::size_t g) {
-    of_group[g] = LeaveOut(groups[g], flags, samples, frames, start);
+    of_group[g] = LeaveOut(groups[g], flags, samples, frames);
     const std::scoped_lock lock(mutex);
     ShowProgress("leaving one out", ++done, groups.size());
   });
@@ -191,18 +191,36 @@ void PrintInTree(const std::vector<TreeSample>& samples, const std::vector<Boxed
   fmt::print("{:<20} {:>4} of {:>4} in the tree\n", "all", all_found, all_required);
 }
 
+// By weight over all that is fitted to, and of the frames with boxes each as much, as what is left
+// out is counted.
+void PrintLoss(const std::vector<TreeSample>& samples, const ObjectModel& model) {
+  double weight = 0, weighted = 0, loss_of_boxed = 0;
+  int num_boxed = 0;
+  for (const TreeSample& sample : samples) {
+    const double loss = LossOf(sample, model);
+    weight += sample.weight;
+    weighted += sample.weight * loss;
+    if (sample.group.empty() || !sample.is_original) continue;
+    loss_of_boxed += loss;
+    ++num_boxed;
+  }
+  fmt::print("{} trees, mean loss by weight {:.4f}", samples.size(), weighted / weight);
+  if (num_boxed > 0) {
+    fmt::print("; of {} frames with boxes {:.4f}", num_boxed, loss_of_boxed / num_boxed);
+  }
+  fmt::print("\n");
+}
+
 void Run(const ObjectModelFlags& flags) {
   std::vector<BoxedFrame> frames;
   const std::vector<TreeSample> samples = SampleAll(flags, frames);
   PrintInTree(samples, frames);
-  const ObjectModel start = ModelWithKnots(samples);
-  const ObjectModel model = FitModel(samples, start, "", flags.penalty, kMaxIterations);
-  double loss = 0;
-  for (const TreeSample& sample : samples) loss += sample.weight * LossOf(sample, model);
-  fmt::print("{} trees, mean loss {:.4f}\n", samples.size(), loss / double(samples.size()));
+  const ObjectModel model =
+      FitModel(samples, ModelWithKnots(samples, ""), "", flags.penalty, kMaxIterations);
+  PrintLoss(samples, model);
   WriteText(flags.source, ToSource(model));
   if (!flags.leave_one_out) return;
-  const LeftOut left_out = LeaveOneOut(flags, samples, frames, start);
+  const LeftOut left_out = LeaveOneOut(flags, samples, frames);
   const std::vector<BoxedFrameResult>& results = left_out.results.front();
   fmt::print("{} frames left out, mean loss {:.4f}\n", frames.size(),
              left_out.loss / double(frames.size()));
