@@ -178,8 +178,11 @@ Run RunAll(const Flags& flags) {
   const fovea::load::StopSignals stop_signals;
   const fovea::v1::Frame frame = MakeFrame(flags.kind, {flags.size_px[0], flags.size_px[1]});
   Links links;
-  const std::vector<RobotPlan> plans = fovea::load::MakePlans(flags, frame, &links);
+  std::vector<RobotPlan> plans = fovea::load::MakePlans(flags, frame, &links);
   fovea::load::WaitForServers(plans);  // else the robots fail when all of the time is over
+  // A server that starts late takes nothing of the warm-up.
+  const auto noted_from = std::chrono::steady_clock::now() + std::chrono::seconds(flags.warm_up);
+  for (RobotPlan& plan : plans) plan.noted_from = noted_from;
   std::stop_source stop;
   const std::jthread cutting = CutLater(flags, &links);
   auto saboteurs = StartSaboteurs(flags, frame, stop.get_token());

@@ -44,15 +44,14 @@ void Hold(const Flags& flags, const std::vector<std::string>& servers,
 }  // namespace
 
 std::vector<RobotPlan> MakePlans(const Flags& flags, const v1::Frame& frame, Links* links) {
-  const RobotPlan plan{
-      .servers = {flags.server},
-      .name = "",
-      .role = "",
-      .rate_hz = flags.rate_hz,
-      .stream = flags.stream,
-      .retry = flags.retry,
-      .noted_from = std::chrono::steady_clock::now() + std::chrono::seconds(flags.warm_up),
-      .frame = frame};
+  const RobotPlan plan{.servers = {flags.server},
+                       .name = "",
+                       .role = "",
+                       .rate_hz = flags.rate_hz,
+                       .stream = flags.stream,
+                       .retry = flags.retry,
+                       .noted_from = {},
+                       .frame = frame};
   std::vector<RobotPlan> plans(static_cast<std::size_t>(flags.robots), plan);
   const std::vector<std::string> servers = ServersOf(flags.server);
   Check(flags, servers.size());

@@ -25,8 +25,9 @@ struct Links {
   std::optional<SlowLink> slow, vanishing;
 };
 
-// Of ordinary robots and of those that are special. `links` must live as long as they do. Throws
-// std::invalid_argument for flags that do not fit together.
+// Of ordinary robots and of those that are special, without the time from which they are noted.
+// `links` must live as long as they do. Throws std::invalid_argument for flags that do not fit
+// together.
 std::vector<RobotPlan> MakePlans(const Flags& flags, const v1::Frame& frame, Links* links);
 
 }  // namespace fovea::load
