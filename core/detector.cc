@@ -1,6 +1,7 @@
 #include "core/detector.h"
 
 #include <functional>
+#include <limits>
 #include <opencv2/core.hpp>
 #include <utility>
 
@@ -106,10 +107,21 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& op
   around.supports = std::move(scene.supports);
   if (NeedsSurroundings(options)) {
     around.points = BackProject(shown, frame.intrinsics, options.max_depth_m);
+    if (cv::countNonZero(scene.standing) > 0) {
+      around.assumed = ~(near == near) & (result.labels == 0);  // NaN is not equal to itself
+    }
   }
   clock.Finish();
   if (trace != nullptr) *trace = TraceOf(std::move(search), depth, blocks, options);
   return around;
+}
+
+// Without the points that were assumed for what is no object: nobody saw anything there.
+cv::Mat PointsOfMap(const ObjectSurroundings& around) {
+  if (around.assumed.empty()) return around.points;
+  cv::Mat points = around.points.clone();
+  points.setTo(cv::Scalar::all(std::numeric_limits<double>::quiet_NaN()), around.assumed);
+  return points;
 }
 
 void PrepareForPlanning(const ObjectSurroundings& around, const PlanningOptions& options,
@@ -124,7 +136,7 @@ void PrepareForPlanning(const ObjectSurroundings& around, const PlanningOptions&
   if (options.height_map) {
     const Eigen::Vector3f up = result.support ? result.support->normal : -result.gravity.direction;
     const float offset_m = result.support ? result.support->offset_m : 0;
-    result.height_map = MakeHeightMap(around.points, up, offset_m, options);
+    result.height_map = MakeHeightMap(PointsOfMap(around), up, offset_m, options);
   }
 }
 

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <vector>
 
 #include "core/detector.h"
@@ -76,6 +79,49 @@ TEST(Detect, WhatIsTooFarEndsAThingAsTheImageDoes) {
       return object.truncated && object.bounds_px.br().x > middle - 5;
     })) << depth;
   }
+}
+
+// A table seen from 0.6 m above it, 40 degrees below the horizon.
+RgbdFrame Table() {
+  RgbdFrame frame{cv::Mat(240, 320, CV_8UC3, cv::Scalar(150, 120, 90)),
+                  cv::Mat(240, 320, CV_32FC1),
+                  {260, 260, 160, 120},
+                  std::nullopt};
+  const double pitch = 40 * std::numbers::pi / 180;
+  frame.gravity =
+      Eigen::Vector3f(0, static_cast<float>(std::cos(pitch)), static_cast<float>(std::sin(pitch)));
+  for (int row = 0; row < 240; ++row) {
+    const double down = std::cos(pitch) * (row - 120) / 260 + std::sin(pitch);
+    frame.depth_m.row(row) = static_cast<float>(0.6 / down);
+  }
+  return frame;
+}
+
+// The highest cell of its height map.
+double HighestCell(const RgbdFrame& frame, const DetectorOptions& options, Detections& found) {
+  found = Detect(frame, options);
+  cv::Mat heights_m = found.height_map.value().heights_m.clone();
+  cv::patchNaNs(heights_m, -1);
+  double highest = 0;
+  cv::minMaxLoc(heights_m, nullptr, &highest);
+  return highest;
+}
+
+// Whether it is taken for a thing or not decides what planners are told of it.
+TEST(Detect, HeightMapsHaveWhatStandsInForMissingDepthOnlyWhereItIsAnObject) {
+  RgbdFrame frame = Table();
+  const cv::Rect mat(120, 90, 80, 50);
+  frame.color_rgb(mat).setTo(cv::Scalar::all(20));
+  frame.depth_m(mat).setTo(std::numeric_limits<float>::quiet_NaN());
+  DetectorOptions options = OptionsOfProfile("default");
+  options.planning.height_map = true;
+  Detections found;
+  options.choice.min_probability = 0;
+  EXPECT_GT(HighestCell(frame, options, found), 0.05);
+  EXPECT_THAT(found.objects, SizeIs(1));
+  options.choice.min_probability = 1;
+  EXPECT_LT(HighestCell(frame, options, found), 0.01);
+  EXPECT_THAT(found.objects, SizeIs(0));
 }
 
 }  // namespace
