@@ -117,8 +117,8 @@ DescribedObject Describe(const RgbdFrame& frame, const PixelPoints& points,
   object.visible_box =
       FitOrientedBox(positions, support ? support->normal : -gravity, support, options.box);
   object.depth_missing = IsMostlyWithoutDepth(frame.depth_m, pixels);
-  if (object.depth_missing) DeepenBehind(object.visible_box);
   object.box = object.visible_box;
+  if (object.depth_missing) DeepenBehind(object.box);
   if (support) object.height_above_support_m = LowestHeight(positions, *support);
   return {std::move(object), support};
 }

@@ -74,6 +74,13 @@ Explanation Explain(const DetectedObject& object, const std::vector<OutlinePoint
   return *best;
 }
 
+// Its box is a guess already. It was found as a hole in what it stands on, and nobody saw its
+// surface.
+void DescribeUnmeasured(const std::optional<SupportSurface>& support, DetectedObject& object) {
+  object.unseen_share = 1;
+  if (support) object.stands_on.push_back(0);
+}
+
 }  // namespace
 
 void CompleteObjects(const RgbdFrame& frame, const PixelPoints& points,
@@ -85,7 +92,11 @@ void CompleteObjects(const RgbdFrame& frame, const PixelPoints& points,
   for (const std::size_t i : LowestFirst(detections)) {
     InterruptionPoint();
     DetectedObject& object = objects[i];
-    if (object.depth_missing) continue;
+    if (object.depth_missing) {
+      DescribeUnmeasured(supports[i], object);
+      done.push_back(i);
+      continue;
+    }
     Explanation explained =
         Explain(object, outlines[i], frame.intrinsics, Touching(object, objects, outlines[i]),
                 CarriersOf(object, objects, done, supports[i]));

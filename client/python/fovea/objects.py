@@ -140,7 +140,7 @@ class Object:
     visible_box: OrientedBox  # around what was seen alone, with a yaw of its own
     shape: Shape
     yaw_is_arbitrary: bool  # round about the upright: any yaw describes it as well
-    unseen_share: float  # of its surface without the bottom, 0 … 1
+    unseen_share: float  # of its surface without the bottom, 0 … 1; 1 with depth_missing
     # Mean of the visible points; lies off the middle, since only one side is seen.
     centroid: FloatArray
     mean_color: tuple[int, int, int]  # red, green, blue

@@ -104,6 +104,7 @@ TEST(DescribeObjects, FlagsObjectsWithoutDepthAndTakesThemForAsDeepAsWide) {
   scene.Label({300, 200, 40, 40}, 1);
   scene.Label({400, 200, 40, 40}, 2);
   scene.shown_m = scene.frame.depth_m.clone();
+  scene.detections.support = SupportSurface{-Eigen::Vector3f::UnitY(), 0.3F, 100};
   scene.frame.depth_m(cv::Rect(300, 200, 40, 21)).setTo(std::numeric_limits<float>::quiet_NaN());
   scene.frame.depth_m(cv::Rect(400, 200, 40, 20)).setTo(std::numeric_limits<float>::quiet_NaN());
   scene.Describe();
@@ -111,12 +112,12 @@ TEST(DescribeObjects, FlagsObjectsWithoutDepthAndTakesThemForAsDeepAsWide) {
   for (const DetectedObject& object : scene.detections.objects) {
     EXPECT_EQ(object.depth_missing, object.bounds_px.x == 300);
     const Eigen::Vector3f& size = object.box.size_m;
-    if (!object.depth_missing) {
-      EXPECT_LT(object.visible_box.size_m.y(), 0.1F * size.x());
-      continue;
-    }
+    EXPECT_LT(object.visible_box.size_m.y(), 0.1F * size.x());
+    if (!object.depth_missing) continue;
     EXPECT_FLOAT_EQ(size.y(), size.x());
     EXPECT_NEAR(object.box.center.z(), 1 + size.x() / 2, 1e-4);  // behind what is seen
+    EXPECT_EQ(object.unseen_share, 1);
+    EXPECT_EQ(object.stands_on, std::vector<int>{0});
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/shape/carriers.h"
 #include "tests/core/shape/things_on_floor.h"
 #include "tests/support/compound_parts.h"
 
@@ -189,6 +190,21 @@ TEST(CompleteObjects, AFlatThingIsFlat) {
       CompleteThings({Thing(ShapeKind::kBox, {0.2, 0.14, 0.015}, {0, 0}, 0, 0.3)}, 50).detections;
   EXPECT_EQ(found.objects[0].shape.kind, Shape::Kind::kFlat);
   ExpectSize(found.objects[0], {0.2F, 0.14F, 0.015F});
+}
+
+TEST(CompleteObjects, WhatHasNoDepthCarriesAsWell) {
+  ThingsOnFloor things =
+      CompleteThings({Thing(ShapeKind::kCylinder, {0.06, 0.06, 0.1}, {0, 0}, 0),
+                      Thing(ShapeKind::kBox, {0.3, 0.03, 0.03}, {0, 0}, 0.1, 0.2)},
+                     40);
+  std::vector<DetectedObject>& objects = things.detections.objects;
+  objects[0].depth_missing = true;
+  for (DetectedObject& object : objects) object.stands_on.clear();
+  const Eigen::Vector3f up = -things.detections.gravity.direction;
+  const SupportSurface floor = {up, -HeightAlong(up, objects[0].box, 0), 1000};
+  CompleteObjects(things.frame, {things.frame.depth_m, things.frame.intrinsics}, {floor, floor},
+                  things.detections);
+  EXPECT_EQ(objects[1].stands_on, std::vector<int>{1});
 }
 
 }  // namespace
