@@ -222,7 +222,8 @@ const std::vector<OptionEntry>& OptionTable() {
 
       OfDefault("objects.min_probability", 0, 1, "what is less likely an object is not reported",
                 [](O& o) { return &o.choice.min_probability; }),
-      OfBoth("objects.max_objects", 0, 10000, "the most salient ones that are kept; 0: all",
+      OfBoth("objects.max_objects", 0, 10000,
+             "the most salient ones that are kept, as if nothing else were there; 0: all",
              [](auto& o) { return &o.objects.selection.max_objects; }),
       OfBoth("objects.min_pixels", 0, 100000, "smaller objects are dropped; pixels at 640x480",
              [](auto& o) { return &o.objects.selection.min_pixels; }),

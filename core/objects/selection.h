@@ -15,7 +15,8 @@ struct SelectionOptions {
   // Segments with fewer mask pixels are dropped; at an image of 640×480 (scaled with its area, but
   // never fewer than 20).
   double min_pixels = 300;
-  // Only the most salient ones are kept, up to this many; 0: all.
+  // Only the most salient ones are kept, up to this many, as if nothing else were there: what rests
+  // on them is not known of then; 0: all.
   int max_objects = 0;
 };
 
