@@ -34,13 +34,13 @@ struct Grasp {
   // pre-grasp is tool_center_point - approach * pre_grasp_distance_m. At least 0.1 m, and 2 cm more
   // than the finger tips are below the object's top or a cup below the rim of what is hollow.
   float pre_grasp_distance_m = kLeastPreGrasp_m;
-  // Smallest distance between the open hand on its way in and what was seen, or may stand unseen.
+  // Smallest distance of the open hand, on its way in, to what was seen or may be there; to 0.02.
   float clearance_m = 0;
   // Share of both contact areas, or of the lip of a cup, that no pixel shows, 0 … 1.
   float unseen_contacts = 0;
   float probability = 0;  // of success, 0 … 1, calibrated on generated scenes
   // Of suction: root mean square distance of the patch from the surface fitted to it, the largest
-  // cup that fits on, and the distance of the tool axis from the middle of the object.
+  // cup that fits on (1, 1.25, 1.5, 2 or 3 times its width), and the object's middle from the axis.
   float unevenness_m = 0;
   float usable_diameter_m = 0;
   float off_center_m = 0;

@@ -85,12 +85,13 @@ class Grasp:
     probability: float = 0.0  # of success, 0 … 1, calibrated
     # Where the tool centre point is before the hand moves in, clear of everything.
     pre_grasp_position: FloatArray | None = None
-    # Smallest distance between the open hand on its way in and everything else.
+    # Smallest distance between the open hand on its way in and everything else; at most 0.02.
     clearance_m: float = 0.0
     # share of both contact areas, or of the lip of a suction cup, that no pixel shows, 0 … 1
     unseen_contacts: float = 0.0
     # With suction: of the patch from a plane or sphere, root mean square; the widest cup that fits
-    # on it; how far the object's middle is from the tool's axis.
+    # on it, of 1, 1.25, 1.5, 2 and 3 times the gripper's; how far the object's middle is from the
+    # tool's axis.
     unevenness_m: float = 0.0
     usable_diameter_m: float = 0.0
     off_center_m: float = 0.0
