@@ -56,8 +56,7 @@ struct DetectedObject {
   Shape shape;
   bool yaw_is_arbitrary = false;  // round about the upright: the box's x axis then points away from
                                   // the camera
-  float unseen_share = 0;  // of the completed surface, without its bottom, 0 … 1; 1 where depth
-                           // is missing
+  float unseen_share = 0;         // of its surface, without the bottom, 0 … 1; 1 without depth
   Eigen::Vector3f centroid = Eigen::Vector3f::Zero();  // mean of the visible points
   std::array<std::uint8_t, 3> mean_color{};            // RGB
   std::vector<ColorPart> colors;                       // by name, the largest part first

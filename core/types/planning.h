@@ -17,8 +17,7 @@ struct CollisionPrimitive {
   Eigen::Vector3f size_m = Eigen::Vector3f::Zero();
 };
 
-// How high what was seen reaches, on a level grid; things whose depth is missing with the front
-// that is assumed of them.
+// How high what was seen reaches, on a level grid; things without depth by their assumed front.
 struct HeightMap {
   // Columns of the rotation: x along a row of cells, y from row to row, z up. The origin is the
   // middle of the first cell at height 0.
