@@ -1,5 +1,6 @@
 #include "core/detector.h"
 
+#include <array>
 #include <functional>
 #include <limits>
 #include <opencv2/core.hpp>
@@ -165,6 +166,18 @@ void AnswerRobot(const RgbdFrame& frame, const ObjectSurroundings& around,
   clock.Finish();
 }
 
+// Whether less than the whole scene is to be looked at.
+bool IsRestricted(const RegionOptions& region) {
+  const RegionOptions whole;
+  const auto image = [](const RegionOptions& r) {
+    return std::array{r.x_px, r.y_px, r.width_px, r.height_px};
+  };
+  const auto space = [](const RegionOptions& r) {
+    return std::array{r.min_x_m, r.max_x_m, r.min_y_m, r.max_y_m, r.min_z_m, r.max_z_m};
+  };
+  return image(region) != image(whole) || space(region) != space(whole);
+}
+
 Detections NothingYet(const RgbdFrame& frame) {
   Detections result;
   result.labels = cv::Mat::zeros(frame.depth_m.size(), CV_16UC1);
@@ -180,7 +193,8 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
                   const std::function<bool()>& should_stop) {
   Validate(frame);
   Validate(options);
-  RequireNotEmpty(options.paper ? options.paper->region : options.region, frame.depth_m.size());
+  const RegionOptions& region = options.paper ? options.paper->region : options.region;
+  RequireNotEmpty(region, frame.depth_m.size());
   Detections result;
   TimeBudget budget(options.time_budget, should_stop);
   const InterruptionScope interruption([&] { return budget.WantsStop(); });
@@ -197,7 +211,7 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
     cancelled.stage_times = clock.TimesUntilNow();
     throw;
   }
-  result.diagnostics.messages = ExplainLosses(result);
+  result.diagnostics.messages = ExplainLosses(result, IsRestricted(region));
   result.grippers = options.grippers;
   result.stage_times = clock.TimesUntilNow();
   return result;

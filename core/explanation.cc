@@ -31,16 +31,19 @@ std::string DepthLoss(const Diagnostics& d) {
   return "";
 }
 
-std::string SeedLoss(const Diagnostics& d) {
+std::string SeedLoss(const Diagnostics& d, bool has_region) {
   if (d.num_seeds > 0) return "";
   const std::size_t found = d.seeds_from_color + d.seeds_from_depth;
   if (found == 0) {
-    return "nothing stands out in colour or depth or above a surface, so there are no seeds";
+    return fmt::format(
+        "nothing stands out in colour or depth or above a surface{}, so there are no seeds",
+        has_region ? " within region.*" : "");
   }
   return fmt::format(
       "none of the {} salient positions became a seed: {} lie where there is no depth up to "
-      "max_depth_m, {} on, below or beside the support surface or too high above it",
-      found, d.seeds_without_depth, d.seeds_on_support);
+      "max_depth_m, {} on, below or beside the support surface or too high above it{}",
+      found, d.seeds_without_depth, d.seeds_on_support,
+      has_region ? ", or outside of region.*" : "");
 }
 
 // Where nothing is reported.
@@ -68,7 +71,7 @@ std::vector<std::string> SegmentLosses(const Diagnostics& d) {
 
 }  // namespace
 
-std::vector<std::string> ExplainLosses(const Detections& detections) {
+std::vector<std::string> ExplainLosses(const Detections& detections, bool has_region) {
   if (detections.incomplete) {
     return {
         "the time budget ended before all of the frame was looked at, what is most salient first: "
@@ -89,7 +92,7 @@ std::vector<std::string> ExplainLosses(const Detections& detections) {
     say("no support surface was found: no level surface is large enough, or gravity or the depth "
         "unit is wrong");
   }
-  say(SeedLoss(d));
+  say(SeedLoss(d, has_region));
   if (d.objects_less_salient > 0) {
     say(fmt::format("{} less salient objects were left out, as objects.max_objects asks for",
                     d.objects_less_salient));

@@ -164,6 +164,12 @@ TEST_P(Detector, ReportsStagesAndTrace) {
   }
 }
 
+TEST(Detect, SaysThatARegionMayShutEverythingOut) {
+  DetectorOptions options = OptionsOfProfile("default");
+  options.region.max_z_m = 0.1;  // just before the camera
+  EXPECT_THAT(Detect(Tabletop(), options).diagnostics.messages, Contains(HasSubstr("region.*")));
+}
+
 TEST(Detect, TellsWhatItRejectedAndWhy) {
   DetectorOptions options = OptionsOfProfile("default");
   const RgbdFrame frame = Tabletop();

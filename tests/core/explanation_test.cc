@@ -9,6 +9,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 // A detection at which nothing is unusual.
 Detections Usual() {
@@ -59,6 +60,17 @@ TEST(ExplainLosses, WhatIsLeftOutAsNoiseIsNotCalledTooFar) {
   EXPECT_THAT(ExplainLosses(detections), ElementsAre(HasSubstr("mostly noise")));
   detections.diagnostics.num_points = 0;
   EXPECT_THAT(ExplainLosses(detections), ElementsAre(HasSubstr("mostly noise")));
+}
+
+TEST(ExplainLosses, WhereNothingIsASeedTheRegionIsNamed) {
+  Detections detections = Usual();
+  detections.diagnostics.num_seeds = 0;
+  EXPECT_THAT(ExplainLosses(detections, false), ElementsAre(Not(HasSubstr("region"))));
+  EXPECT_THAT(ExplainLosses(detections, true), ElementsAre(HasSubstr("outside of region.*")));
+  detections.diagnostics.seeds_from_color = 0;
+  detections.diagnostics.seeds_from_depth = 0;
+  EXPECT_THAT(ExplainLosses(detections, false), ElementsAre(Not(HasSubstr("region"))));
+  EXPECT_THAT(ExplainLosses(detections, true), ElementsAre(HasSubstr("within region.*")));
 }
 
 TEST(ExplainLosses, SeedsMayComeFromElsewhere) {
