@@ -91,10 +91,20 @@ def make_metadata(token: str, robot: str) -> list[tuple[str, str]]:
     """Raises InvalidArgument for what cannot travel in a header."""
     metadata = []
     if token:
-        metadata.append(("authorization", "Bearer " + _printable("metadata authorization", token)))
+        metadata.append(("authorization", "Bearer " + _token(token)))
     if robot:
         metadata.append(("fovea-robot", _printable("metadata fovea-robot", robot)))
     return metadata
+
+
+def _token(token: Any) -> str:
+    field = "metadata authorization"
+    if isinstance(token, str) and token.endswith(("\n", "\r")):
+        problem = (
+            "the token ends in a line break, as the text of a file does: token.strip() has none"
+        )
+        raise InvalidArgument(field, problem)
+    return _printable(field, token, "the token ")
 
 
 def metadata_of_call(request_id: str, traceparent: str) -> list[tuple[str, str]]:
@@ -103,9 +113,10 @@ def metadata_of_call(request_id: str, traceparent: str) -> list[tuple[str, str]]
     return [(key, _printable(f"metadata {key}", text)) for key, text in given.items() if text]
 
 
-def _printable(field: str, text: Any) -> str:
+def _printable(field: str, text: Any, name: str = "") -> str:
+    """name: what the message begins with, where the field does not say what that is."""
     if not isinstance(text, str):
-        raise InvalidArgument(field, f"is {type(text).__name__}, not a str")
+        raise InvalidArgument(field, f"{name}is {type(text).__name__}, not a str")
     if not (text.isascii() and text.isprintable()):
-        raise InvalidArgument(field, "must be printable ASCII characters")
+        raise InvalidArgument(field, f"{name}must be printable ASCII characters")
     return text

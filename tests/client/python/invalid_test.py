@@ -213,6 +213,14 @@ def test_names_what_cannot_travel_in_a_header() -> None:
             assert caught.value.field.startswith("metadata ")
 
 
+def test_names_the_line_break_of_a_token_from_a_file() -> None:
+    for token in ("0123\n", "0123\r\n"):
+        with pytest.raises(fovea.InvalidArgument, match="the token ends in a line break"):
+            fovea.Client("127.0.0.1:1", token=token)
+    with pytest.raises(fovea.InvalidArgument, match="the token must be printable ASCII"):
+        fovea.Client("127.0.0.1:1", token="01\t23")
+
+
 def test_names_a_robot_that_the_server_does_not_take(client: fovea.Client, server: Any) -> None:
     with fovea.Client(server.address, robot="x" * 65) as nameless:
         with pytest.raises(fovea.InvalidArgument) as caught:
