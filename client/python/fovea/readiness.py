@@ -11,6 +11,7 @@ from contextlib import AbstractContextManager
 import grpc
 
 from fovea.errors import Cancelled, DeadlineExceeded, FoveaError, Unavailable
+from fovea.explanations import why_unavailable
 from fovea.servers import Server, Servers
 
 _LONGEST_LOOK = 1.0  # seconds for one server to answer, where it is asked again
@@ -50,7 +51,7 @@ def wait_until_ready(
     patience: seconds after which it is enough that none takes the connection; raises Unavailable.
     """
     start = time.monotonic()
-    problem = ""
+    problem, is_away = "", False
     while (rest := start + timeout - time.monotonic()) > 0:
         known: list[Server] = []
         is_away = True
@@ -70,11 +71,13 @@ def wait_until_ready(
             except (Cancelled, DeadlineExceeded) as error:
                 problem, is_away = error.message, False
         if is_away and time.monotonic() - start > patience:
-            raise Unavailable("UNAVAILABLE", f"no server answers at {servers.address}: {problem}")
+            raise Unavailable("UNAVAILABLE", why_unavailable(problem, servers.address, servers.tls))
         rest = start + timeout - time.monotonic()
         # Not at the end: gRPC's thread that looks on would find the channel closed.
         looks_on = bool(known) and rest > _BETWEEN
         wait(known[0] if looks_on else None, min(_BETWEEN, max(0, rest)))
+    if is_away:
+        problem = why_unavailable(problem, servers.address, servers.tls)
     text = f"the server at {servers.address} is not ready: {problem}"
     raise DeadlineExceeded("DEADLINE_EXCEEDED", text)
 

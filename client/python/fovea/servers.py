@@ -51,6 +51,7 @@ class Servers:
         """Raises InvalidArgument for an address, a limit of answers or TLS options that are none."""
         check_tls(tls)
         self.address = address
+        self.tls = tls
         self._addresses = parse_addresses(address)
         self._of_channel = tls, whole(max_answer_mib, "max_answer_mib", _MOST_MIB), metadata
         self._lock = threading.RLock()

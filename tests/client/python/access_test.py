@@ -88,6 +88,20 @@ def test_mutual_tls(authority: Authority, mutual_server: ServerProcess, scene: S
         assert client.detect_frame(scene.frame()).objects
 
 
+def test_check_says_what_keeps_it_from_a_server_that_is_there(
+    authority: Authority, mutual_server: ServerProcess, server: ServerProcess
+) -> None:
+    trusting = fovea.TlsOptions(authority.pem.read_bytes())
+    for there, tls, problem in (
+        (mutual_server, None, "closes the connection; does the server want TLS"),
+        (mutual_server, trusting, "closes the connection; does the server want a certificate"),
+        (server, trusting, "does not speak TLS; leave tls out?"),
+    ):
+        with fovea.Client(there.address, tls=tls) as client:
+            with pytest.raises(fovea.Unavailable, match=f"{there.address} {problem}"):
+                client.check()
+
+
 def test_wrong_certificates_are_unavailable(
     authority: Authority, mutual_server: ServerProcess, tmp_path: Path
 ) -> None:
