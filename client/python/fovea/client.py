@@ -17,7 +17,7 @@ import numpy.typing as npt
 from fovea.channel import make_metadata, metadata_of_call
 from fovea.checks import timeout_of_call, timeout_of_client
 from fovea.detections import Detections, detections_from_proto
-from fovea.errors import Cancelled, FoveaError, error_of_call
+from fovea.errors import Cancelled, DeadlineExceeded, FoveaError, error_of_call
 from fovea.frame import CameraIntrinsics, Frame
 from fovea.frame_feed import FrameFeed, Item
 from fovea.options import DetectOptions, RetryOptions, TlsOptions, options_to_proto
@@ -105,7 +105,10 @@ class Client:
     def is_serving(self) -> bool:
         """Asks once. False where the server answers that it does not serve; raises a FoveaError
         where it does not answer."""
-        return is_serving(self._servers, self._errors, self._timeout)
+        try:
+            return is_serving(self._servers, self._errors, self._timeout)
+        except FoveaError as error:
+            raise self._named(error, self._timeout) from None
 
     def check(self, timeout: float | None = None) -> ServerInfo:
         """Waits until the server serves, and sees that it has the version of this library.
@@ -259,7 +262,16 @@ class Client:
             return call_with_retries(self._servers, call, seconds, self._retry, self._wait)
         except FoveaError as error:
             error.request_id = error.request_id or request_id
-            raise
+            raise self._named(error, seconds) from None
+
+    def _named(self, error: FoveaError, seconds: float) -> FoveaError:
+        """gRPC's own text says neither who did not answer nor for how long."""
+        if not isinstance(error, DeadlineExceeded) or error.message != "Deadline Exceeded":
+            return error
+        text = f"no answer from {self._servers.address} within {seconds:g} s"
+        named = DeadlineExceeded("DEADLINE_EXCEEDED", text)
+        named.request_id = error.request_id
+        return named
 
     def _wait(self, server: Server | None, seconds: float) -> None:
         """Raises Cancelled when the client is closed."""

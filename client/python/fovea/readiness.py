@@ -78,7 +78,7 @@ def wait_until_ready(
         wait(known[0] if looks_on else None, min(_BETWEEN, max(0, rest)))
     if is_away:
         problem = why_unavailable(problem, servers.address, servers.tls)
-    text = f"the server at {servers.address} is not ready: {problem}"
+    text = f"the server at {servers.address} is not ready within {timeout:g} s: {problem}"
     raise DeadlineExceeded("DEADLINE_EXCEEDED", text)
 
 

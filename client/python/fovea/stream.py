@@ -131,7 +131,9 @@ class ResumingStream:
             except TimeoutError:
                 if self._seconds_left(asked) <= 0:
                     raise DeadlineExceeded(
-                        "DEADLINE_EXCEEDED", f"no answer of the stream for {self._timeout} s"
+                        "DEADLINE_EXCEEDED",
+                        f"no answer of the stream from {self._servers.address} "
+                        f"for {self._timeout:g} s",
                     ) from None
 
     def _seconds_left(self, asked: float) -> float:

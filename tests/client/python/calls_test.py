@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -109,6 +110,8 @@ def test_every_call_has_a_deadline(scene: Scene) -> None:
             with pytest.raises(fovea.DeadlineExceeded) as caught:
                 call()
             assert isinstance(caught.value, TimeoutError)
+            assert server.address in caught.value.message
+            assert re.search(r" (within|for) 0\.0[51] s", caught.value.message)
         server.thaw()
         client.detect_frame(scene.frame(), timeout=PATIENCE)
 
