@@ -168,8 +168,18 @@ def _intrinsics_to_proto(
     intrinsics: CameraIntrinsics | npt.ArrayLike, field: str
 ) -> frame_pb2.CameraIntrinsics:
     if not isinstance(intrinsics, CameraIntrinsics):
+        if _are_four_numbers(intrinsics):
+            problem = "is four numbers; fovea.CameraIntrinsics(fx, fy, cx, cy) takes them"
+            raise InvalidArgument(field, problem)
         intrinsics = CameraIntrinsics.from_matrix(intrinsics, field)
     return intrinsics.to_proto(field)
+
+
+def _are_four_numbers(value: Any) -> bool:
+    if isinstance(value, np.ndarray):
+        return value.shape == (4,)
+    is_row = isinstance(value, (tuple, list)) and len(value) == 4
+    return is_row and all(isinstance(each, (int, float, np.number)) for each in value)
 
 
 def _require_same_size(color: Any, depth: Any) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import os
 from typing import Any
 
 import numpy as np
@@ -77,10 +78,19 @@ def make_depth_image(
 
 
 def _require_array(image: Any, field: str, dtypes: tuple[str, ...], expected: str) -> None:
+    if isinstance(image, (str, os.PathLike)):
+        problem = (
+            f"is a path, not an array of {expected}; fovea.read_frame(color, depth) reads files"
+        )
+        raise InvalidArgument(field, problem)
     if not isinstance(image, np.ndarray):
-        raise InvalidArgument(field, f"is {type(image).__name__}, not an array of {expected}")
+        hint = "; np.asarray(image) is one" if hasattr(image, "__array_interface__") else ""
+        problem = f"is {type(image).__name__}, not an array of {expected}{hint}"
+        raise InvalidArgument(field, problem)
     if image.dtype.name not in dtypes:
-        raise InvalidArgument(field, f"is an array of {image.dtype.name}, not {expected}")
+        is_wider = image.dtype.kind == "f" and "float32" in dtypes
+        hint = "; .astype(np.float32) makes it that" if is_wider else ""
+        raise InvalidArgument(field, f"is an array of {image.dtype.name}, not {expected}{hint}")
     if image.size == 0:
         raise InvalidArgument(field, f"is empty: its shape is {image.shape}")
 

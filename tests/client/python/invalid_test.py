@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import sys
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from conftest import Scene
+from PIL import Image
 
 import fovea
 
@@ -31,6 +33,15 @@ LOCAL: list[tuple[dict[str, Any], str, str]] = [
     ({"color": np.ma.masked_equal(np.zeros((240, 320, 3), np.uint8), 0)}, "frame.color", "masked"),
     ({"color": [[1, 2]]}, "frame.color", "is list, not an array"),
     ({"color": np.zeros((0, 320, 3), np.uint8)}, "frame.color", "is empty"),
+    ({"color": Image.new("RGB", (320, 240))}, "frame.color", "np.asarray(image) is one"),
+    (
+        {"color": "a_color.png"},
+        "frame.color",
+        "is a path, not an array of HxWx3 uint8; fovea.read_",
+    ),
+    ({"depth": Path("a_depth.png")}, "frame.depth", "fovea.read_frame(color, depth) reads files"),
+    ({"depth": np.ones((240, 320))}, "frame.depth", "float32; .astype(np.float32) makes it that"),
+    ({"depth": np.ones((240, 320), bool)}, "frame.depth", "is an array of bool, not HxW uint16"),
     ({"color": b"GIF89a"}, "frame.color.data", "neither a PNG nor a JPEG"),
     ({"color_encoding": "webp"}, "frame.color.encoding", "rgb8, bgr8, png, jpeg"),
     ({"depth": np.zeros((240, 320, 1), np.uint16)}, "frame.depth", "not HxW"),
@@ -54,6 +65,8 @@ LOCAL: list[tuple[dict[str, Any], str, str]] = [
     ({"depth_unit_m": 0}, "frame.depth.unit_m", "depth_unit_m=0 is not a finite number above 0"),
     ({"depth_unit_m": "mm"}, "frame.depth.unit_m", "depth_unit_m='mm' is not a finite number"),
     ({"intrinsics": np.eye(4)}, "frame.intrinsics", "shape (4, 4), not (3, 3)"),
+    ({"intrinsics": (5, 5, 3, 3)}, "frame.intrinsics", "fovea.CameraIntrinsics(fx, fy, cx, cy)"),
+    ({"intrinsics": [[5, 0, 3], [0, 5]]}, "frame.intrinsics", "not made of numbers"),
     ({"intrinsics": "wide"}, "frame.intrinsics", "not made of numbers"),
     ({"intrinsics": [[5, 1, 3], [0, 5, 3], [0, 0, 1]]}, "frame.intrinsics", "is not [[fx, 0"),
     ({"intrinsics": fovea.CameraIntrinsics(10**400, 5, 3, 3)}, "frame.intrinsics.fx", "finite"),
