@@ -302,7 +302,7 @@ class Client:
         try:
             yield
         except grpc.RpcError as error:
-            raise error_of_call(error) from None
+            raise error_of_call(error, self._servers.max_answer_bytes) from None
         except ValueError:  # what gRPC says of a closed channel
             if not self._closed.is_set():
                 raise

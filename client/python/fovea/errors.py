@@ -15,6 +15,8 @@ _FIELD = re.compile(
     r"((?:metadata )?[\w.-]+(?:\[.*?\](?:\.[\w.]+)?)?(?:, [\w.]+)*): (.*)", re.DOTALL
 )
 
+_TOO_LARGE = re.compile(r"larger than max \((\d+) vs\. (\d+)\)")
+
 
 class FoveaError(Exception):
     """A call that did not succeed; str() is "CODE: message", of calls "CODE: message (request ID)".
@@ -140,8 +142,25 @@ def error_of(
     return InvalidArgument(field, message.removeprefix(f"{field}: "))
 
 
-def error_of_call(call: grpc.RpcError) -> FoveaError:
-    """The exception for a call of gRPC that failed."""
+def _without_grpc(details: str, max_answer_bytes: int) -> str:
+    """What gRPC says of a message that is too large names neither which nor what helps."""
+    found = _TOO_LARGE.search(details)
+    if not found:
+        return details
+    size, most = (f"{int(number) / (1 << 20):.1f} MiB" for number in found.groups())
+    if int(found[2]) == max_answer_bytes:
+        return f"the answer is {size}, this client takes {most} (max_answer_mib)"
+    return (
+        f"the frame is {size}, the server takes {most} (--max-message-mib): send a smaller image, "
+        "or png, jpeg or zstd"
+    )
+
+
+def error_of_call(call: grpc.RpcError, max_answer_bytes: int) -> FoveaError:
+    """The exception for a call of gRPC that failed.
+
+    max_answer_bytes: the largest message that this client takes.
+    """
     field, retry_after, request_id = "", None, ""
     for key, value in call.trailing_metadata() or ():
         if key == "retry-after-ms" and value.isdecimal():
@@ -150,7 +169,8 @@ def error_of_call(call: grpc.RpcError) -> FoveaError:
             field = field_of_details(value)
         if key == "fovea-request-id":
             request_id = value
-    error = error_of(call.code().value[0], call.details() or "", field, retry_after)
+    details = _without_grpc(call.details() or "", max_answer_bytes)
+    error = error_of(call.code().value[0], details, field, retry_after)
     error.request_id = request_id
     if isinstance(error, Unavailable):
         error.retry_after = retry_after

@@ -52,8 +52,9 @@ class Servers:
         check_tls(tls)
         self.address = address
         self.tls = tls
+        self.max_answer_bytes = whole(max_answer_mib, "max_answer_mib", _MOST_MIB) << 20
         self._addresses = parse_addresses(address)
-        self._of_channel = tls, whole(max_answer_mib, "max_answer_mib", _MOST_MIB), metadata
+        self._of_channel = tls, max_answer_mib, metadata
         self._lock = threading.RLock()
         self._choice = ServerChoice()
         self._servers: dict[str, Server] = {}

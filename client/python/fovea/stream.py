@@ -127,7 +127,7 @@ class ResumingStream:
             try:
                 return self._reader.get(self._seconds_left(asked))
             except grpc.RpcError as error:
-                raise error_of_call(error) from None
+                raise error_of_call(error, self._servers.max_answer_bytes) from None
             except TimeoutError:
                 if self._seconds_left(asked) <= 0:
                     raise DeadlineExceeded(

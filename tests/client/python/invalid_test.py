@@ -246,6 +246,20 @@ def test_a_frame_too_large_for_a_message_is_no_overload(client: fovea.Client, sc
     with pytest.raises(fovea.ResourceExhausted) as caught:
         client.detect(large, np.ones((2400, 2400), np.uint16), scene.intrinsics)
     assert not isinstance(caught.value, fovea.Overloaded)
+    sizes = "the frame is 27.5 MiB, the server takes 24.0 MiB"
+    assert caught.value.message.startswith(f"{sizes} (--max-message-mib): send a smaller image")
+
+
+def test_an_answer_too_large_for_the_client_names_its_limit(server: Any, scene: Scene) -> None:
+    with fovea.Client(server.address, max_answer_mib=1) as client:
+        with pytest.raises(fovea.ResourceExhausted, match="client takes 1.0 MiB .max_answer_mib"):
+            options = fovea.DetectOptions(return_trace=True, return_saliency_maps=True)
+            client.detect(
+                np.kron(scene.color, np.ones((2, 2, 1), np.uint8)),
+                np.kron(scene.depth, np.ones((2, 2), np.uint16)),
+                fovea.CameraIntrinsics(525, 525, 319.5, 239.5),
+                options,
+            )
 
 
 @pytest.mark.parametrize(
