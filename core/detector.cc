@@ -1,6 +1,5 @@
 #include "core/detector.h"
 
-#include <array>
 #include <functional>
 #include <limits>
 #include <opencv2/core.hpp>
@@ -166,18 +165,6 @@ void AnswerRobot(const RgbdFrame& frame, const ObjectSurroundings& around,
   clock.Finish();
 }
 
-// Whether less than the whole scene is to be looked at.
-bool IsRestricted(const RegionOptions& region) {
-  const RegionOptions whole;
-  const auto image = [](const RegionOptions& r) {
-    return std::array{r.x_px, r.y_px, r.width_px, r.height_px};
-  };
-  const auto space = [](const RegionOptions& r) {
-    return std::array{r.min_x_m, r.max_x_m, r.min_y_m, r.max_y_m, r.min_z_m, r.max_z_m};
-  };
-  return image(region) != image(whole) || space(region) != space(whole);
-}
-
 Detections NothingYet(const RgbdFrame& frame) {
   Detections result;
   result.labels = cv::Mat::zeros(frame.depth_m.size(), CV_16UC1);
@@ -211,7 +198,7 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
     cancelled.stage_times = clock.TimesUntilNow();
     throw;
   }
-  result.diagnostics.messages = ExplainLosses(result, IsRestricted(region));
+  result.diagnostics.messages = ExplainLosses(result, region != RegionOptions());
   result.grippers = options.grippers;
   result.stage_times = clock.TimesUntilNow();
   return result;

@@ -5,6 +5,7 @@
 
 #include "core/depth/back_projection.h"
 #include "core/objects/portions.h"
+#include "core/objects/rejection.h"
 #include "core/saliency/mean_saliency.h"
 #include "core/segmentation/alpha_expansion.h"
 #include "core/types/interruption.h"
@@ -48,8 +49,6 @@ void Add(std::vector<int> labels_of_part, RefinedScene part, FoundObjects& found
   found.confidences.insert(found.confidences.end(), part.confidences.begin(),
                            part.confidences.end());
   found.rejected.insert(found.rejected.end(), part.rejected.begin(), part.rejected.end());
-  std::stable_sort(found.rejected.begin(), found.rejected.end(),
-                   [](const auto& a, const auto& b) { return a.probability > b.probability; });
   found.num_segments += part.tree.num_segments;
   found.num_merged += part.num_merged;
   found.labels = std::move(labels_of_part);
@@ -121,6 +120,7 @@ Search SearchInBlocks(const RgbdFrame& frame, const CameraIntrinsics& camera,
   counts.num_segments = search.found.num_segments;
   counts.num_merged = search.found.num_merged;
   counts.segments_implausible = search.found.rejected.size();
+  KeepLikeliest(search.found.rejected);
   return search;
 }
 

@@ -8,8 +8,6 @@
 namespace fovea {
 namespace {
 
-constexpr std::size_t kMostRejected = 100;
-
 // Not 0 for each node that is chosen, lies within a chosen one or has one within it.
 std::vector<char> TouchedBy(const MergeTree& tree, const std::vector<int>& chosen) {
   std::vector<char> touched(tree.nodes.size(), 0);
@@ -50,10 +48,14 @@ std::vector<RejectedObject> FindRejected(const MergeTree& tree, const std::vecto
     rejected.push_back({of_it.bounds_px, static_cast<float>(probabilities[likeliest[n]]),
                         std::string(NameOf(model.StrongestAgainst(TermsOf(of_it))))});
   }
+  return rejected;
+}
+
+void KeepLikeliest(std::vector<RejectedObject>& rejected) {
+  constexpr std::size_t kMost = 100;
   std::stable_sort(rejected.begin(), rejected.end(),
                    [](const auto& a, const auto& b) { return a.probability > b.probability; });
-  if (rejected.size() > kMostRejected) rejected.resize(kMostRejected);
-  return rejected;
+  if (rejected.size() > kMost) rejected.resize(kMost);
 }
 
 }  // namespace fovea

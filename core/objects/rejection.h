@@ -9,12 +9,15 @@
 
 namespace fovea {
 
-// For each largest part of the tree of which nothing is chosen, what in it is likeliest an object;
-// of those with the pixels of an object at least, the likeliest 100, likeliest first. The reason is
-// the evidence that speaks against it most. One entry a node: `evidence`, `probabilities`.
+// For each largest part of the tree of which nothing is chosen, what in it is likeliest an object,
+// where that has the pixels of an object at least. The reason is the evidence that speaks against
+// it most. One entry a node: `evidence`, `probabilities`.
 std::vector<RejectedObject> FindRejected(const MergeTree& tree, const std::vector<int>& chosen,
                                          const std::vector<ObjectEvidence>& evidence,
                                          const std::vector<double>& probabilities,
                                          const ObjectModel& model);
+
+// The likeliest 100, likeliest first.
+void KeepLikeliest(std::vector<RejectedObject>& rejected);
 
 }  // namespace fovea

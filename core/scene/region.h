@@ -21,6 +21,8 @@ struct RegionOptions {
   double max_y_m = 100;
   double min_z_m = 0;
   double max_z_m = 100;
+
+  bool operator==(const RegionOptions&) const = default;
 };
 
 // Throws std::invalid_argument, which names the option, if no point of a frame of this size can lie

@@ -26,7 +26,9 @@ struct Scene {
 
   std::vector<RejectedObject> Rejected(const std::vector<int>& chosen,
                                        const std::vector<double>& probabilities) const {
-    return FindRejected(tree, chosen, evidence, probabilities, FittedObjectModel());
+    auto rejected = FindRejected(tree, chosen, evidence, probabilities, FittedObjectModel());
+    KeepLikeliest(rejected);
+    return rejected;
   }
 
   MergeTree tree;
@@ -53,6 +55,15 @@ TEST(FindRejected, LeavesOutSpecks) {
   Scene scene;
   scene.evidence[3].num_pixels = 5;
   EXPECT_EQ(scene.Rejected({5}, {0, 0, 0, 0.2, 0, 0.9}).size(), 0U);
+}
+
+TEST(KeepLikeliest, KeepsAHundred) {
+  std::vector<RejectedObject> rejected;
+  for (int i = 0; i < 150; ++i) rejected.push_back({{}, static_cast<float>(i % 50) / 100, ""});
+  KeepLikeliest(rejected);
+  ASSERT_EQ(rejected.size(), 100U);
+  EXPECT_FLOAT_EQ(rejected.front().probability, 0.49F);
+  EXPECT_FLOAT_EQ(rejected.back().probability, 0.16F);
 }
 
 TEST(ObjectModel, NamesWhatIsFarthestBelowItsUsualValue) {
