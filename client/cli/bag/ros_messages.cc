@@ -14,6 +14,8 @@
 namespace fovea::cli {
 namespace {
 
+using image_files::EncodePng;
+
 constexpr std::string_view kPng("\x89PNG\r\n\x1a\n", 8);
 
 // Plain CDR, little-endian: numbers are aligned to their size, texts have a 0 at their end.
@@ -137,16 +139,11 @@ std::string ColorFile(std::string_view message, bool compressed) {
   }
   const Raw raw = ReadImage(message);
   const std::string_view encoding = raw.encoding;
-  if (encoding == "bgr8" || encoding == "8UC3")
-    return image_files::EncodePng(PixelsOf(raw, CV_8UC3));
-  if (encoding == "rgb8")
-    return image_files::EncodePng(Converted(PixelsOf(raw, CV_8UC3), cv::COLOR_RGB2BGR));
-  if (encoding == "bgra8")
-    return image_files::EncodePng(Converted(PixelsOf(raw, CV_8UC4), cv::COLOR_BGRA2BGR));
-  if (encoding == "rgba8")
-    return image_files::EncodePng(Converted(PixelsOf(raw, CV_8UC4), cv::COLOR_RGBA2BGR));
-  if (encoding == "mono8" || encoding == "8UC1")
-    return image_files::EncodePng(PixelsOf(raw, CV_8UC1));
+  if (encoding == "bgr8" || encoding == "8UC3") return EncodePng(PixelsOf(raw, CV_8UC3));
+  if (encoding == "rgb8") return EncodePng(Converted(PixelsOf(raw, CV_8UC3), cv::COLOR_RGB2BGR));
+  if (encoding == "bgra8") return EncodePng(Converted(PixelsOf(raw, CV_8UC4), cv::COLOR_BGRA2BGR));
+  if (encoding == "rgba8") return EncodePng(Converted(PixelsOf(raw, CV_8UC4), cv::COLOR_RGBA2BGR));
+  if (encoding == "mono8" || encoding == "8UC1") return EncodePng(PixelsOf(raw, CV_8UC1));
   throw NoUse("colour", encoding);
 }
 
@@ -163,9 +160,8 @@ std::string DepthFile(std::string_view message, bool compressed, double unit_m) 
   const Raw raw = ReadImage(message);
   if (raw.big_endian) throw std::invalid_argument("depth is big-endian");
   if (raw.encoding == "16UC1" || raw.encoding == "mono16")
-    return image_files::EncodePng(PixelsOf(raw, CV_16UC1));
-  if (raw.encoding == "32FC1")
-    return image_files::EncodePng(UnitsOf(PixelsOf(raw, CV_32FC1), unit_m));
+    return EncodePng(PixelsOf(raw, CV_16UC1));
+  if (raw.encoding == "32FC1") return EncodePng(UnitsOf(PixelsOf(raw, CV_32FC1), unit_m));
   throw NoUse("depth", raw.encoding);
 }
 
