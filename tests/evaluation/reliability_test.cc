@@ -57,7 +57,7 @@ TEST(ReliabilityReport, HasNoShareOfGroupsWithoutConfidentPredictions) {
               ElementsAre(std::nullopt, Optional(0), Optional(1)));
   std::ostringstream text;
   PrintReliability(text, report);
-  EXPECT_THAT(text.str(), HasSubstr("by group         - 0.000 1.000\n"));
+  EXPECT_THAT(text.str(), HasSubstr("by group        - 0.000 1.000\n"));
   EXPECT_TRUE(ToJson(report)["confident_share_of_groups"][0].is_null());
 }
 

@@ -17,6 +17,7 @@
 #include "tests/support/preview.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/scene_files.h"
+#include "tests/support/sensor_names.h"
 
 namespace fovea::scenes {
 namespace {
