@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "core/depth/measured_depth.h"
 #include "server/conversion/image.h"
 
 namespace fovea::server {
@@ -37,11 +38,14 @@ std::string Gzip(const void* data, std::size_t num_bytes) {
   return compressed;
 }
 
-double UnitOf(const cv::Mat& depth_m) {
+// What is farther, which max_depth_m cannot be, would leave the rest without its millimetres.
+constexpr double kFarthestShown_m = 100;
+
+double UnitOf(const cv::Mat& shown_m) {
   constexpr double kMillimeter = 0.001;
   float farthest = 0;
-  for (auto pixel = depth_m.begin<float>(); pixel != depth_m.end<float>(); ++pixel) {
-    if (std::isfinite(*pixel)) farthest = std::max(farthest, *pixel);
+  for (auto pixel = shown_m.begin<float>(); pixel != shown_m.end<float>(); ++pixel) {
+    if (!std::isnan(*pixel)) farthest = std::max(farthest, *pixel);
   }
   return std::max(kMillimeter,
                   static_cast<double>(farthest) / std::numeric_limits<std::uint16_t>::max());
@@ -79,7 +83,7 @@ std::string PreviewOf(const v1::ColorImage& color, std::uint64_t max_pixels) {
 }
 
 v1::WatchedDepth DepthOf(const RgbdFrame& decoded) {
-  const cv::Mat& depth_m = decoded.depth_m;
+  const cv::Mat depth_m = DepthUpTo(MeasuredDepth(decoded.depth_m), kFarthestShown_m);
   v1::WatchedDepth depth;
   depth.set_width(static_cast<std::uint32_t>(depth_m.cols));
   depth.set_height(static_cast<std::uint32_t>(depth_m.rows));
@@ -87,7 +91,7 @@ v1::WatchedDepth DepthOf(const RgbdFrame& decoded) {
   std::vector<std::uint16_t> units;
   units.reserve(depth_m.total());
   for (auto pixel = depth_m.begin<float>(); pixel != depth_m.end<float>(); ++pixel) {
-    const bool measured = std::isfinite(*pixel);
+    const bool measured = !std::isnan(*pixel);
     units.push_back(measured ? static_cast<std::uint16_t>(std::lround(*pixel / depth.unit_m()))
                              : std::uint16_t{0});
   }

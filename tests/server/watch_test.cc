@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <cstdint>
+#include <cstring>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -74,6 +77,33 @@ TEST_F(Observers, GetOnlyThePartsTheyAskFor) {
   watching.Next();
   Detect(loopback, "attic");
   const v1::WatchedFrame frame = watching.Next().frame();
+// What no camera measures, or none so far, is not measured to them, and the rest keeps its unit.
+TEST_F(Observers, SeeDepthWhateverIsFarAway) {
+  const Loopback loopback(FindOne, options_);
+  Watching watching(loopback.server.Address(), "all-of-it", RequestOf({v1::WATCH_PART_DEPTH}));
+  watching.Next();
+  cv::Mat meters = TestMeters();
+  meters.at<float>(0, 1) = std::numeric_limits<float>::max();
+  meters.at<float>(0, 2) = 9000;
+  meters.at<float>(0, 3) = -1;
+  meters.at<float>(0, 4) = 90;
+  v1::DetectRequest request = TestRequest();
+  *request.mutable_frame()->mutable_depth() =
+      DepthMessage(v1::DEPTH_ENCODING_32FC1, BytesOf(meters), meters.cols, meters.rows);
+  Detect(loopback, "attic", request);
+  const v1::WatchedDepth depth = watching.Next().frame().depth();
+  EXPECT_LT(depth.unit_m(), 0.0014);
+  const std::string bytes = Gunzip(depth.data(), kDepthBytes);
+  const auto at = [&](int row, int col) {
+    std::uint16_t units = 0;
+    std::memcpy(&units, bytes.data() + sizeof units * (row * meters.cols + col), sizeof units);
+    return units * depth.unit_m();
+  };
+  for (const int col : {1, 2, 3}) EXPECT_EQ(at(0, col), 0) << col;
+  EXPECT_NEAR(at(0, 4), 90, 0.001);
+  EXPECT_NEAR(at(1, 1), meters.at<float>(1, 1), 0.001);
+}
+
   EXPECT_EQ(frame.num_objects(), 1U);
   EXPECT_THAT(frame.detections().objects(), IsEmpty());
   EXPECT_TRUE(frame.preview().empty() && frame.picture().empty());
