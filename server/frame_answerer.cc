@@ -160,6 +160,7 @@ void FrameAnswerer::Show(const FrameRequest& request, const Caller& caller,
     if (answer != nullptr) {
       *sight.extras.mutable_seeds() = answer->seeds();
       *sight.extras.mutable_saliency_maps() = answer->saliency_maps();
+      sight.extras.set_grippers_source(answer->grippers_source());
       if ((parts & Bit(v1::WATCH_PART_FRAME)) != 0) {
         sight.answer = std::make_shared<const v1::Detections>(*answer);
       }

@@ -25,7 +25,7 @@ struct Sight {
   v1::DetectOptions options = {};
   RgbdFrame decoded = {};      // empty images where it was not
   Detections detections = {};  // where the status is OK
-  v1::Detections extras = {};  // seeds and saliency maps, where the robot asked for them
+  v1::Detections extras = {};  // what is not in these: seeds, saliency maps, whose grippers
   // What the robot got, where somebody wants that.
   std::shared_ptr<const v1::Detections> answer = nullptr;
 

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 #include <map>
+#include <opencv2/core.hpp>
 #include <set>
 #include <string>
 
@@ -62,6 +63,8 @@ TEST_F(Observers, SeeWhatTheRobotsAreAnswered) {
   ASSERT_EQ(frame.detections().objects_size(), 1);
   EXPECT_GT(frame.detections().objects(0).mask().runs_size(), 0);  // the robot did not ask for it
   EXPECT_GT(frame.detections().stage_times_size(), 0);
+  EXPECT_EQ(frame.detections().grippers_source(), frame.answer().grippers_source());
+  EXPECT_NE(frame.answer().grippers_source(), v1::GRIPPER_SOURCE_UNSPECIFIED);
   EXPECT_THAT(frame.preview(), StartsWith("\xFF\xD8"));
   EXPECT_THAT(frame.picture(), StartsWith("\xFF\xD8"));
   EXPECT_EQ(frame.frame().SerializeAsString(), TestFrame().SerializeAsString());
@@ -71,12 +74,6 @@ TEST_F(Observers, SeeWhatTheRobotsAreAnswered) {
   EXPECT_EQ(Gunzip(depth.data(), kDepthBytes), BytesOf(TestDepth()));
 }
 
-TEST_F(Observers, GetOnlyThePartsTheyAskFor) {
-  const Loopback loopback(FindOne, options_);
-  Watching watching(loopback.server.Address(), "all-of-it", RequestOf({}));
-  watching.Next();
-  Detect(loopback, "attic");
-  const v1::WatchedFrame frame = watching.Next().frame();
 // What no camera measures, or none so far, is not measured to them, and the rest keeps its unit.
 TEST_F(Observers, SeeDepthWhateverIsFarAway) {
   const Loopback loopback(FindOne, options_);
@@ -104,6 +101,12 @@ TEST_F(Observers, SeeDepthWhateverIsFarAway) {
   EXPECT_NEAR(at(1, 1), meters.at<float>(1, 1), 0.001);
 }
 
+TEST_F(Observers, GetOnlyThePartsTheyAskFor) {
+  const Loopback loopback(FindOne, options_);
+  Watching watching(loopback.server.Address(), "all-of-it", RequestOf({}));
+  watching.Next();
+  Detect(loopback, "attic");
+  const v1::WatchedFrame frame = watching.Next().frame();
   EXPECT_EQ(frame.num_objects(), 1U);
   EXPECT_THAT(frame.detections().objects(), IsEmpty());
   EXPECT_TRUE(frame.preview().empty() && frame.picture().empty());
