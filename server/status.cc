@@ -21,7 +21,7 @@ grpc::Status StatusOfCurrentException(bool deadline_passed) {
   } catch (const FieldError& error) {
     return InvalidArgument(error);
   } catch (const TooComplex& error) {
-    return {grpc::StatusCode::INVALID_ARGUMENT, error.what()};
+    return InvalidArgument(FieldError("options.parameters[voxels.size_m]", error.what()));
   } catch (const Unauthenticated& error) {
     return {grpc::StatusCode::UNAUTHENTICATED, error.what()};
   } catch (const PermissionDenied& error) {

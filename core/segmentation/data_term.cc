@@ -17,7 +17,7 @@ constexpr std::size_t kMaxChoices = std::size_t{1} << 25U;
 void RequireFewChoices(std::size_t num_choices) {
   if (num_choices <= kMaxChoices) return;
   throw TooComplex(
-      "mrf: too many voxels within reach of too many seeds; raise mrf.gamma_per_m2 or "
+      "too many voxels within reach of too many seeds; raise mrf.gamma_per_m2 or "
       "voxels.size_m");
 }
 

@@ -52,7 +52,7 @@ std::vector<int> Renumbered(const std::vector<int>& labels, DisjointSets& sets) 
 void RequireFewSegments(const std::vector<int>& segments) {
   constexpr std::size_t kMax = std::numeric_limits<std::uint16_t>::max();
   if (CountLabels(segments) <= kMax) return;
-  throw TooComplex("segments: more than 65535, depth is mostly noise; raise voxels.size_m");
+  throw TooComplex("more than 65535 segments, depth is mostly noise; raise voxels.size_m");
 }
 
 cv::Mat LabelImage(const VoxelGrid& grid, const std::vector<int>& labels) {

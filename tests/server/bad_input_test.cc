@@ -263,10 +263,10 @@ TEST_F(BadInputTest, RefusesWhatIsNoMessage) {
 }
 
 TEST(LimitOfTheMethod, IsNamed) {
-  Loopback loopback([](auto&&...) -> Detections { throw TooComplex("mrf: too many"); });
+  Loopback loopback([](auto&&...) -> Detections { throw TooComplex("too many"); });
   const grpc::Status status = StatusOf([&] { loopback.client.Detect(TestRequest()); });
   EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
-  EXPECT_EQ(status.error_message(), "mrf: too many");
+  EXPECT_EQ(status.error_message(), "options.parameters[voxels.size_m]: too many");
 }
 
 // What is unusual and yet a frame gets an answer: from the real detector, with nothing found.

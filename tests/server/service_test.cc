@@ -185,7 +185,7 @@ TEST(Detect, TurnsExceptionsIntoStatuses) {
   };
   const grpc::Status invalid = status_of(TooComplex("too many seeds"));
   EXPECT_EQ(invalid.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
-  EXPECT_EQ(invalid.error_message(), "too many seeds");
+  EXPECT_EQ(invalid.error_message(), "options.parameters[voxels.size_m]: too many seeds");
   EXPECT_EQ(status_of(std::bad_alloc()).error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
   EXPECT_EQ(status_of(Cancelled()).error_code(), grpc::StatusCode::CANCELLED);
   const grpc::Status internal = status_of(std::runtime_error("secret"));
