@@ -1,5 +1,6 @@
 #include "server/status.h"
 
+#include <chrono>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -14,6 +15,12 @@
 #include "server/scheduling/scheduler.h"
 
 namespace fovea::server {
+
+namespace {
+
+constexpr std::chrono::seconds kUntilThereIsMemory{1};  // others have theirs back by then
+
+}  // namespace
 
 grpc::Status StatusOfCurrentException(bool deadline_passed) {
   try {
@@ -33,7 +40,7 @@ grpc::Status StatusOfCurrentException(bool deadline_passed) {
   } catch (const ComputeLimitPassed& error) {
     return {grpc::StatusCode::RESOURCE_EXHAUSTED, error.what()};
   } catch (const std::bad_alloc&) {
-    return {grpc::StatusCode::RESOURCE_EXHAUSTED, "not enough memory for this frame"};
+    return ResourceExhausted("not enough memory for this frame", kUntilThereIsMemory);
   } catch (const std::exception& error) {
     LogLimited("internal error", spdlog::level::err,
                std::string("internal error: ") + error.what());

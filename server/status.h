@@ -11,7 +11,8 @@ namespace fovea::server {
 // FieldError and TooComplex → INVALID_ARGUMENT, Unauthenticated → UNAUTHENTICATED,
 // PermissionDenied → PERMISSION_DENIED, Overloaded → RESOURCE_EXHAUSTED,
 // Cancelled → DEADLINE_EXCEEDED where `deadline_passed`, else CANCELLED, ComputeLimitPassed and
-// std::bad_alloc → RESOURCE_EXHAUSTED, anything else → INTERNAL with the text in the log only.
+// std::bad_alloc → RESOURCE_EXHAUSTED, the latter to come back in a second; anything else →
+// INTERNAL with the text in the log only.
 grpc::Status StatusOfCurrentException(bool deadline_passed);
 
 // Of a caller that left, or whose deadline passed.

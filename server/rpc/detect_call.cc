@@ -1,5 +1,6 @@
 #include "server/rpc/detect_call.h"
 
+#include "server/error_details.h"
 #include "server/rpc/parse.h"
 #include "server/status.h"
 #include "server/until_it_works.h"
@@ -111,6 +112,7 @@ void DetectCall::Compute() {
 void DetectCall::Deliver() {
   const std::size_t size = response_.ByteSizeLong();
   environment_.metrics.OnSent(size);
+  if (const auto wait = RetryAfterOf(status_)) AddRetryAfter(*wait, &context_);
   transfer_.BeginAnswer(shared_from_this(), size);
   stream_.Finish(response_, status_,
                  Then([self = shared_from_this()](bool) { self->transfer_.End(); }));

@@ -45,6 +45,11 @@ std::vector<Mishap> Mishaps() {
   };
 }
 
+// Memory comes back.
+bool IsWorthRetrying(const Mishap& mishap) {
+  return mishap.code == grpc::StatusCode::RESOURCE_EXHAUSTED;
+}
+
 // Throws at every second frame, what comes next.
 class Unlucky {
  public:
@@ -64,9 +69,14 @@ TEST(Exceptions, EndTheCallTheyHappenIn) {
   Loopback loopback{Unlucky()};
   for (const Mishap& mishap : Mishaps()) {
     SCOPED_TRACE(mishap.name);
-    const grpc::Status status = StatusOf([&] { loopback.client.Detect(TestRequest()); });
-    EXPECT_EQ(status.error_code(), mishap.code);
-    EXPECT_THAT(status.error_message(), HasSubstr(mishap.says));
+    try {
+      loopback.client.Detect(TestRequest());
+      ADD_FAILURE() << "the call succeeded";
+    } catch (const client::RpcError& error) {
+      EXPECT_EQ(error.code(), mishap.code);
+      EXPECT_THAT(error.message(), HasSubstr(mishap.says));
+      EXPECT_EQ(error.retry_after().has_value(), IsWorthRetrying(mishap));
+    }
     EXPECT_EQ(loopback.client.Detect(TestRequest()).detections().objects_size(), 1);
   }
 }
@@ -83,6 +93,7 @@ TEST(Exceptions, AreTheAnswerToAFrameOfAStream) {
     ASSERT_TRUE(bad);
     EXPECT_EQ(bad->error().code(), mishap.code);
     EXPECT_THAT(bad->error().message(), HasSubstr(mishap.says));
+    EXPECT_EQ(bad->error().has_retry_after(), IsWorthRetrying(mishap));
     ASSERT_TRUE(stream->Send(request));
     EXPECT_TRUE(stream->Receive()->has_detections());
   }
