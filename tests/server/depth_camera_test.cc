@@ -29,19 +29,22 @@ v1::DetectRequest UnregisteredRequest() {
 }
 
 // What the detector gets.
-cv::Mat DepthOf(const v1::DetectRequest& request) {
+RgbdFrame FrameOf(const v1::DetectRequest& request) {
   std::mutex mutex;
-  cv::Mat depth_m;
+  RgbdFrame seen;
   const auto record = [&](const RgbdFrame& frame, const DetectorOptions& options, Trace* trace,
                           const std::function<bool()>& should_stop) {
     const std::scoped_lock lock(mutex);
-    depth_m = frame.depth_m.clone();
+    seen.depth_m = frame.depth_m.clone();
+    seen.unseen = frame.unseen.clone();
     return FindOne(frame, options, trace, should_stop);
   };
   Loopback(record).client.Detect(request);
   const std::scoped_lock lock(mutex);
-  return depth_m;
+  return seen;
 }
+
+cv::Mat DepthOf(const v1::DetectRequest& request) { return FrameOf(request).depth_m; }
 
 void ExpectRefused(const v1::DetectRequest& request, const std::string& error_start) {
   Loopback loopback;
@@ -68,6 +71,20 @@ TEST(DepthCamera, MayHaveAnotherSizeThanColor) {
   const cv::Mat depth_m = DepthOf(request);
   EXPECT_EQ(depth_m.size(), cv::Size(kWidth, kHeight));
   EXPECT_EQ(cv::countNonZero(depth_m == 1.5F), kWidth * kHeight);
+}
+
+// Else what is cut off where it ends counts as whole.
+TEST(DepthCamera, OfALesserFieldOfViewSaysWhereItEnds) {
+  v1::DetectRequest request = UnregisteredRequest();
+  const std::vector<float> meters(16UL * kHeight, 1.5F);
+  *request.mutable_frame()->mutable_depth() = client::MakeDepthImage(meters.data(), 16, kHeight);
+  request.mutable_frame()->mutable_depth_intrinsics()->set_cx(7.5);
+  const RgbdFrame frame = FrameOf(request);
+  ASSERT_EQ(frame.unseen.size(), frame.depth_m.size());
+  const cv::Mat measured = frame.depth_m == frame.depth_m;
+  EXPECT_EQ(cv::countNonZero(measured), 16 * kHeight);
+  EXPECT_EQ(cv::countNonZero(frame.unseen != ~measured), 0);
+  EXPECT_TRUE(FrameOf(UnregisteredRequest()).unseen.empty());
 }
 
 TEST(DepthCamera, ServesFullHdColor) {
