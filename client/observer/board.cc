@@ -144,6 +144,31 @@ void Board::OnFrame(std::size_t server, v1::WatchResponse response, Look look) {
   Change(&robot.version);
 }
 
+bool Board::IsNewer(const Robot& robot, std::uint64_t came_at_us) {
+  return !robot.arrivals.empty() || (robot.newest && robot.newest->came_at_us >= came_at_us);
+}
+
+bool Board::HasNewer(const std::string& robot, std::uint64_t came_at_us) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = robots_.find(robot);
+  return found != robots_.end() && IsNewer(found->second, came_at_us);
+}
+
+void Board::OnPast(std::size_t server, v1::WatchedFrame frame, std::uint64_t came_at_us) {
+  auto shown = std::make_shared<ShownFrame>();
+  shown->server = server;
+  shown->came_at_us = came_at_us;
+  shown->frame = std::move(frame);
+  const std::lock_guard lock(mutex_);
+  const std::string& name = shown->frame.robot();
+  if (!robots_.contains(name) && robots_.size() >= kMaxRobots) return;
+  Robot& robot = robots_[name];
+  if (IsNewer(robot, came_at_us)) return;  // it came meanwhile
+  shown->id = ++last_id_;
+  robot.newest = std::move(shown);
+  Change(&robot.version);
+}
+
 void Board::Forget(const std::string& robot, Look look) {
   const std::lock_guard lock(mutex_);
   if (const auto found = robots_.find(robot); found != robots_.end()) {

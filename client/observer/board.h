@@ -43,6 +43,10 @@ class Board {
   void OnObserver(std::size_t server, const v1::Observer& observer);
   void OnState(std::size_t server, const LinkState& state);
   void OnFrame(std::size_t server, v1::WatchResponse response, Look look);
+  // For the list: a frame from before, of a robot of which none has come since.
+  void OnPast(std::size_t server, v1::WatchedFrame frame, std::uint64_t came_at_us);
+  // Whether one has, or a later one from before is there.
+  bool HasNewer(const std::string& robot, std::uint64_t came_at_us) const;
   // Nobody looks at it so any more, or somebody begins to, whom nothing from before concerns.
   void Forget(const std::string& robot, Look look);
 
@@ -93,6 +97,7 @@ class Board {
     double rate_hz = 0;
   };
 
+  static bool IsNewer(const Robot& robot, std::uint64_t came_at_us);
   static double RateOf(const std::deque<Arrival>& arrivals);
   static bool Allows(const Server& server, const std::string& robot, v1::ObserverRight right);
   // mutex_ is held for these.

@@ -3,6 +3,8 @@
 #include <condition_variable>
 #include <utility>
 
+#include "client/observer/history/past.h"
+
 namespace fovea::observer {
 namespace {
 
@@ -45,16 +47,21 @@ v1::WatchRequest CloseRequest(const std::string& robot, bool with_depth) {
 
 }  // namespace
 
-Feed::Feed(const std::vector<ServerLink>& servers, std::string token)
-    : servers_(servers), token_(std::move(token)), board_(AddressesOf(servers)) {
+Feed::Feed(const std::vector<ServerLink>& servers, std::string token, const History* history)
+    : servers_(servers), token_(std::move(token)), history_(history), board_(AddressesOf(servers)) {
   streams_ = Watch(ListRequest(), Look::kList);
+}
+
+void Feed::OnObserver(std::size_t server, const v1::Observer& who) {
+  board_.OnObserver(server, who);
+  if (history_ != nullptr) ShowPast(*history_, server, &board_);
 }
 
 Feed::Streams Feed::Watch(const v1::WatchRequest& request, Look look) {
   Streams streams;
   for (std::size_t i = 0; i < servers_.size(); ++i) {
     WatchStream::Listener listener{
-        .on_observer = [this, i](const v1::Observer& who) { board_.OnObserver(i, who); },
+        .on_observer = [this, i](const v1::Observer& who) { OnObserver(i, who); },
         .on_frame =
             [this, i, look](v1::WatchResponse response) {
               board_.OnFrame(i, std::move(response), look);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "client/observer/board.h"
+#include "client/observer/history/history.h"
 #include "client/observer/server_link.h"
 #include "client/observer/watch_stream.h"
 
@@ -17,7 +18,9 @@ namespace fovea::observer {
 // Thread-safe.
 class Feed {
  public:
-  Feed(const std::vector<ServerLink>& servers, std::string token);
+  // `history` may be null, and must outlive this: of robots that send nothing its newest frames are
+  // shown.
+  Feed(const std::vector<ServerLink>& servers, std::string token, const History* history = nullptr);
 
   Feed(const Feed&) = delete;
   Feed& operator=(const Feed&) = delete;
@@ -37,11 +40,13 @@ class Feed {
  private:
   using Streams = std::vector<std::unique_ptr<WatchStream>>;
 
+  void OnObserver(std::size_t server, const v1::Observer& who);
   Streams Watch(const v1::WatchRequest& request, Look look);
   void EndLook(const std::string& key, const std::string& robot, Look look);
 
   const std::vector<ServerLink> servers_;
   const std::string token_;
+  const History* const history_;
   Board board_;
   std::mutex mutex_;
   std::map<std::string, std::weak_ptr<void>> close_;  // by robot and whether with depth

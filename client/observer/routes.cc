@@ -58,7 +58,7 @@ HttpResponse AssetResponse(const std::string& path) {
 
 Routes::Routes(std::vector<ServerLink> servers, std::vector<std::string> hosts,
                Encryption encryption, const HistoryRoutes& history)
-    : sessions_(std::move(servers)),
+    : sessions_(std::move(servers), history.history()),
       history_(history),
       asks_(history),
       hosts_(std::move(hosts)),

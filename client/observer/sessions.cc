@@ -32,7 +32,7 @@ std::shared_ptr<Feed> Sessions::FeedOf(const std::string& token) {
   std::erase_if(feeds_, [](const auto& each) { return each.second.expired(); });
   std::weak_ptr<Feed>& known = feeds_[token];
   auto feed = known.lock();
-  if (!feed) known = feed = std::make_shared<Feed>(servers_, token);
+  if (!feed) known = feed = std::make_shared<Feed>(servers_, token, history_);
   return feed;
 }
 

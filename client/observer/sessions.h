@@ -26,7 +26,9 @@ struct Session {
 // Thread-safe. Bounded: the session that was not used for longest makes room for another one.
 class Sessions {
  public:
-  explicit Sessions(std::vector<ServerLink> servers) : servers_(std::move(servers)) {}
+  // `history` may be null, and must outlive this.
+  Sessions(std::vector<ServerLink> servers, const History* history)
+      : servers_(std::move(servers)), history_(history) {}
 
   // Waits for the servers, some seconds at most. None where none of them knows the token, when
   // `problem` says why.
@@ -42,6 +44,7 @@ class Sessions {
   void End(Map::iterator session);  // mutex_ is held
 
   const std::vector<ServerLink> servers_;
+  const History* const history_;
   std::mutex mutex_;
   Map sessions_;
   std::map<std::string, std::weak_ptr<Feed>> feeds_;  // by token

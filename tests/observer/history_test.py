@@ -12,6 +12,7 @@ from conftest import Recorded, Robots, Scene, bundle, recorder_is_ready
 from processes import (
     OBSERVERS,
     PATIENCE,
+    Events,
     ObserverProcess,
     ServerProcess,
     Visitor,
@@ -102,6 +103,35 @@ def test_outlives_both_programs(scene: Scene, tmp_path: Path) -> None:
                     assert not half.exists() and not list(folder.glob("*.part"))
                     while len(visitor.history("attic")) == len(known):
                         robots.detect("attic", scene.frame())
+
+
+def test_robots_that_are_silent_now_are_listed(scene: Scene, tmp_path: Path) -> None:
+    """With their newest frame, to whoever may see them."""
+    observers, flags = write_observers(tmp_path), history_flags(tmp_path)
+    with ServerProcess(observers) as server:
+        with ObserverProcess(server.address, "127.0.0.1:0", *flags) as observer:
+            recorded = Recorded(observer, Robots(server.address))
+            recorder_is_ready(recorded.visitor("ann"), recorded.robots)
+            frames = scene.frame(id="one"), scene.frame(id="two")
+            newest = recorded.record("attic", *frames)[-1]
+            recorded.record("kitchen-1", scene.frame())
+        with ObserverProcess(server.address, "127.0.0.1:0", *flags) as observer:
+            again = Recorded(observer, recorded.robots)
+            ann = again.visitor("ann")
+            with Events(ann) as events:
+                line = events.robots("attic", "kitchen-1")["attic"]
+            assert line["frame_id"] == "two" and line["came_at_us"] == newest
+            shown = f"?robot=attic&id={line['id']}"
+            assert len(ann.get(f"/api/answer{shown}").json()["detections"]["objects"]) > 0
+            assert ann.get(f"/api/preview{shown}").body.startswith(b"\xff\xd8")
+            with Events(again.visitor("ben")) as events:
+                seen: set[str] = set()
+                while "kitchen-1" not in seen:
+                    seen |= {robot["robot"] for robot in events.next()["robots"]}
+            assert seen == {"kitchen-1"}
+            with Events(ann) as events:
+                again.record("attic", scene.frame(id="three"))
+                assert events.robot("attic", newer_than=line["id"])["frame_id"] == "three"
 
 
 def test_stays_within_its_size(scene: Scene, tmp_path: Path) -> None:

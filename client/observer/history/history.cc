@@ -239,6 +239,18 @@ std::vector<History::Entry> History::List(const std::string& robot, const MaySee
   return entries;
 }
 
+std::map<std::string, std::uint64_t> History::NewestOf(const std::string& server) const {
+  const std::lock_guard lock(mutex_);
+  std::map<std::string, std::uint64_t> newest;
+  const auto number = std::ranges::find(servers_, server) - servers_.begin();
+  for (const auto& [name, robot] : robots_) {
+    const auto found = std::ranges::find(robot.frames.rbegin(), robot.frames.rend(), number,
+                                         [](const Kept& each) { return each.server; });
+    if (found != robot.frames.rend()) newest[name] = found->id;
+  }
+  return newest;
+}
+
 std::optional<HistoryRecord> History::Read(const std::string& robot, std::uint64_t id) const {
   {
     const std::lock_guard lock(mutex_);

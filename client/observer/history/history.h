@@ -51,6 +51,9 @@ class History {
   using MaySee = std::function<bool(const std::string& server)>;
   std::vector<Entry> List(const std::string& robot, const MaySee& may_see) const;
 
+  // Of each robot that a server showed, the newest frame of that server.
+  std::map<std::string, std::uint64_t> NewestOf(const std::string& server) const;
+
   // None where it is not there (any more), or damaged.
   std::optional<HistoryRecord> Read(const std::string& robot, std::uint64_t id) const;
 

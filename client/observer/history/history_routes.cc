@@ -6,6 +6,7 @@
 #include "client/observer/board_json.h"
 #include "client/observer/exif.h"
 #include "client/observer/history/bundling.h"
+#include "client/observer/history/past.h"
 #include "client/observer/json_text.h"
 
 namespace fovea::observer {
@@ -22,13 +23,6 @@ HttpResponse AnswerResponse(std::uint64_t id, const v1::WatchedFrame& frame) {
   return BytesResponse("application/json",
                        "{\"line\":" + JsonText(RobotJson(shown, /*rate_hz=*/0)) +
                            ",\"frame\":" + FrameJson(shown) + "}");
-}
-
-// The file that was sent, where that was one that browsers show.
-const std::string& PictureOf(const v1::WatchedFrame& frame) {
-  const v1::ColorImage& color = frame.frame().color();
-  const bool is_shown = frame.picture().empty() && color.encoding() == v1::COLOR_ENCODING_JPEG;
-  return is_shown ? color.data() : frame.picture();
 }
 
 // Held while a bundle is made and sent; null where somebody holds it.

@@ -24,6 +24,8 @@ class HistoryRoutes {
   static bool IsOne(const std::string& path);
   HttpResponse Answer(const HttpRequest& request, const Board& board) const;
 
+  const History* history() const { return history_; }
+
   // {"minutes": …, "problem": …} as JSON, null where there is no history.
   std::string About() const;
 
