@@ -2,12 +2,15 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <stdexcept>
+#include <string>
 
 #include "fovea/client/client.h"
 #include "fovea/client/images.h"
 
 std::string ReadFile(const char* path) {
   std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::runtime_error(std::string("cannot read ") + path);
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
