@@ -35,6 +35,7 @@ struct Outcome {
   int num_objects = 0;
   std::vector<std::string> notes;
   std::string json_line;
+  bool is_of_all = false;  // the failure is no matter of this frame
 };
 
 // How the answer compares with that of a frame that was sent before.
@@ -71,6 +72,34 @@ std::optional<std::chrono::milliseconds> PauseAfter(const client::RpcError& erro
   if (error.code() == grpc::StatusCode::RESOURCE_EXHAUSTED) return error.retry_after();
   if (error.code() == grpc::StatusCode::UNAVAILABLE && run.is_there) return kBetween;
   return std::nullopt;
+}
+
+// Of what flags say, and no frame.
+bool IsOfAllFrames(const client::RpcError& error, const Run& run) {
+  if (error.code() != grpc::StatusCode::INVALID_ARGUMENT || run.batch.sent_before) return false;
+  const std::string& field = error.field();
+  return field.starts_with("options.") || field.starts_with("frame.gravity") ||
+         field.starts_with("frame.camera_pose");
+}
+
+// A server that is being started is waited for, one that is not there is one error and not one a
+// frame.
+void AwaitServer(const Run& run) {
+  std::string why = "the server does not serve yet";
+  try {
+    run.is_there = run.client.IsServing();
+    if (run.is_there) return;
+  } catch (const client::RpcError& error) {
+    if (error.code() != grpc::StatusCode::UNAVAILABLE) return;  // the first frame tells
+    why = run.explain(error);
+  }
+  PrintNote(why + fmt::format("; it is waited for, {} s at most", run.timeout.count() / 1000.0));
+  try {
+    run.client.WaitUntilReady(run.timeout);
+  } catch (const client::RpcError&) {
+    throw std::runtime_error(why);
+  }
+  run.is_there = true;
 }
 
 v1::DetectResponse Ask(const Run& run, const v1::DetectRequest& request) {
@@ -128,11 +157,12 @@ Outcome DetectFrame(const Run& run, const FrameFiles& files) {
     return {{},
             found.objects_size(),
             std::move(notes),
-            run.batch.json_lines ? JsonLine(outputs, request, found) : ""};
+            run.batch.json_lines ? JsonLine(outputs, request, found) : "",
+            /*is_of_all=*/false};
   } catch (const client::RpcError& error) {
-    return {run.explain(error), 0, {}, {}};
+    return {run.explain(error), 0, {}, {}, IsOfAllFrames(error, run)};
   } catch (const std::exception& error) {
-    return {error.what(), 0, {}, {}};
+    return {error.what(), 0, {}, {}, /*is_of_all=*/false};
   }
 }
 
@@ -204,6 +234,7 @@ bool DetectFolder(const client::Client& client, const Batch& batch, FrameSetting
   }
   const std::size_t num_before = LeaveOutDone(batch, &list.frames);
   const Run run{client, batch, std::move(settings), timeout, explain, false};
+  if (!list.frames.empty()) AwaitServer(run);
   Printer printer(list.frames.size(), batch.json_lines);
   std::deque<std::future<Outcome>> in_flight;
   std::size_t next = 0;
@@ -213,8 +244,10 @@ bool DetectFolder(const client::Client& client, const Batch& batch, FrameSetting
       in_flight.push_back(std::async(std::launch::async, DetectFrame, std::cref(run),
                                      std::cref(list.frames[next])));
     }
-    printer.Print(files, in_flight.front().get());
+    const Outcome outcome = in_flight.front().get();
     in_flight.pop_front();
+    if (outcome.is_of_all) throw std::runtime_error(outcome.failure);
+    printer.Print(files, outcome);
   }
   return printer.Finish(num_before);
 }

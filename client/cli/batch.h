@@ -36,9 +36,10 @@ struct Batch {
 // Answers every frame → NAME.png (labels), NAME_overlay.jpg and NAME.json, the last of which is
 // there only if all are, fovea_request.json, what was asked, and fovea_input.json, of what. Results
 // are printed in the order of the frames. A frame that fails is named and the run goes on; others
-// are printed with what the server says about them. `explain` words a call that failed. Returns
-// whether none failed; throws std::exception where there is nothing to do, or where
-// --resume would mix answers to different requests.
+// are printed with what the server says about them. `explain` words a call that failed. A server
+// that is away is waited for before the first frame, as long as `timeout`. Returns whether none
+// failed; throws std::exception where there is nothing to do, no server, a mistake in what is asked
+// about all frames, or where --resume would mix answers to different requests.
 bool DetectFolder(const client::Client& client, const Batch& batch, FrameSettings settings,
                   std::chrono::milliseconds timeout,
                   const std::function<std::string(const client::RpcError&)>& explain);

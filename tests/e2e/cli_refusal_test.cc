@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "tests/e2e/cli_fixture.h"
@@ -80,6 +81,15 @@ TEST_F(CliTest, ReadsTextOfFlagsUpToALimit) {
                      "/dev/zero has more than 16 MiB");
 }
 
+TEST_F(CliTest, EndsAFolderWhereAllFramesHaveOneMistake) {
+  WriteFrame("b");
+  const auto folder_with = [&](const std::string& flag, const std::string& value) {
+    return Detect({"--input", Folder(), "--output", At("out"), flag, value});
+  };
+  ExpectOneLineError(folder_with("--set", "no.such=1"), "options.parameters[no.such]: ");
+  ExpectOneLineError(folder_with("--gravity", "0,0,2"), "INVALID_ARGUMENT: frame.gravity: ");
+}
+
 TEST_F(CliTest, AsksForHealth) {
   const Finished healthy = Execute({FOVEA_CLI, "health", "--server", server_.address()});
   EXPECT_EQ(healthy.exit_code, 0);
@@ -105,9 +115,12 @@ TEST_F(CliTest, AsksForHealth) {
               StartsWith(other.address() + ":\noption "));
   ExpectOneLineError(Execute({FOVEA_CLI, "health", "--server", server_.address()}), text);
   ExpectOneLineError(DetectFrame(), text);
-  const Finished folder = Detect({"--input", Folder(), "--output", At("out")});
+  WriteFrame("b");
+  const Finished folder = Detect({"--input", Folder(), "--output", At("out"), "--timeout", "0.1"});
   EXPECT_EQ(folder.exit_code, 1);
-  EXPECT_THAT(folder.err, StartsWith("fovea: a: " + text));
+  EXPECT_THAT(folder.err, StartsWith("note: " + text));
+  EXPECT_THAT(folder.err, HasSubstr("it is waited for, 0.1 s at most\nfovea: " + text));
+  EXPECT_EQ(std::ranges::count(folder.err, '\n'), 2) << "it is no matter of frames";
 }
 
 // They would steer a terminal, and look like lines that the program wrote.
