@@ -113,7 +113,14 @@ int DetectOne(const DetectFlags& flags, const client::Client& client) {
   RequestFor(outputs, &settings.options);
   const FrameFiles files{
       flags.id.empty() ? NameOf(flags.color) : flags.id, flags.color, flags.depth, {}};
-  CheckOutputs(outputs, files);
+  const ConnectionFlags& connection = flags.connection;
+  CheckOutputs(outputs, files,
+               {{"--intrinsics", flags.intrinsics},
+                {"--depth-intrinsics", flags.depth_intrinsics},
+                {"--token-file", connection.token_file},
+                {"--tls-ca", connection.tls_ca},
+                {"--tls-cert", connection.tls_cert},
+                {"--tls-key", connection.tls_key}});
   const v1::DetectRequest request = MakeRequest(files, settings);
 
   const auto start = std::chrono::steady_clock::now();

@@ -41,10 +41,15 @@ void RequireWritable(const std::string& flag, const std::string& path) {
   }
 }
 
-void RequireOther(const std::string& flag, const std::string& path, const FrameFiles& files) {
+void RequireOther(const std::string& flag, const std::string& path, const FrameFiles& files,
+                  const ReadFiles& others) {
+  std::error_code error;  // of files that are not there
   for (const std::string& input : {files.color_path, files.depth_path}) {
-    std::error_code error;  // of files that are not there
     if (fs::equivalent(path, input, error)) FailToWrite(flag, path, "it is an image of the frame");
+  }
+  for (const auto& [other, input] : others) {
+    if (fs::equivalent(path, input, error))
+      FailToWrite(flag, path, "it is what " + other + " names");
   }
 }
 
@@ -71,12 +76,12 @@ void MakeFolder(const std::string& flag, const std::string& path) {
   RequireWritableFolder(flag, path, path);
 }
 
-void CheckOutputs(const Outputs& outputs, const FrameFiles& files) {
+void CheckOutputs(const Outputs& outputs, const FrameFiles& files, const ReadFiles& others) {
   std::map<fs::path, const char*> written;
   const auto check = [&](const char* flag, const std::string& path) {
     if (path.empty() || path == kStandardOutput) return;
     RequireWritable(flag, path);
-    RequireOther(flag, path, files);
+    RequireOther(flag, path, files, others);
     std::error_code error;  // of /dev/stdout where it is a pipe
     const fs::path canonical = fs::weakly_canonical(fs::absolute(path), error);
     const auto [other, is_new] = written.emplace(error ? fs::path(path) : canonical, flag);

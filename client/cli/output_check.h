@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "client/cli/outputs.h"
@@ -9,10 +10,13 @@
 
 namespace fovea::cli {
 
+// Flags and what they name: files that are read, or other values.
+using ReadFiles = std::vector<std::pair<std::string, std::string>>;
+
 // Throws std::invalid_argument that names flag and path where a folder is missing or cannot be
 // written to, where a file cannot be of the kind that its ending says, or where an output is a file
-// of the frame or another output.
-void CheckOutputs(const Outputs& outputs, const FrameFiles& files);
+// of the frame, one of `others` or another output.
+void CheckOutputs(const Outputs& outputs, const FrameFiles& files, const ReadFiles& others = {});
 
 // Makes the folder that `flag` names where it is missing. Throws std::invalid_argument that names
 // both where it cannot be written to.

@@ -29,6 +29,23 @@ TEST_F(CliTest, ChecksOutputsBeforeItAsksTheServer) {
                      "--output: cannot write " + At("a_depth.png"));
 }
 
+TEST_F(CliTest, OverwritesNoFileThatItReads) {
+  Write("k.txt", "30,30,15.5,11.5");
+  Write("token", "secret");
+  const std::vector<std::string> frame{
+      FOVEA_CLI,         "detect",    "--server",        server_.address(), "--color",
+      At("a_color.png"), "--depth",   At("a_depth.png"), "--intrinsics",    At("k.txt"),
+      "--token-file",    At("token"), "--json"};
+  const auto writing = [&](const std::string& path) {
+    std::vector<std::string> command = frame;
+    command.push_back(path);
+    return Execute(command);
+  };
+  ExpectOneLineError(writing(At("k.txt")), "k.txt: it is what --intrinsics names");
+  ExpectOneLineError(writing(At("./token")), "token: it is what --token-file names");
+  EXPECT_EQ(writing(At("j.json")).exit_code, 0);
+}
+
 // Of a plane that fills the picture no level surface and no object can be made out.
 TEST_F(CliTest, SaysWhyAFrameHasNoObjects) {
   const Finished one = DetectFrame();
