@@ -77,7 +77,9 @@ int RunCommandLine(int argc, char** argv, const std::string& version) {
 
   ConnectionFlags connection;
   CLI::App* health = app.add_subcommand("health", "Ask whether the server serves");
-  CLI::App* info = app.add_subcommand("info", "Print the server's limits and statistics as JSON");
+  CLI::App* info = app.add_subcommand(
+      "info",
+      "Print the server's limits and statistics as JSON, of several servers a document each");
   CLI::App* options = app.add_subcommand("options", "Print the options of the server's method");
   for (CLI::App* command : {health, info, options}) AddConnectionFlags(*command, connection);
 

@@ -110,6 +110,8 @@ int DetectOne(const DetectFlags& flags, const client::Client& client) {
   Outputs outputs = flags.outputs;
   outputs.extras = ExtrasOf(flags);
   outputs.json_masks = !flags.no_masks;
+  Require(flags.show.empty() || !outputs.overlay.empty(),
+          "--show needs --overlay, the picture to show it in");
   RequestFor(outputs, &settings.options);
   const FrameFiles files{
       flags.id.empty() ? NameOf(flags.color) : flags.id, flags.color, flags.depth, {}};
@@ -147,6 +149,10 @@ Batch BatchOf(const DetectFlags& flags) {
                                              .empty(),
       "--input and --output are for whole folders; --color, --depth and the outputs of a "
       "single frame do not go with them");
+  Require(flags.show.empty() || (!flags.output.empty() && !flags.no_overlay),
+          "--show needs overlays to show it in: --output without --no-overlay");
+  Require(!flags.resume || !flags.output.empty(),
+          "--resume needs --output, the folder of the results that are there");
   if (!outputs.cloud.empty()) CheckCloudFormat(outputs.cloud);
   Require(outputs.height_map.empty() || outputs.height_map == "jpg",
           "--height-map: of a folder it is jpg, for NAME_height.jpg of each frame");

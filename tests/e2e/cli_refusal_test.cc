@@ -61,6 +61,13 @@ TEST_F(CliTest, SaysInOneLineWhatIsWrong) {
   ExpectOneLineError(Execute({FOVEA_CLI, "detct"}), "did you mean detect?");
   ExpectOneLineError(DetectFrame({"--gripper", "claw=1"}), "--gripper: \"claw=1\" is not jaw=");
   ExpectOneLineError(DetectFrame({"--place", "1,2"}), "--place: \"1,2\" is not LENGTH");
+  ExpectOneLineError(DetectFrame({"--show", "grasps"}), "--show needs --overlay");
+  ExpectOneLineError(
+      Detect({"--input", Folder(), "--output", At("out"), "--no-overlay", "--show", "seeds"}),
+      "--show needs overlays");
+  ExpectOneLineError(DetectFrame({"--resume"}), "--resume requires --input");
+  ExpectOneLineError(Detect({"--input", Folder(), "--json", "-", "--resume"}),
+                     "--resume needs --output");
   ExpectOneLineError(DetectFrame({"--gravity", "1,2"}), "--gravity: \"1,2\" is not X,Y,Z");
   ExpectOneLineError(DetectFrame({"--gravity", "0,2,0"}), "INVALID_ARGUMENT: frame.gravity: ");
   ExpectOneLineError(DetectFrame({"--set", "x"}), "--set: \"x\" is not NAME=NUMBER");
