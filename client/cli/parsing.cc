@@ -15,6 +15,12 @@ std::optional<double> ParseNumber(std::string_view text) {
   return value;
 }
 
+std::string_view WithoutBlanks(std::string_view text) {
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  return text;
+}
+
 [[noreturn]] void Fail(const std::string& flag, const std::string& text, const std::string& form) {
   throw std::invalid_argument(flag + ": \"" + text + "\" is not " + form);
 }
@@ -27,7 +33,7 @@ std::vector<double> ParseNumbers(const std::string& text, std::size_t count,
   std::string_view rest = text;
   while (true) {
     const std::size_t comma = rest.find(',');
-    const auto number = ParseNumber(rest.substr(0, comma));
+    const auto number = ParseNumber(WithoutBlanks(rest.substr(0, comma)));
     if (!number) Fail(flag, text, form);
     numbers.push_back(*number);
     if (comma == std::string_view::npos) break;

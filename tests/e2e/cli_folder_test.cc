@@ -116,6 +116,7 @@ TEST_F(CliTest, TakesIntrinsicsFromFiles) {
     return Execute({FOVEA_CLI, "detect", "--server", server_.address(), "--intrinsics", intrinsics,
                     "--color", At("a_color.png"), "--depth", At("a_depth.png")});
   };
+  EXPECT_EQ(detect("30, 30, 15.5, 11.5").exit_code, 0);
   EXPECT_EQ(detect(At("k.json")).exit_code, 0);
   Write("k.json", R"({"fx": 30, "fy": 30, "cx": 15.5, "cy": 11.5, "width": 64, "height": 48})");
   ExpectOneLineError(detect(At("k.json")),
