@@ -31,7 +31,7 @@ forbid(core/scene "core/(seeds|objects)/" "the scene knows nothing of what is fo
 forbid(flags "core/|proto/|fovea/|server/|client/|tests/|grpc|opencv2/" "flags know no programs")
 forbid(core "flags/" "the core has no command line")
 forbid(client "core/|server/|tests/" "the client knows neither core nor server")
-forbid(client "opencv2/imgcodecs" "its readers of other formats are hundreds of megabytes on a robot: client/image_files")
+forbid(client "opencv2/imgcodecs" "what it needs is too much for a robot: client/image_files")
 forbid(client "pcl/|client/pcl/" "only fovea::pcl and its example know PCL" "(examples/)?pcl")
 forbid(core "pcl/" "PCL's headers cost each file a second")
 forbid(server "client/|tests/" "the server knows no client")

@@ -70,7 +70,8 @@ TEST(ObserverBundle, HasReadableImagesOfEveryEncoding) {
         DepthMessage(v1::DEPTH_ENCODING_16UC1_RVL_ZSTD, ZstdOf(RvlOf(depth)), kWidth, kHeight)}) {
     const auto file = bundle::DepthFile(image);
     ASSERT_TRUE(file) << image.encoding();
-    EXPECT_EQ(cv::norm(image_files::DecodeDepth(file->bytes), depth, cv::NORM_INF), 0) << image.encoding();
+    EXPECT_EQ(cv::norm(image_files::DecodeDepth(file->bytes), depth, cv::NORM_INF), 0)
+        << image.encoding();
   }
   const auto color = bundle::ColorFile(TestFrame().color());
   ASSERT_TRUE(color);
