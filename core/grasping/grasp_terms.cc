@@ -33,7 +33,8 @@ GraspTerms TermsOfObject(const GraspScene& scene, const DetectedObject& object) 
   GraspTerms terms{};
   terms[kTermDistance] = object.box.center.norm();
   terms[kTermConfidence] = object.confidence;
-  terms[kTermUnseen] = object.unseen_share;
+  // The model was fitted to no value where nothing was measured.
+  terms[kTermUnseen] = object.depth_missing ? 0 : object.unseen_share;
   terms[kTermTruncated] = object.truncated ? 1 : 0;
   const bool is_known = kind != Kind::kOther || object.shape.form != Shape::Form::kUnknown;
   terms[kTermShapeSure] = is_known ? object.shape.confidence : 0;
