@@ -19,7 +19,9 @@ struct TlsOptions {
 // Calls are tried again where that is safe and promises something: when the server was away, was
 // stopping, or had too much to do and said when to come back.
 struct RetryOptions {
-  int max_attempts = 5;  // 1 = never again
+  // 1 = never again. Where a server with too much to do says when to come back, a call goes on
+  // until its deadline.
+  int max_attempts = 5;
   // Before the second attempt; doubles with each, up to the maximum. The real wait is random
   // between half of it and all of it, so that robots do not come back all at once.
   std::chrono::milliseconds backoff{50}, max_backoff{2000};

@@ -142,8 +142,10 @@ void CallWithRetries(Servers& servers, const ClientOptions& options, millisecond
     const Attempt attempt = maker.Make(/*asks_others=*/number == 1);
     if (attempt.answered) return;
     const milliseconds wait = BackoffAfter(number, options.retry, attempt.retry_after);
-    if (number >= options.retry.max_attempts || !attempt.is_worth_another ||
-        Clock::now() + wait >= deadline) {
+    // Who is told when to come back has no end but the deadline.
+    const bool is_told = attempt.retry_after && options.retry.max_attempts > 1;
+    const bool is_last = number >= options.retry.max_attempts && !is_told;
+    if (is_last || !attempt.is_worth_another || Clock::now() + wait >= deadline) {
       throw *attempt.error;
     }
     if (attempt.channel) {

@@ -29,7 +29,8 @@ RpcError ErrorOf(const grpc::Status& status, const grpc::ClientContext& context,
                  const CallOptions& call);
 
 // Makes the call: around the servers until one answers, and again if need be and while the deadline
-// allows. A way around is one attempt. Throws the RpcError of the last one where none succeeds; of
+// allows. A way around is one attempt; those after which a server says when to come back are not
+// counted. Throws the RpcError of the last one where none succeeds; of
 // refusals the one of the server that it would have waited for.
 void CallWithRetries(
     Servers& servers, const ClientOptions& options, std::chrono::milliseconds timeout,

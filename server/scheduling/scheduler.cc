@@ -107,7 +107,8 @@ void Scheduler::FindRoom(const RobotId& robot, IfFull if_full) {
   if (num_own >= limits_.max_per_robot) {
     throw Overloaded("ROBOT_LIMIT",
                      "this robot has " + std::to_string(num_own) +
-                         " frames on the way, waiting or computed, the most that one may have",
+                         " frames on the way, waiting or computed, the most that one may have "
+                         "(--max-per-robot): wait for an answer before the next",
                      RetryAfter(static_cast<std::size_t>(num_own)));
   }
   const Clock::time_point now = Clock::now();

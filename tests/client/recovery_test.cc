@@ -60,6 +60,29 @@ TEST(Retry, ComesBackWhenABusyServerSaysWhen) {
   gate.Let(2);
 }
 
+TEST(Retry, ComesBackUntilTheDeadlineWhereItIsToldWhen) {
+  testing::Gate gate;
+  server::ServerOptions options = LoopbackOptions();
+  options.compute_threads = 1;
+  options.max_waiting = 0;
+  const testing::Loopback loopback(std::ref(gate), options);
+  std::jthread first([&] { loopback.client.Detect(testing::TestRequest()); });
+  gate.WaitUntilBegun();
+  std::atomic<bool> ended = false;
+  std::jthread second([&] {
+    const Client client(loopback.server.Address(), {.timeout = kPatience});
+    EXPECT_NO_THROW(client.Detect(testing::TestRequest()));
+    ended = true;
+  });
+  const auto num_refused = [&] {
+    const auto answered = loopback.client.GetStatistics().frames_answered();
+    const auto found = answered.find("RESOURCE_EXHAUSTED");
+    return found == answered.end() ? 0 : found->second;
+  };
+  while (!ended && num_refused() < 7) std::this_thread::yield();
+  gate.Let(2);
+}
+
 TEST(Retry, FindsAServerThatIsBack) {
   const HeldAddress address;
   std::optional<server::Server> server(std::in_place, At(address), FindOne);

@@ -44,9 +44,9 @@ class Client:
     the first call and opens again when it was lost. All times are in seconds.
 
     Every call has a deadline and raises a FoveaError: DeadlineExceeded when that passes,
-    Unavailable when the server is away and Overloaded when it has too much to do, each after the
-    attempts of `retry`, which go on for less than a second where a server is away; InvalidArgument,
-    which names the field, at once.
+    Unavailable when the server is away, after the attempts of `retry`, which go on for less than a
+    second; Overloaded when it has too much to do until then; InvalidArgument, which names the field,
+    at once.
 
         with fovea.Client("127.0.0.1:50051") as client:
             found = client.detect(color, depth, intrinsics)

@@ -39,7 +39,8 @@ class RetryOptions:
     """When a call is made again because its server was away, stopping or had too much to do."""
 
     # 1 = never again. With these waits five pass within 0.4 to 0.8 s where connections are refused;
-    # a call that is to outlast a restart needs more of them, and a timeout as long.
+    # a call that is to outlast a restart needs more of them, and a timeout as long. Where a server
+    # with too much to do says when to come back, a call goes on until its timeout (unless this is 1).
     max_attempts: int = 5
     # Seconds before the second attempt; doubles with each, up to the maximum. The real wait is
     # random between half of it and all of it, so that robots do not come back all at once.

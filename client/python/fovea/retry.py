@@ -37,7 +37,8 @@ def call_with_retries(
     wait: Callable[[Server | None, float], None],
 ) -> Answer:
     """Makes call(server, seconds left, whether to keep no place in line): around the servers until one
-    answers, and again if need be and while `timeout` allows. A way around is one attempt.
+    answers, and again if need be and while `timeout` allows. A way around is one attempt; those after
+    which a server says when to come back are not counted.
 
     wait(server, seconds) waits before the next attempt, or raises where there is to be none. Raises
     the error of the last attempt where none succeeds; of refusals the one of the server that it
@@ -52,8 +53,11 @@ def call_with_retries(
             return _go_around(way, call, deadline)
         except FoveaError as error:
             seconds = backoff_after(attempt, options, way.wait if way else None)
-            is_last = attempt >= options.max_attempts or time.monotonic() + seconds >= deadline
-            if is_last or not is_worth_retrying(error):
+            # Who is told when to come back has no end but the deadline.
+            is_told = way is not None and way.wait is not None and options.max_attempts > 1
+            is_last = attempt >= options.max_attempts and not is_told
+            is_too_late = time.monotonic() + seconds >= deadline
+            if is_last or is_too_late or not is_worth_retrying(error):
                 raise
         wait(way.home if way else None, seconds)
         attempt += 1

@@ -192,6 +192,31 @@ def test_a_server_with_too_much_to_do_says_when_to_come_back(scene: Scene) -> No
             assert all(call.result().objects for call in calls)
 
 
+def test_who_is_told_when_to_come_back_goes_on_until_its_timeout(server: ServerProcess) -> None:
+    servers = fovea.servers.Servers(server.address, None, 64, [])
+    waits: list[float] = []
+
+    def call(refusals: int, retry: fovea.RetryOptions, timeout: float = PATIENCE) -> int:
+        waits.clear()
+
+        def refused_at_first(*_: Any) -> int:
+            if len(waits) < refusals:
+                raise fovea.Overloaded("full", retry_after=0.5)
+            return 7
+
+        def wait(_: Any, seconds: float) -> None:
+            waits.append(seconds)
+
+        return fovea.retry.call_with_retries(servers, refused_at_first, timeout, retry, wait)
+
+    assert call(20, fovea.RetryOptions()) == 7
+    assert waits == [0.5] * 20
+    for retry, timeout in ((ONCE, PATIENCE), (fovea.RetryOptions(), 0.4)):
+        with pytest.raises(fovea.Overloaded):
+            call(20, retry, timeout)
+        assert not waits
+
+
 def test_waits_double_within_their_bounds() -> None:
     options = fovea.RetryOptions(backoff=0.1, max_backoff=1)
     for attempt, most in [(1, 0.1), (2, 0.2), (3, 0.4), (5, 1), (10_000, 1)]:
