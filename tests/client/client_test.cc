@@ -190,8 +190,9 @@ TEST(MakeImage, RefusesFilesOfAnotherKind) {
 
 TEST(Parsing, ReadsNumbersAndSettings) {
   EXPECT_THAT(cli::ParseNumbers("525,-5e2,.5", 3, "--f", "A,B,C"), ElementsAre(525, -500, 0.5));
+  EXPECT_THAT(cli::ParseNumbers(" 1, 2 ,3 ", 3, "--f", "A,B,C"), ElementsAre(1, 2, 3));
   EXPECT_EQ(cli::ParseSetting("mrf.gamma=80"), std::pair(std::string("mrf.gamma"), 80.0));
-  for (const char* text : {"", "1,2", "1,2,3,4", "1,,3", "1,2,x", "1, 2,3", "1,2,3,"}) {
+  for (const char* text : {"", "1,2", "1,2,3,4", "1,,3", "1,2,x", "1,2 5,3", "1, ,3", "1,2,3,"}) {
     EXPECT_THROW(cli::ParseNumbers(text, 3, "--f", "A,B,C"), std::invalid_argument) << text;
   }
   for (const char* text : {"", "=", "=1", "name", "name=", "name=x", "name=1x"}) {
