@@ -1,5 +1,9 @@
 #pragma once
 
+#if __cplusplus < 202002L
+#error "the client library of fovea needs C++20: compile with -std=c++20"
+#endif
+
 #include <chrono>
 #include <optional>
 #include <stop_token>
