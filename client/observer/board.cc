@@ -270,6 +270,15 @@ bool Board::IsRefused() const {
                               [](const Server& each) { return each.observer.has_value(); });
 }
 
+std::string Board::Refusal() const {
+  const std::lock_guard lock(mutex_);
+  for (const Server& server : servers_) {
+    if (server.state.kind != LinkState::Kind::kRefused) continue;
+    return server.address + ": " + server.state.problem;
+  }
+  return {};
+}
+
 void Board::WakeAll() const {
   const std::lock_guard lock(mutex_);
   for (const OnChange& on_change : listeners_) on_change();

@@ -71,6 +71,9 @@ class Board {
   bool IsSettled() const;
   // Whether every server that could be reached refuses the token now.
   bool IsRefused() const;
+  // Which server refuses it, and why it says that it does; of several the first. Empty where none
+  // does.
+  std::string Refusal() const;
 
   using Subscription = std::shared_ptr<void>;
   Subscription Subscribe(OnChange on_change);

@@ -40,8 +40,9 @@ std::optional<Session> Sessions::LogIn(const std::string& token, std::string* pr
   const std::shared_ptr<Feed> feed = FeedOf(token);
   feed->AwaitAnswer(kPatience);
   if (!feed->board().Who()) {
-    *problem = feed->board().IsRefused() ? "no server knows this token"
-                                         : "no server can be reached; try again";
+    *problem = feed->board().IsRefused()
+                   ? "no server knows this token (" + feed->board().Refusal() + ")"
+                   : "no server can be reached; try again";
     return std::nullopt;
   }
   Session session{.id = RandomName(),

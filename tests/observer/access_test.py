@@ -22,6 +22,7 @@ from processes import (
     Answer,
     Events,
     ObserverProcess,
+    Process,
     ServerProcess,
     Visitor,
     self_signed,
@@ -61,6 +62,15 @@ def test_wrong_tokens_are_refused(visitor: Visitor, token: str) -> None:
     answer = visitor.log_in(token)
     assert answer.status in (400, 401) and answer.json()["error"]
     assert "Set-Cookie" not in answer.headers
+
+
+def test_why_a_server_refuses_is_said(visitor: Visitor, server: ServerProcess) -> None:
+    answer = visitor.log_in("wrong")
+    assert answer.json()["error"].startswith(f"no server knows this token ({server.address}: ")
+    command = [os.environ["FOVEA_SERVER"], "--listen", "127.0.0.1:0", "--log-level", "error"]
+    with Process(*command) as blind, ObserverProcess(blind.line.split()[-1]) as observer:
+        problem = Visitor(observer.address).log_in(OBSERVERS["ann"][0]).json()["error"]
+    assert problem.endswith(": the server has no observers (--observers))")
 
 
 def test_cookies_are_kept_from_scripts_and_other_sites(visitor: Visitor) -> None:

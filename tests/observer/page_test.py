@@ -27,7 +27,7 @@ def masks_of(answer: fovea.Detections, shape: tuple[int, ...]) -> Any:
 
 def test_a_wrong_token_is_told(browser: Browser, observer: ObserverProcess) -> None:
     browser.log_in(observer.url, "wrong")
-    browser.until(lambda: browser.find("#failure").text == "no server knows this token")
+    browser.until(lambda: browser.find("#failure").text.startswith("no server knows this token ("))
     assert not browser.all(".tiles")
 
 
