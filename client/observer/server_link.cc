@@ -1,7 +1,9 @@
 #include "client/observer/server_link.h"
 
 #include <algorithm>
+#include <iostream>
 #include <stdexcept>
+#include <utility>
 
 #include "client/channel.h"
 
@@ -15,6 +17,18 @@ std::string TextOf(const client::ServerAddress& address) {
 }
 
 }  // namespace
+
+void OutageNote::OnAway(const std::string& address, const std::string& why) {
+  const std::lock_guard lock(mutex_);
+  if (std::exchange(is_away_, true)) return;
+  std::cerr << "fovea-observer: the server at " << address << " is away: " << why << std::endl;
+}
+
+void OutageNote::OnBack(const std::string& address) {
+  const std::lock_guard lock(mutex_);
+  if (!std::exchange(is_away_, false)) return;
+  std::cerr << "fovea-observer: the server at " << address << " is back" << std::endl;
+}
 
 client::ServerTarget TargetOf(const client::ServerAddress& address) {
   if (!client::HaveNames({address})) return client::FindTargets({address}).targets.front();

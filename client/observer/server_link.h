@@ -3,6 +3,7 @@
 #include <grpcpp/channel.h>
 
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -11,10 +12,23 @@
 
 namespace fovea::observer {
 
+// Says on standard error when a server goes away and when it is back, once for all who watch it.
+// Thread-safe.
+class OutageNote {
+ public:
+  void OnAway(const std::string& address, const std::string& why);
+  void OnBack(const std::string& address);
+
+ private:
+  std::mutex mutex_;
+  bool is_away_ = false;
+};
+
 // One server that is watched.
 struct ServerLink {
   std::string address;  // as it was given
   std::shared_ptr<grpc::Channel> channel;
+  std::shared_ptr<OutageNote> outage = std::make_shared<OutageNote>();
 };
 
 // Names are left to gRPC, which tries all of their addresses, and looks them up again where none

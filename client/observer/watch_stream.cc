@@ -118,13 +118,18 @@ bool WatchStream::Watching::Watch(const std::stop_token& stop) {
   for (v1::WatchResponse response; reader->Read(&response); response.Clear()) {
     if (response.has_observer()) {
       came = true;
+      link_.outage->OnBack(link_.address);
       Tell(listener_.on_observer, response.observer());
       Tell(listener_.on_state, LinkState{LinkState::Kind::kWatching, ""});
     } else if (response.has_frame()) {
       Tell(listener_.on_frame, std::move(response));
     }
   }
-  LinkState state = StateOf(reader->Finish());
+  const grpc::Status status = reader->Finish();
+  if (status.error_code() == grpc::StatusCode::UNAVAILABLE) {
+    link_.outage->OnAway(link_.address, status.error_message());
+  }
+  LinkState state = StateOf(status);
   // It ends the call of whoever has other rights now, too: the next answer says which.
   if (came && state.kind == LinkState::Kind::kRefused) state.kind = LinkState::Kind::kConnecting;
   if (!stop.stop_requested()) Tell(listener_.on_state, state);

@@ -5,6 +5,7 @@ from __future__ import annotations
 import socket
 import threading
 from collections.abc import Iterator
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
@@ -15,10 +16,36 @@ from processes import (
     ObserverProcess,
     ServerProcess,
     Visitor,
+    write_observers,
 )
 
 if TYPE_CHECKING:
     from browser import Browser
+
+
+def test_who_is_away_and_back_is_said_once(tmp_path: Path) -> None:
+    """On standard error, however many watch."""
+    observers, told = write_observers(tmp_path), tmp_path / "told"
+    with ServerProcess(observers) as server, open(told, "w") as log:
+        with ObserverProcess(server.address, stderr=log) as observer:
+            visitors = [Visitor(observer.address) for _ in range(2)]
+            for visitor, name in zip(visitors, ("ann", "ben")):
+                visitor.log_in(OBSERVERS[name][0])
+            with Events(visitors[0]) as one, Events(visitors[1]) as another:
+
+                def both_see(state: str) -> None:
+                    for events in (one, another):
+                        events.servers(state)
+
+                server.kill()
+                both_see("away")
+                for _ in range(2):
+                    with ServerProcess(observers, server.address):
+                        both_see("watching")
+                    both_see("away")
+    name = f"fovea-observer: the server at {server.address} is "
+    ends = [line.removeprefix(name).split(":")[0] for line in told.read_text().splitlines()]
+    assert ends == ["away", "back", "away", "back", "away"]
 
 
 class Link:
