@@ -15,17 +15,12 @@ namespace {
 using std::chrono::steady_clock;
 
 // Ends the call under way where its answer is not there some time after a stop was asked for.
-void StopLate(const std::stop_token& over, std::stop_source& call) {
+void StopLate(const std::stop_token& over, const Session& session, std::stop_source& call) {
   constexpr std::chrono::milliseconds kBetweenLooks{20};
   while (!StopAskedWithin(kBetweenLooks)) {
     if (over.stop_requested()) return;
   }
-  const steady_clock::time_point end = steady_clock::now() + kLastAnswers;
-  while (steady_clock::now() < end) {
-    if (over.stop_requested()) return;
-    std::this_thread::sleep_for(kBetweenLooks);
-  }
-  call.request_stop();
+  if (!AwaitLastAnswers(session, [&over] { return over.stop_requested(); })) call.request_stop();
 }
 
 // Asks again while the server is away, or has no room and says when to come again.
@@ -81,7 +76,7 @@ void RunEveryFrame(const SessionOptions& options, const Session& session) {
   *request.mutable_options() = options.detection;
   session.results.RequestFor(request.mutable_options());
   std::stop_source call;
-  const std::jthread stopping(StopLate, std::ref(call));
+  const std::jthread stopping(StopLate, std::cref(session), std::ref(call));
   while (GoesOn(options, session)) {
     const std::optional<Picture> picture = session.source.Next();
     if (session.viewer != nullptr && !session.viewer->Refresh(picture)) return;

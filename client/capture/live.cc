@@ -125,7 +125,9 @@ void RunLive(const SessionOptions& options, const Session& session) {
   line.outbox.Close();
   const bool went_well = !line.error.Failed();
   if (!went_well) line.stream->Cancel();
-  const bool in_time = receiving.wait_for(kLastAnswers) == std::future_status::ready;
+  const bool in_time = AwaitLastAnswers(session, [&receiving] {
+    return receiving.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  });
   const bool failed = line.error.Failed();
   if (!in_time) {
     session.notes << "the last answers did not come in time" << std::endl;

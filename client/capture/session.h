@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <iosfwd>
 #include <limits>
 #include <optional>
@@ -42,6 +43,10 @@ struct Session {
 
 // For the answers that are under way when no more pictures are sent; a server that hangs has none.
 constexpr std::chrono::seconds kLastAnswers{10};
+
+// Waits for them: calls `is_there` from time to time, and says that it waits where they do not come
+// soon. False where the time is over, or a person does not want to wait.
+bool AwaitLastAnswers(const Session& session, const std::function<bool()>& is_there);
 
 // Both return at the end of the recording, at the limits of `options`, when a person asks for it,
 // and throw std::exception when it cannot go on; what is under way is answered before.

@@ -2,7 +2,10 @@
 #include <gmock/gmock.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <opencv2/core.hpp>
+#include <string>
+#include <vector>
 
 #include "tests/capture/capture_process.h"
 
@@ -152,6 +155,24 @@ TEST_F(CaptureTest, SaysThatItsServerIsSilent) {
   capture.AwaitError("the server at " + server_.address() + " is back");
   capture.Signal(SIGINT);
   EXPECT_EQ(capture.Wait().exit_code, 0);
+}
+
+TEST_F(CaptureTest, AnotherSignalEndsTheWaitForTheLastAnswers) {
+  std::vector<std::string> command = CommandLine(Live(), {{"FOVEA_CAMERA_FPS", "30"}});
+  const auto limit = std::ranges::find(command, "timeout");
+  command.erase(limit, limit + 3);  // it passes each signal on twice
+  Process capture(command);
+  capture.ReadLine();
+  server_.process().Signal(SIGSTOP);
+  capture.AwaitError("the server at " + server_.address() + " has not answered for 3 s; waiting");
+  capture.Signal(SIGINT);
+  capture.AwaitError("waiting for the last answers, 10 s at most; Ctrl-C or another signal");
+  capture.Signal(SIGINT);
+  const Finished finished = capture.Wait();
+  server_.process().Signal(SIGCONT);
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_THAT(finished.err, HasSubstr("the last answers did not come in time"));
+  ExpectAllAccountedFor(finished.out);
 }
 
 TEST_F(CaptureTest, EndsCleanlyWhereItsServerGoesWithTheLastAnswers) {
