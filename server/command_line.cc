@@ -220,7 +220,7 @@ std::optional<ServerOptions> ParseCommandLine(int argc, char** argv, Settings* s
   flags::RequirePlainValues(app);
   app.set_config("--config", "",
                  "File with any of these flags, one KEY = VALUE a line; flags given here win")
-      ->each([](const std::string& path) { RequireFileToReadAgain("--config", path); });
+      ->each([](const std::string& path) { RequireReadable("--config", path); });
   app.config_formatter(std::make_shared<ConfigFile>(app));
   Questions questions;
   AddQuestionFlags(app, questions);

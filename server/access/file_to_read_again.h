@@ -10,4 +10,7 @@ namespace fovea::server {
 // there at all is for whoever opens it.
 void RequireFileToReadAgain(const std::string& flag, const std::string& path);
 
+// The same, and where it is not there or cannot be read, with the system's reason.
+void RequireReadable(const std::string& flag, const std::string& path);
+
 }  // namespace fovea::server

@@ -17,16 +17,15 @@ void RequireTokenName(const std::string& what, const std::string& name) {
 
 void ForEachTokenLine(const std::string& flag, const std::string& path,
                       const std::function<void(const std::string&)>& add) {
-  RequireFileToReadAgain(flag, path);
+  RequireReadable(flag, path);
   std::ifstream file(path);
-  if (!file) throw std::runtime_error(flag + ": cannot read " + path);
   const std::string in = flag + ": " + path + ":";
   int number = 0;
   for (std::string line; std::getline(file, line);) {
     if (number == 0 && line.starts_with(kByteOrderMark)) line.erase(0, kByteOrderMark.size());
     InField(in + std::to_string(++number), [&] { add(line); });
   }
-  if (file.bad()) throw std::runtime_error(flag + ": cannot read " + path);  // a folder
+  if (!file.eof()) throw std::runtime_error(flag + ": cannot read " + path);  // changed meanwhile
 }
 
 }  // namespace fovea::server

@@ -81,8 +81,10 @@ TEST(ServerProcess, RefusesBadFlagsInOneLine) {
       {{"--show", "lisen"}, "--show: \"lisen\" is no key"},
       {{"--listen", "nowhere"}, "--listen: \"nowhere\""},
       {{"--max-pixels", "many"}, "--max-pixels"},
-      {{"--tokens", "/"}, "--tokens: cannot read /"},
-      {{"--observers", "/"}, "--observers: cannot read /"},
+      {{"--tokens", "/"}, "--tokens: cannot read /: Is a directory"},
+      {{"--tokens", "/no"}, "--tokens: cannot read /no: No such file or directory"},
+      {{"--config", "/no"}, "--config: cannot read /no: No such file or directory"},
+      {{"--observers", "/"}, "--observers: cannot read /: Is a directory"},
       {{"--max-message-mib", "4096"}, "--max-message-mib: 4096 is not between 1 and 1024"}};
   for (auto [arguments, error] : cases) {
     arguments.insert(arguments.begin(), FOVEA_SERVER);
@@ -155,7 +157,8 @@ TEST(ServerProcess, ChecksItsConfiguration) {
   EXPECT_THAT(unset.err, HasSubstr("--tokens: is empty"));
   const Finished missing = Execute({FOVEA_SERVER, "--config", "/nowhere.toml"});
   EXPECT_EQ(missing.exit_code, 1);
-  EXPECT_THAT(missing.err, StartsWith("fovea-server: --config: /nowhere.toml"));
+  EXPECT_THAT(missing.err,
+              StartsWith("fovea-server: --config: cannot read /nowhere.toml: No such file"));
 }
 
 // Without the look at what they are, each would wait for somebody who writes, or have no end.
