@@ -18,6 +18,8 @@
 #include "server/command_line.h"
 #include "server/compute_process.h"
 #include "server/connections/self_check.h"
+#include "server/logging/log_format.h"
+#include "server/logging/log_record.h"
 #include "server/logging/logging.h"
 #include "server/reload.h"
 #include "server/server.h"
@@ -113,6 +115,14 @@ std::unique_ptr<MetricsEndpoint> MakeMetricsEndpoint(const fovea::server::Server
                             .is_ready = [&server] { return server.IsServing(); }});
 }
 
+// The plain line is what whoever starts the server waits for; a log that programs read has it, too.
+void AnnounceAddress(const std::string& event, const std::string& line,
+                     const std::string& address) {
+  fovea::server::Announce(line + " " + address);
+  if (fovea::server::GetLogFormat() != fovea::server::LogFormat::kJson) return;
+  fovea::server::LogRecord(event).Text("address", address).Log(spdlog::level::info);
+}
+
 int WaitFor(const sigset_t& signals) {
   int signal = 0;
   sigwait(&signals, &signal);
@@ -145,9 +155,10 @@ int Run(int argc, char** argv) {
   spdlog::info("fovea-server {} ({}) serves", fovea::server::Version(), fovea::server::Commit());
   fovea::server::LogSettings(settings);
   for (const std::string& address : server.Addresses()) {
-    fovea::server::Announce("listening on " + address);
+    AnnounceAddress("listening", "listening on", address);
   }
-  if (metrics) fovea::server::Announce("metrics at http://" + metrics->Address() + "/metrics");
+  if (metrics)
+    AnnounceAddress("metrics", "metrics at", "http://" + metrics->Address() + "/metrics");
   if (options->insecure) spdlog::warn("other machines may call unprotected (--insecure)");
 
   WarnOfTokens(*options, server);

@@ -120,12 +120,15 @@ TEST(ServerLog, IsJsonWhereAskedFor) {
     const auto object = nlohmann::json::parse(line);
     EXPECT_TRUE(object.contains("time") && object.contains("level")) << line;
     events.push_back(object.value("event", "message"));
+    if (events.back() == "listening") {
+      EXPECT_EQ(object.at("address"), server.address());
+    }
     if (events.back() == "slow") {
       EXPECT_EQ(object.at("profile"), "default");
       EXPECT_GT(object.at("total_ms"), 0);
     }
   }
-  for (const char* event : {"message", "configuration", "frame", "slow"}) {
+  for (const char* event : {"message", "configuration", "listening", "frame", "slow"}) {
     EXPECT_THAT(events, Contains(event));
   }
 }
