@@ -17,7 +17,8 @@ import numpy.typing as npt
 from fovea.channel import make_metadata, metadata_of_call
 from fovea.checks import timeout_of_call, timeout_of_client
 from fovea.detections import Detections, detections_from_proto
-from fovea.errors import Cancelled, DeadlineExceeded, FoveaError, error_of_call
+from fovea.errors import Cancelled, FoveaError, error_of_call
+from fovea.explanations import of_server
 from fovea.frame import CameraIntrinsics, Frame
 from fovea.frame_feed import FrameFeed, Item
 from fovea.options import DetectOptions, RetryOptions, TlsOptions, options_to_proto
@@ -105,10 +106,7 @@ class Client:
     def is_serving(self) -> bool:
         """Asks once. False where the server answers that it does not serve; raises a FoveaError
         where it does not answer."""
-        try:
-            return is_serving(self._servers, self._errors, self._timeout)
-        except FoveaError as error:
-            raise self._named(error, self._timeout) from None
+        return is_serving(self._servers, self._errors, self._timeout)
 
     def check(self, timeout: float | None = None) -> ServerInfo:
         """Waits until the server serves, and sees that it has the version of this library.
@@ -262,16 +260,7 @@ class Client:
             return call_with_retries(self._servers, call, seconds, self._retry, self._wait)
         except FoveaError as error:
             error.request_id = error.request_id or request_id
-            raise self._named(error, seconds) from None
-
-    def _named(self, error: FoveaError, seconds: float) -> FoveaError:
-        """gRPC's own text says neither who did not answer nor for how long."""
-        if not isinstance(error, DeadlineExceeded) or error.message != "Deadline Exceeded":
-            return error
-        text = f"no answer from {self._servers.address} within {seconds:g} s"
-        named = DeadlineExceeded("DEADLINE_EXCEEDED", text)
-        named.request_id = error.request_id
-        return named
+            raise of_server(error, self._servers.address, seconds) from None
 
     def _wait(self, server: Server | None, seconds: float) -> None:
         """Raises Cancelled when the client is closed."""

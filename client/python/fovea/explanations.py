@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fovea.errors import DeadlineExceeded, FoveaError
 from fovea.options import TlsOptions
 
 _CLOSES = "{} closes the connection; does the server want {}?"
@@ -14,6 +15,16 @@ def why_unavailable(problem: str, address: str, tls: TlsOptions | None) -> str:
     """With gRPC's own words behind it. These are those of gRPC 1.51 and OpenSSL 3; others get the
     last answer."""
     return f"{_why(problem, address, tls)}: {problem}"
+
+
+def of_server(error: FoveaError, address: str, seconds: float) -> FoveaError:
+    """A deadline that passed, of which gRPC says neither who did not answer nor for how long; other
+    errors as they are."""
+    if not isinstance(error, DeadlineExceeded) or error.message != "Deadline Exceeded":
+        return error
+    named = DeadlineExceeded("DEADLINE_EXCEEDED", f"no answer from {address} within {seconds:g} s")
+    named.request_id = error.request_id
+    return named
 
 
 def _why(problem: str, address: str, tls: TlsOptions | None) -> str:

@@ -11,7 +11,7 @@ from contextlib import AbstractContextManager
 import grpc
 
 from fovea.errors import Cancelled, DeadlineExceeded, FoveaError, Unavailable
-from fovea.explanations import why_unavailable
+from fovea.explanations import of_server, why_unavailable
 from fovea.servers import Server, Servers
 
 _LONGEST_LOOK = 1.0  # seconds for one server to answer, where it is asked again
@@ -35,7 +35,7 @@ def is_serving(servers: Servers, errors: Errors, timeout: float) -> bool:
         except FoveaError as failure:
             error = failure
     if error and not has_answered:
-        raise error
+        raise of_server(error, servers.address, timeout)
     return False
 
 
