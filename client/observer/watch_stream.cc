@@ -130,6 +130,7 @@ bool WatchStream::Watching::Watch(const std::stop_token& stop) {
     link_.outage->OnAway(link_.address, status.error_message());
   }
   LinkState state = StateOf(status);
+  if (state.kind == LinkState::Kind::kRefused) link_.outage->OnBack(link_.address);
   // It ends the call of whoever has other rights now, too: the next answer says which.
   if (came && state.kind == LinkState::Kind::kRefused) state.kind = LinkState::Kind::kConnecting;
   if (!stop.stop_requested()) Tell(listener_.on_state, state);
