@@ -13,6 +13,7 @@ constexpr std::size_t kMaxClose = 24;
 
 std::vector<std::string> AddressesOf(const std::vector<ServerLink>& servers) {
   std::vector<std::string> addresses;
+  addresses.reserve(servers.size());
   for (const ServerLink& server : servers) addresses.push_back(server.address);
   return addresses;
 }
