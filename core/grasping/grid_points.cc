@@ -142,10 +142,8 @@ class PointCollector {
       if (!solid_.IsKnown()) return of_target_[cell].Add(some.z[i]);
       return beside_.Ask({some.x[i], some.y[i], some.z[i]}, cell, some.noise_m[i]);
     }
-    TwoHighest& others = of_others_[cell];
-    if (some.z[i] <= others.second) return;  // before a look around it
     if (some.label[i] == 0 && IsAtMask(scene_, row, column, object_.label)) return;
-    others.Add(some.z[i]);
+    of_others_[cell].Add(some.z[i]);
   }
 
   const GraspScene& scene_;
