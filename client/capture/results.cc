@@ -55,6 +55,8 @@ void EndIfHopeless(const v1::FrameError& error) {
   if (error.code() != grpc::StatusCode::INVALID_ARGUMENT) return;
   const std::string& text = error.field().empty() ? error.message() : error.field();
   if (IsAbout("frame.color.data", text) || IsAbout("frame.depth.data", text)) return;
+  // Also of a frame that is too much for the method, as noise is.
+  if (IsAbout("options.parameters[voxels.size_m]", text)) return;
   throw std::runtime_error(TextOf(error));
 }
 

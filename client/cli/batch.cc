@@ -74,10 +74,12 @@ std::optional<std::chrono::milliseconds> PauseAfter(const client::RpcError& erro
   return std::nullopt;
 }
 
-// Of what flags say, and no frame.
+// Of what flags say, and no frame. The size of voxels is also named for a frame that is too much
+// for the method.
 bool IsOfAllFrames(const client::RpcError& error, const Run& run) {
   if (error.code() != grpc::StatusCode::INVALID_ARGUMENT || run.batch.sent_before) return false;
   const std::string& field = error.field();
+  if (field == "options.parameters[voxels.size_m]") return false;
   return field.starts_with("options.") || field.starts_with("frame.gravity") ||
          field.starts_with("frame.camera_pose");
 }

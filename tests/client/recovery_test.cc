@@ -43,44 +43,48 @@ v1::DetectStreamRequest StreamFrame(const std::string& id) {
   return request;
 }
 
-TEST(Retry, ComesBackWhenABusyServerSaysWhen) {
+// A server with room for one frame, which waits at its gate.
+struct BusyServer {
+  BusyServer() { gate.WaitUntilBegun(); }
+
+  static server::ServerOptions Options() {
+    server::ServerOptions options = LoopbackOptions();
+    options.compute_threads = 1;
+    options.max_waiting = 0;
+    return options;
+  }
+
   testing::Gate gate;
-  server::ServerOptions options = LoopbackOptions();
-  options.compute_threads = 1;
-  options.max_waiting = 0;
-  const testing::Loopback loopback(std::ref(gate), options);
-  std::jthread first([&] { loopback.client.Detect(testing::TestRequest()); });
-  gate.WaitUntilBegun();
+  const testing::Loopback loopback{std::ref(gate), Options()};
+  std::jthread first{[this] { loopback.client.Detect(testing::TestRequest()); }};
+};
+
+TEST(Retry, ComesBackWhenABusyServerSaysWhen) {
+  BusyServer busy;
   std::jthread second([&] {
     EXPECT_NO_THROW(
-        Client(loopback.server.Address(), RetryingLong()).Detect(testing::TestRequest()));
+        Client(busy.loopback.server.Address(), RetryingLong()).Detect(testing::TestRequest()));
   });
-  while (loopback.client.GetStatistics().frames_answered().count("RESOURCE_EXHAUSTED") == 0) {
+  while (busy.loopback.client.GetStatistics().frames_answered().count("RESOURCE_EXHAUSTED") == 0) {
   }
-  gate.Let(2);
+  busy.gate.Let(2);
 }
 
 TEST(Retry, ComesBackUntilTheDeadlineWhereItIsToldWhen) {
-  testing::Gate gate;
-  server::ServerOptions options = LoopbackOptions();
-  options.compute_threads = 1;
-  options.max_waiting = 0;
-  const testing::Loopback loopback(std::ref(gate), options);
-  std::jthread first([&] { loopback.client.Detect(testing::TestRequest()); });
-  gate.WaitUntilBegun();
+  BusyServer busy;
   std::atomic<bool> ended = false;
   std::jthread second([&] {
-    const Client client(loopback.server.Address(), {.timeout = kPatience});
+    const Client client(busy.loopback.server.Address(), {.timeout = kPatience});
     EXPECT_NO_THROW(client.Detect(testing::TestRequest()));
     ended = true;
   });
   const auto num_refused = [&] {
-    const auto answered = loopback.client.GetStatistics().frames_answered();
+    const auto answered = busy.loopback.client.GetStatistics().frames_answered();
     const auto found = answered.find("RESOURCE_EXHAUSTED");
     return found == answered.end() ? 0 : found->second;
   };
   while (!ended && num_refused() < 7) std::this_thread::yield();
-  gate.Let(2);
+  busy.gate.Let(2);
 }
 
 TEST(Retry, FindsAServerThatIsBack) {
