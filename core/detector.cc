@@ -68,6 +68,15 @@ double ShareOfAnswer(const DetectorOptions& options) {
   return NeedsSurroundings(options) ? 0.5 : 0.1;
 }
 
+// What is told of the supports, and of objects that stand on them, is of pixels, not of blocks.
+void RefitToPixels(const PixelPoints& points, const PixelBlocks& blocks,
+                   const SupportOptions& options, std::vector<Support>& supports,
+                   Detections& result) {
+  if (supports.empty() || blocks.edge_px == 1) return;
+  RefitSurfaces(UnlabelledPoints(points, result.labels, blocks), options, supports);
+  result.support = supports.front().surface;
+}
+
 // The first stage of `clock` has begun.
 ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* trace,
                                TimeBudget& budget, StageClock& clock, Detections& result) {
@@ -101,6 +110,7 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& op
   const cv::Mat shown = FillFromBlocks(near, depth_of_blocks, scene.standing, blocks);
   result.labels = LabelsOfPixels(LabelImage(scene.grid, search.found.objects), depth_of_blocks,
                                  shown, options.max_depth_m, blocks);
+  RefitToPixels({near, frame.intrinsics}, blocks, options.support, scene.supports, result);
   DescribeObjects(frame, {shown, frame.intrinsics}, {search.saliency, blocks.edge_px},
                   search.found.confidences, scene.supports, options.objects, result);
   ObjectSurroundings around;

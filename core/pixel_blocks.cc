@@ -127,4 +127,19 @@ cv::Mat LabelsOfPixels(const cv::Mat& label_of_block, const cv::Mat& depth_of_bl
   return labels;
 }
 
+std::vector<Eigen::Vector3f> UnlabelledPoints(const PixelPoints& points, const cv::Mat& labels,
+                                              const PixelBlocks& blocks) {
+  constexpr int kStep = 3;
+  std::vector<Eigen::Vector3f> unlabelled;
+  for (int row = blocks.edge_px / 2; row < labels.rows; row += kStep * blocks.edge_px) {
+    for (int col = blocks.edge_px / 2; col < labels.cols; col += kStep * blocks.edge_px) {
+      const bool has_depth = !std::isnan(points.Depth_m().at<float>(row, col));
+      if (has_depth && labels.at<std::uint16_t>(row, col) == 0) {
+        unlabelled.push_back(points.At(row, col));
+      }
+    }
+  }
+  return unlabelled;
+}
+
 }  // namespace fovea

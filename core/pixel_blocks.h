@@ -3,9 +3,12 @@
 // (docs/performance.md). Goes beyond the paper.
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <opencv2/core/mat.hpp>
+#include <vector>
 
+#include "core/depth/back_projection.h"
 #include "core/segmentation/voxel_grid.h"
 #include "core/types/rgbd_frame.h"
 
@@ -50,5 +53,11 @@ cv::Mat FillFromBlocks(const cv::Mat& depth_m, const cv::Mat& depth_of_blocks, c
 // Cost: proportional to what is labelled.
 cv::Mat LabelsOfPixels(const cv::Mat& label_of_block, const cv::Mat& depth_of_blocks,
                        const cv::Mat& depth_m, double max_depth_m, const PixelBlocks& blocks);
+
+// The points of some pixels without a label, evenly spread: of every third block in each direction
+// that in its middle. Blocks, which have the least depth in them, lie nearer to the camera, by half
+// of a block where a surface slopes and by what noise lifts.
+std::vector<Eigen::Vector3f> UnlabelledPoints(const PixelPoints& points, const cv::Mat& labels,
+                                              const PixelBlocks& blocks);
 
 }  // namespace fovea

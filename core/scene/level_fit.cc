@@ -172,4 +172,13 @@ SupportSurface FitLevelSurface(const Points& points, const Eigen::Vector3f& up,
   return surface;
 }
 
+SupportSurface FitAnew(const Points& points, const SupportSurface& surface,
+                       const SupportOptions& options) {
+  constexpr std::size_t kEnoughPoints = 50;
+  if (PointsNear(points, surface, options).size() < kEnoughPoints) return surface;
+  SupportSurface anew = FitToCommonHeight(points, surface, surface.normal, options);
+  anew.num_points = surface.num_points;
+  return anew;
+}
+
 }  // namespace fovea

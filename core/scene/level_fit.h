@@ -15,6 +15,11 @@ namespace fovea {
 SupportSurface FitLevelSurface(const std::vector<Eigen::Vector3f>& points,
                                const Eigen::Vector3f& up, const SupportOptions& options);
 
+// The same plane fitted anew to other points, of which `surface` is no farther than the tolerance;
+// itself where hardly any are near it.
+SupportSurface FitAnew(const std::vector<Eigen::Vector3f>& points, const SupportSurface& surface,
+                       const SupportOptions& options);
+
 // The points within `widening` tolerances of the surface.
 std::vector<Eigen::Vector3f> PointsNear(const std::vector<Eigen::Vector3f>& points,
                                         const SupportSurface& surface,

@@ -168,6 +168,17 @@ std::vector<Support> FindSupports(const cv::Mat& points, const NormalMap& normal
   return supports;
 }
 
+void RefitSurfaces(const std::vector<Eigen::Vector3f>& points, const SupportOptions& options,
+                   std::vector<Support>& supports) {
+  for (Support& support : supports) {
+    InterruptionPoint();
+    std::vector<Eigen::Vector3f> covered;
+    std::copy_if(points.begin(), points.end(), std::back_inserter(covered),
+                 [&](const auto& p) { return support.footprint.Covers(p); });
+    support.surface = FitAnew(covered, support.surface, options);
+  }
+}
+
 std::optional<std::size_t> SupportBelow(const std::vector<Support>& supports,
                                         const Eigen::Vector3f& point,
                                         const SupportOptions& options) {

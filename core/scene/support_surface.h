@@ -65,6 +65,11 @@ std::vector<Support> FindSupports(const cv::Mat& points, const NormalMap& normal
                                   const Eigen::Vector3f& gravity,
                                   const SupportOptions& options = {});
 
+// Fits the planes of the supports anew to those of the points that lie on them, which is for points
+// that are truer than those by which they were found.
+void RefitSurfaces(const std::vector<Eigen::Vector3f>& points, const SupportOptions& options,
+                   std::vector<Support>& supports);
+
 // How far from the surface a point at distance z along the optical axis still belongs to it.
 float SupportTolerance(float z_m, const SupportOptions& options);
 

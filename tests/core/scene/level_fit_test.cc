@@ -54,5 +54,22 @@ TEST(FitLevelSurface, KeepsTheHeightOfTooFewPointsForAPlane) {
   EXPECT_NEAR(surface.HeightOf({0, 1, 1}), 0, 0.005F);
 }
 
+TEST(FitAnew, GoesToThePointsFromAPlaneThatIsTooHigh) {
+  const auto points = TableWithSlab(0.015F);
+  const SupportSurface high{kPointsUp, 1 - 0.006F, 7};
+  const SupportSurface anew = FitAnew(points, high, kFitOptions);
+  EXPECT_NEAR(anew.HeightOf({-0.25F, 1, 1.8F}), 0, 0.001F);
+  EXPECT_NEAR(anew.HeightOf({0.05F, 1, 1.8F}), 0, 0.001F);
+  EXPECT_EQ(anew.num_points, high.num_points);
+}
+
+TEST(FitAnew, KeepsThePlaneWhereFewPointsTell) {
+  const auto points = TableWithSlab(0);
+  const SupportSurface high{kPointsUp, 1 - 0.006F, 7};
+  const SupportSurface anew = FitAnew({points.begin(), points.begin() + 49}, high, kFitOptions);
+  EXPECT_EQ(anew.normal, high.normal);
+  EXPECT_EQ(anew.offset_m, high.offset_m);
+}
+
 }  // namespace
 }  // namespace fovea
