@@ -38,13 +38,15 @@ PottsEnergy BuildSurfaceEnergy(const VoxelGrid& grid, const cv::Mat& points,
   energy.num_nodes = static_cast<int>(grid.voxels.size());
   const Foreground foreground = CollectForeground(grid, is_background);
   energy.choices = DataTerm(SitesOf(grid, foreground, points, is_background), seeds, options.data);
-  for (std::vector<PottsEnergy::Choice>& choices : energy.choices) {
-    for (PottsEnergy::Choice& choice : choices) choice.node = foreground.voxels[choice.node];
+  for (std::size_t label = 1; label < energy.choices.size(); ++label) {
+    for (PottsEnergy::Choice& choice : energy.choices[label]) {
+      choice.node = foreground.voxels[choice.node];
+    }
   }
   const std::vector<float> costs =
       BackgroundCosts(grid, points, is_background, on_support, seeds, options.data);
-  energy.choices[0].clear();
-  for (int v = 0; v < energy.num_nodes; ++v) energy.choices[0].push_back({v, costs[v]});
+  energy.choices.Begin(0);
+  for (int v = 0; v < energy.num_nodes; ++v) energy.choices.Add({v, costs[v]});
   LongLoop loop;
   for (const VoxelEdge& edge : grid.edges) {
     loop.Turn();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "core/segmentation/adjacency.h"
@@ -41,7 +42,9 @@ class SurfaceDistance {
   SurfaceDistance(const VoxelGrid& grid, const std::vector<char>& is_background)
       : neighbors_(NeighborsOf(grid, is_background)),
         distance_(grid.voxels.size(), kUnreached),
-        is_queued_(grid.voxels.size()) {}
+        is_queued_(grid.voxels.size()) {
+    queue_.reserve(grid.voxels.size());
+  }
 
   float Of(int voxel) const { return distance_[voxel]; }
 
@@ -73,26 +76,10 @@ class SurfaceDistance {
   std::vector<int> queue_;       // kept for its memory
 };
 
-// The connected parts of what is not background that are not noise, as lists of voxels.
-std::vector<std::vector<int>> Parts(const VoxelGrid& grid, const std::vector<char>& is_background) {
-  InterruptionPoint();
-  const std::vector<int> part_of_voxel = PartsOfForeground(grid, is_background);
-  std::vector<std::size_t> sizes(CountLabels(part_of_voxel) + 1, 0);
-  for (const int part : part_of_voxel) ++sizes[part];
-  std::vector<std::vector<int>> parts;
-  std::vector<int> place_of_part(sizes.size(), -1);
-  for (std::size_t part = 1; part < sizes.size(); ++part) {
-    if (sizes[part] < kMinVoxels) continue;
-    place_of_part[part] = static_cast<int>(parts.size());
-    parts.emplace_back().reserve(sizes[part]);
-  }
-  for (int v = 0; v < static_cast<int>(part_of_voxel.size()); ++v) {
-    if (const int place = place_of_part[part_of_voxel[v]]; place >= 0) parts[place].push_back(v);
-  }
-  return parts;
-}
+// The voxels of a connected part of what is not background.
+using VoxelsOfPart = std::span<const int>;
 
-int MostCentral(const VoxelGrid& grid, const std::vector<int>& part) {
+int MostCentral(const VoxelGrid& grid, VoxelsOfPart part) {
   InterruptionPoint();
   Eigen::Vector3f mean = Eigen::Vector3f::Zero();
   for (const int v : part) mean += grid.voxels[v].mean / static_cast<float>(part.size());
@@ -102,13 +89,13 @@ int MostCentral(const VoxelGrid& grid, const std::vector<int>& part) {
 }
 
 // Longest side of the part's box along the camera's axes.
-float Extent(const VoxelGrid& grid, const std::vector<int>& part) {
+float Extent(const VoxelGrid& grid, VoxelsOfPart part) {
   Eigen::AlignedBox3f box;
   for (const int v : part) box.extend(grid.voxels[v].mean);
   return box.sizes().maxCoeff();
 }
 
-int Farthest(const std::vector<int>& part, const SurfaceDistance& distance) {
+int Farthest(VoxelsOfPart part, const SurfaceDistance& distance) {
   InterruptionPoint();
   return *std::max_element(part.begin(), part.end(),
                            [&](int a, int b) { return distance.Of(a) < distance.Of(b); });
@@ -121,8 +108,10 @@ std::vector<int> VoxelsToAdd(const VoxelGrid& grid, const std::vector<char>& is_
     added.push_back(voxel);
     distance.AddSource(voxel);
   };
-  for (const std::vector<int>& part : Parts(grid, is_background)) {
-    if (Extent(grid, part) > kMaxExtentM) continue;
+  const Lists<int> parts = IndicesOfLabels(PartsOfForeground(grid, is_background));
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    const VoxelsOfPart part = parts[i];
+    if (part.size() < kMinVoxels || Extent(grid, part) > kMaxExtentM) continue;
     if (distance.Of(part.front()) == kUnreached) add(MostCentral(grid, part));
     for (int voxel = Farthest(part, distance);
          distance.Of(voxel) > static_cast<float>(options.spacing_m);
@@ -144,8 +133,10 @@ std::vector<Seed> CoverWithSeeds(const VoxelGrid& grid, const std::vector<char>&
     const int voxel = grid.voxel_of_pixel.at<int>(seed.pixel);
     if (voxel >= 0 && !is_background[voxel]) distance.AddSource(voxel);
   }
+  const std::vector<int> added = VoxelsToAdd(grid, is_background, distance, options);
   std::vector<Seed> covering = seeds;
-  for (const int voxel : VoxelsToAdd(grid, is_background, distance, options)) {
+  covering.reserve(seeds.size() + added.size());
+  for (const int voxel : added) {
     covering.push_back(
         {grid.voxels[voxel].first_px, grid.voxels[voxel].mean, Seed::Source::kUnexplainedRegion});
   }

@@ -42,11 +42,10 @@ class ChoicesOfSeeds {
         gamma_per_m2_(options.gamma_per_m2),
         nearest_(sites.means.size(), std::numeric_limits<float>::infinity()) {}
 
-  // `near`: sites, ascending; `means`: theirs.
-  std::vector<PottsEnergy::Choice> Of(const Seed& seed, const std::vector<int>& near,
-                                      Positions& means) {
+  // Adds those of a seed. `near`: sites, ascending; `means`: theirs.
+  void Add(const Seed& seed, const std::vector<int>& near, Positions& means,
+           Lists<PottsEnergy::Choice>& choices) {
     const std::vector<float>& squared_distances = means.SquaredDistances(seed.position);
-    choices_.clear();
     for (std::size_t i = 0; i < near.size(); ++i) {
       const float squared_distance = squared_distances[i];
       if (squared_distance > max_squared_distance_) continue;
@@ -54,9 +53,8 @@ class ChoicesOfSeeds {
       const float squared = squared_distance + sites_.variances_m2[site];
       nearest_[site] = std::min(nearest_[site], squared);
       const auto cost = static_cast<float>(gamma_per_m2_ * squared);
-      if (cost < max_cost_) choices_.push_back({site, cost * sites_.weights[site]});
+      if (cost < max_cost_) choices.Add({site, cost * sites_.weights[site]});
     }
-    return choices_;
   }
   // Of each site the mean squared distance to the nearest seed in reach so far.
   const std::vector<float>& Nearest() const { return nearest_; }
@@ -66,7 +64,6 @@ class ChoicesOfSeeds {
   const float max_cost_, max_squared_distance_;
   const double gamma_per_m2_;
   std::vector<float> nearest_;
-  std::vector<PottsEnergy::Choice> choices_;  // kept for their memory
 };
 
 }  // namespace
@@ -77,10 +74,9 @@ float BackgroundCost(float squared_distance, const DataTermOptions& options) {
       -std::log(options.alpha * std::max(1 - p_object, options.min_probability)));
 }
 
-std::vector<std::vector<PottsEnergy::Choice>> DataTerm(const Sites& sites,
-                                                       const std::vector<Seed>& seeds,
-                                                       const DataTermOptions& options) {
-  std::vector<std::vector<PottsEnergy::Choice>> choices(seeds.size() + 1);
+Lists<PottsEnergy::Choice> DataTerm(const Sites& sites, const std::vector<Seed>& seeds,
+                                    const DataTermOptions& options) {
+  Lists<PottsEnergy::Choice> choices(seeds.size() + 1);
   ChoicesOfSeeds of_seeds(sites, options);
   Positions means;
   std::size_t num_choices = 0;
@@ -88,17 +84,18 @@ std::vector<std::vector<PottsEnergy::Choice>> DataTerm(const Sites& sites,
     means.Choose(sites.means, near);
     for (const int i : members) {
       InterruptionPoint();
-      choices[i + 1] = of_seeds.Of(seeds[i], near, means);
+      choices.Begin(i + 1);
+      of_seeds.Add(seeds[i], near, means, choices);
       num_choices += choices[i + 1].size();
       RequireFewChoices(num_choices);
     }
   };
   ForEachNeighborhood(PositionsOf(seeds), sites.means, ChoiceReach(options), add_choices);
   InterruptionPoint();
-  choices[0].reserve(sites.means.size());
+  choices.Begin(0);
   for (int site = 0; site < static_cast<int>(sites.means.size()); ++site) {
     const float cost = BackgroundCost(of_seeds.Nearest()[site], options);
-    choices[0].push_back({site, cost * sites.weights[site]});
+    choices.Add({site, cost * sites.weights[site]});
   }
   return choices;
 }

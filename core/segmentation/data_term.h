@@ -37,8 +37,7 @@ struct Sites {
 //
 // Throws TooComplex if there are more choices of site and hypothesis than memory should hold
 // (2^25).
-std::vector<std::vector<PottsEnergy::Choice>> DataTerm(const Sites& sites,
-                                                       const std::vector<Seed>& seeds,
-                                                       const DataTermOptions& options = {});
+Lists<PottsEnergy::Choice> DataTerm(const Sites& sites, const std::vector<Seed>& seeds,
+                                    const DataTermOptions& options = {});
 
 }  // namespace fovea

@@ -87,6 +87,18 @@ bool IsInterior(const cv::Mat& labels, int row, int col) {
   return true;
 }
 
+Lists<int> IndicesOfLabels(const std::vector<int>& labels) {
+  InterruptionPoint();
+  std::vector<std::size_t> sizes(CountLabels(labels) + 1, 0);
+  for (const int label : labels) ++sizes[label];
+  sizes[0] = 0;
+  auto indices = Lists<int>::OfSizes(sizes);
+  for (int i = 0; i < static_cast<int>(labels.size()); ++i) {
+    if (labels[i] != 0) indices.Put(labels[i], i);
+  }
+  return indices;
+}
+
 std::size_t CountLabels(const std::vector<int>& labels) {
   return labels.empty() ? 0
                         : static_cast<std::size_t>(*std::max_element(labels.begin(), labels.end()));

@@ -6,6 +6,7 @@
 
 #include "core/segmentation/disjoint_sets.h"
 #include "core/segmentation/voxel_grid.h"
+#include "core/types/lists.h"
 
 namespace fovea {
 
@@ -32,6 +33,9 @@ cv::Mat LabelsWithin(const VoxelGrid& grid, const std::vector<int>& labels, cons
 
 // True if the eight neighbours of a pixel are in the image and have its label. `labels`: CV_16UC1.
 bool IsInterior(const cv::Mat& labels, int row, int col);
+
+// The indices of what has each label, ascending; none for the background's, which come first.
+Lists<int> IndicesOfLabels(const std::vector<int>& labels);
 
 // The highest label.
 std::size_t CountLabels(const std::vector<int>& labels);

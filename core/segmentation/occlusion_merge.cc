@@ -5,6 +5,7 @@
 #include <map>
 #include <opencv2/core.hpp>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "core/segmentation/disjoint_sets.h"
@@ -34,24 +35,23 @@ constexpr double kMaxSeenThrough = 0.07;
 
 constexpr double kMaxRimStepM = 0.02;  // between the upper ends of inside and outside
 
-struct Segment {
-  std::vector<int> voxels;
-  Roundness roundness;
-  Part part;
+// Each with one entry a label, the background's first and empty.
+struct Segments {
+  std::vector<Part> parts;
+  Lists<int> voxels;
+  std::vector<Roundness> roundness;
 };
 
-std::vector<Segment> Collect(const VoxelGrid& grid, const std::vector<int>& labels,
-                             const std::vector<MeanColor>& colors,
-                             const CameraIntrinsics& intrinsics, const Eigen::Vector3f& up) {
-  const std::vector<Part> parts = CollectParts(grid, labels, colors, intrinsics, up);
-  std::vector<Segment> segments(parts.size());
-  for (int v = 0; v < static_cast<int>(labels.size()); ++v) {
-    if (labels[v] != 0) segments[labels[v]].voxels.push_back(v);
-  }
-  for (std::size_t label = 1; label < segments.size(); ++label) {
+Segments Collect(const VoxelGrid& grid, const std::vector<int>& labels,
+                 const std::vector<MeanColor>& colors, const CameraIntrinsics& intrinsics,
+                 const Eigen::Vector3f& up) {
+  Segments segments;
+  segments.parts = CollectParts(grid, labels, colors, intrinsics, up);
+  segments.voxels = IndicesOfLabels(labels);
+  segments.roundness.resize(segments.parts.size());
+  for (std::size_t label = 1; label < segments.parts.size(); ++label) {
     InterruptionPoint();
-    segments[label].part = parts[label];
-    segments[label].roundness = FitRoundness(grid, segments[label].voxels, up);
+    segments.roundness[label] = FitRoundness(grid, segments.voxels[label], up);
   }
   return segments;
 }
@@ -84,7 +84,7 @@ class Evidence {
     }
     std::set<std::pair<int, int>> pairs;
     for (auto& [front, hidden] : hidden_by) {
-      std::erase_if(hidden, [&](int s) { return segments_[s].voxels.size() < kMinVoxels; });
+      std::erase_if(hidden, [&](int s) { return segments_.voxels[s].size() < kMinVoxels; });
       for (std::size_t i = 0; i < hidden.size(); ++i) {
         InterruptionPoint();
         for (std::size_t j = i + 1; j < hidden.size(); ++j) {
@@ -94,7 +94,7 @@ class Evidence {
     }
     return pairs;
   }
-  int NumSegments() const { return static_cast<int>(segments_.size()); }
+  int NumSegments() const { return static_cast<int>(segments_.parts.size()); }
 
   // True if `front` hides a part of the border of `back`.
   bool Hides(int front, int back) const {
@@ -106,21 +106,21 @@ class Evidence {
   }
 
   bool AreOneBehindAnOccluder(int a, int b) const {
-    if (segments_[a].part.color.DistanceTo(segments_[b].part.color) > kMaxColorDistance) {
+    if (segments_.parts[a].color.DistanceTo(segments_.parts[b].color) > kMaxColorDistance) {
       return false;
     }
-    return SharedSurface(grid_, segments_[a].voxels, segments_[b].voxels, kSameSurface) >=
+    return SharedSurface(grid_, segments_.voxels[a], segments_.voxels[b], kSameSurface) >=
                options_.min_shared_surface &&
            ShareSeenThrough(image_, points_, a, b) <= kMaxSeenThrough;
   }
 
   bool IsInsideOf(int inside, int outside) const {
     if (options_.min_hollow_curvature_per_m <= 0) return false;
-    const double curvature = segments_[inside].roundness.curvature_per_m;
+    const double curvature = segments_.roundness[inside].curvature_per_m;
     return -curvature >= options_.min_hollow_curvature_per_m && Hides(outside, inside) &&
-           std::abs(segments_[inside].part.Top_m() - segments_[outside].part.Top_m()) <=
+           std::abs(segments_.parts[inside].Top_m() - segments_.parts[outside].Top_m()) <=
                kMaxRimStepM &&
-           LiesAround(outside, segments_[inside].roundness);
+           LiesAround(outside, segments_.roundness[inside]);
   }
 
  private:
@@ -134,7 +134,7 @@ class Evidence {
   // True if the segment goes around an axis like the outside of the wall around it: a bowl's is
   // narrower below its rim; something beside the bowl is farther away or faces elsewhere.
   bool LiesAround(int segment, const Roundness& wall) const {
-    const std::vector<int>& voxels = segments_[segment].voxels;
+    const std::span<const int> voxels = segments_.voxels[segment];
     double sum_m = 0;
     for (const int v : voxels) sum_m += (Horizontal(grid_.voxels[v].mean, up_) - wall.axis).norm();
     const double mean_m = sum_m / static_cast<double>(voxels.size());
@@ -146,7 +146,7 @@ class Evidence {
   const OcclusionMergeOptions& options_;
   const cv::Mat& points_;
   const Eigen::Vector3f up_;
-  std::vector<Segment> segments_;
+  const Segments segments_;
   cv::Mat image_;
   int min_border_px_;
   ImageBorders borders_;

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "core/types/lists.h"
+
 namespace fovea {
 
 // E(y) = Σ_v cost(v, y_v) + Σ_(a,b) weight · [y_a ≠ y_b]. A node can only take the labels that
@@ -19,7 +21,7 @@ struct PottsEnergy {
   };
 
   int num_nodes = 0;
-  std::vector<std::vector<Choice>> choices;  // of each label, nodes ascending
+  Lists<Choice> choices;  // of each label, nodes ascending
   std::vector<Edge> edges;
 };
 

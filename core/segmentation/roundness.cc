@@ -35,7 +35,7 @@ struct Moments {
 
 }  // namespace
 
-Roundness FitRoundness(const VoxelGrid& grid, const std::vector<int>& voxels,
+Roundness FitRoundness(const VoxelGrid& grid, std::span<const int> voxels,
                        const Eigen::Vector3f& up) {
   Moments all, directed;  // with the normals' horizontal parts; with unit vectors along them
   for (const int v : voxels) {
@@ -58,8 +58,8 @@ Roundness FitRoundness(const VoxelGrid& grid, const std::vector<int>& voxels,
   return roundness;
 }
 
-double MeanFacing(const VoxelGrid& grid, const std::vector<int>& voxels,
-                  const Eigen::Vector3f& axis, const Eigen::Vector3f& up) {
+double MeanFacing(const VoxelGrid& grid, std::span<const int> voxels, const Eigen::Vector3f& axis,
+                  const Eigen::Vector3f& up) {
   double sum = 0, count = 0;
   for (const int v : voxels) {
     const Eigen::Vector3f normal = Horizontal(grid.voxels[v].normal, up);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <vector>
+#include <span>
 
 #include "core/segmentation/voxel_grid.h"
 
@@ -20,14 +20,14 @@ struct Roundness {
 };
 
 // `voxels`: those of the segment, with normals; `up`: unit vector.
-Roundness FitRoundness(const VoxelGrid& grid, const std::vector<int>& voxels,
+Roundness FitRoundness(const VoxelGrid& grid, std::span<const int> voxels,
                        const Eigen::Vector3f& up);
 
 // Mean cosine between the normals of the voxels and the way to them from an axis, both in the
 // horizontal plane: 1 for the outside of something round about that axis, −1 for its inside, 0
 // where no normal has a direction there.
-double MeanFacing(const VoxelGrid& grid, const std::vector<int>& voxels,
-                  const Eigen::Vector3f& axis, const Eigen::Vector3f& up);
+double MeanFacing(const VoxelGrid& grid, std::span<const int> voxels, const Eigen::Vector3f& axis,
+                  const Eigen::Vector3f& up);
 
 // The part of `v` at right angles to `up`.
 inline Eigen::Vector3f Horizontal(const Eigen::Vector3f& v, const Eigen::Vector3f& up) {

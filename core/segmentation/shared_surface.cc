@@ -10,9 +10,10 @@ namespace {
 constexpr std::size_t kMaxSamples = 150;
 
 // At most kMaxSamples of the voxels, evenly.
-std::vector<int> Sample(const std::vector<int>& voxels) {
+std::vector<int> Sample(std::span<const int> voxels) {
   const std::size_t stride = voxels.size() / kMaxSamples + 1;
   std::vector<int> sample;
+  sample.reserve(kMaxSamples);
   for (std::size_t i = 0; i < voxels.size(); i += stride) sample.push_back(voxels[i]);
   return sample;
 }
@@ -38,7 +39,7 @@ double ShareOnSurface(const VoxelGrid& grid, const std::vector<int>& a, const st
 
 }  // namespace
 
-double SharedSurface(const VoxelGrid& grid, const std::vector<int>& a, const std::vector<int>& b,
+double SharedSurface(const VoxelGrid& grid, std::span<const int> a, std::span<const int> b,
                      const SameSurface& same) {
   const std::vector<int> of_a = Sample(a), of_b = Sample(b);
   return std::min(ShareOnSurface(grid, of_a, of_b, same), ShareOnSurface(grid, of_b, of_a, same));

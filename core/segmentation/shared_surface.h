@@ -1,7 +1,7 @@
 // Whether two segments that do not touch lie on one surface.
 #pragma once
 
-#include <vector>
+#include <span>
 
 #include "core/segmentation/voxel_grid.h"
 
@@ -14,7 +14,7 @@ struct SameSurface {
 
 // Of the voxels `a` and of the voxels `b`, the share that lies on the surface of a voxel of the
 // other segment; the smaller of both, 0 … 1. Compares at most some 150 voxels of each, evenly.
-double SharedSurface(const VoxelGrid& grid, const std::vector<int>& a, const std::vector<int>& b,
+double SharedSurface(const VoxelGrid& grid, std::span<const int> a, std::span<const int> b,
                      const SameSurface& same);
 
 }  // namespace fovea

@@ -28,11 +28,12 @@ double Optimum(const PottsEnergy& energy) {
 PottsEnergy RandomEnergy(std::mt19937& random, int num_nodes, int num_labels) {
   PottsEnergy energy;
   energy.num_nodes = num_nodes;
-  energy.choices.resize(num_labels);
+  energy.choices = Lists<Choice>(num_labels);
   for (int label = 0; label < num_labels; ++label) {
+    energy.choices.Begin(label);
     for (int node = 0; node < num_nodes; ++node) {
       if (label == 0 || random() % 4 != 0) {
-        energy.choices[label].push_back({node, static_cast<float>(random() % 1000) / 100});
+        energy.choices.Add({node, static_cast<float>(random() % 1000) / 100});
       }
     }
   }

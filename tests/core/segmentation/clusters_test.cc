@@ -45,10 +45,11 @@ TEST(Clusters, KeepTheDifferencesOfEnergy) {
   const Clusters clusters = FindClusters(kRow, kIsLeftOut, 4, 4);
   joined.edges = EdgesBetween(clusters, kRow);
   const std::vector<float> outwards = WeightsOutwards(clusters, kRow);
-  for (int node = 0; node < 6; ++node) whole.choices[0].push_back({node, 10});
-  for (int node = 0; node < 5; ++node) whole.choices[1].push_back({node, 1.0F + node});
-  joined.choices[0] = {{0, 30 - outwards[0]}, {1, 20 - outwards[1]}};
-  joined.choices[1] = {{0, 1 + 2 + 3}, {1, 4 + 5}};
+  whole.choices.Begin(0);
+  for (int node = 0; node < 6; ++node) whole.choices.Add({node, 10});
+  whole.choices.Begin(1);
+  for (int node = 0; node < 5; ++node) whole.choices.Add({node, 1.0F + node});
+  joined.choices = {{{0, 30 - outwards[0]}, {1, 20 - outwards[1]}}, {{0, 1 + 2 + 3}, {1, 4 + 5}}};
   const auto gain = [&](const std::vector<int>& labels) {
     EXPECT_THAT(LabelsOfNodes(clusters, labels),
                 ElementsAre(labels[0], labels[0], labels[0], labels[1], labels[1], 0));

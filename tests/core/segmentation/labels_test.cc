@@ -54,6 +54,18 @@ TEST(LabelImage, GivesEachPixelTheLabelOfItsVoxel) {
   EXPECT_EQ(cv::countNonZero(image != expected), 0) << image;
 }
 
+TEST(IndicesOfLabels, AscendAndHaveNoneOfTheBackground) {
+  const Lists<int> indices = IndicesOfLabels({0, 2, 3, 0, 2});
+  ASSERT_EQ(indices.size(), 4U);
+  EXPECT_TRUE(indices[0].empty());
+  EXPECT_TRUE(indices[1].empty());
+  ASSERT_EQ(indices[2].size(), 2U);
+  EXPECT_EQ(indices[2][0], 1);
+  EXPECT_EQ(indices[2][1], 4);
+  ASSERT_EQ(indices[3].size(), 1U);
+  EXPECT_EQ(indices[3][0], 2);
+}
+
 TEST(CountLabels, IsTheHighest) {
   EXPECT_EQ(CountLabels({}), 0U);
   EXPECT_EQ(CountLabels({0, 0}), 0U);
