@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <map>
 
 #include "core/scene/plane_fit.h"
 #include "core/types/interruption.h"
@@ -20,23 +19,37 @@ constexpr std::size_t kManyPoints = 500;  // tell a plane within a millimetre
 // Middle of the fullest interval; the lowest of equals.
 float DominatingHeight(const Points& points, const Eigen::Vector3f& up, float bin) {
   InterruptionPoint();
-  std::map<int, std::size_t> histogram;
-  auto in = histogram.end();  // the bin of the point before, which is mostly that of the next
+  struct Bin {
+    int index = 0;
+    std::size_t count = 0;
+  };
+  std::vector<Bin> histogram;  // ascending
+  std::size_t in = 0;          // the bin of the point before, which is mostly that of the next
   LongLoop loop;
   for (const Eigen::Vector3f& p : points) {
     loop.Turn();
     const int index = static_cast<int>(std::floor(up.dot(p) / bin));
-    if (in == histogram.end() || in->first != index) in = histogram.try_emplace(index).first;
-    ++in->second;
+    if (in == histogram.size() || histogram[in].index != index) {
+      const auto found =
+          std::lower_bound(histogram.begin(), histogram.end(), index,
+                           [](const Bin& other, int sought) { return other.index < sought; });
+      in = static_cast<std::size_t>(found - histogram.begin());
+      const bool is_known = found != histogram.end() && found->index == index;
+      if (!is_known) histogram.insert(found, {index, 0});
+    }
+    ++histogram[in].count;
   }
   // Neighbouring bins count half, so that a surface that straddles a border is not missed.
+  const auto count_of = [&](std::size_t i, int index) {
+    return i < histogram.size() && histogram[i].index == index ? histogram[i].count : 0;
+  };
   int best_bin = 0;
   std::size_t best_count = 0;
-  for (const auto& [index, count] : histogram) {
-    const auto below = histogram.find(index - 1);
-    const auto above = histogram.find(index + 1);
-    const std::size_t smoothed = 2 * count + (below == histogram.end() ? 0 : below->second) +
-                                 (above == histogram.end() ? 0 : above->second);
+  for (std::size_t i = 0; i < histogram.size(); ++i) {
+    const auto [index, count] = histogram[i];
+    // Before the first there is none: its place is beyond the last.
+    const std::size_t smoothed =
+        2 * count + count_of(i - 1, index - 1) + count_of(i + 1, index + 1);
     if (smoothed > best_count) {
       best_count = smoothed;
       best_bin = index;
@@ -50,8 +63,9 @@ struct Interval {
   float half_width = 0;
 };
 
-// The shortest interval that holds half of the values (Rousseeuw 1984); at least one value.
-Interval ShortestHalf(std::vector<float> values) {
+// The shortest interval that holds half of the values (Rousseeuw 1984); at least one value. Sorts
+// them.
+Interval ShortestHalf(std::vector<float>& values) {
   InterruptionPoint();
   std::sort(values.begin(), values.end());
   const std::size_t half = values.size() / 2;
@@ -61,6 +75,17 @@ Interval ShortestHalf(std::vector<float> values) {
     if (width(begin) < width(best)) best = begin;
   }
   return {(values[best] + values[best + half]) / 2, width(best) / 2};
+}
+
+void KeepNear(const Points& points, const SupportSurface& surface, const SupportOptions& options,
+              float widening, Points& near) {
+  near.clear();
+  near.reserve(points.size());
+  LongLoop loop;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(near), [&](const auto& p) {
+    loop.Turn();
+    return std::abs(surface.HeightOf(p)) <= widening * SupportTolerance(p.z(), options);
+  });
 }
 
 // Every k-th of the points within two tolerances of the surface.
@@ -74,44 +99,57 @@ Points SampleNear(const Points& points, const SupportSurface& surface,
   return near;
 }
 
-// How far points lie above a surface, in tolerances.
-std::vector<float> Heights(const Points& points, const SupportSurface& surface,
-                           const SupportOptions& options) {
-  std::vector<float> heights;
-  InterruptionPoint();
-  heights.reserve(points.size());
-  std::transform(points.begin(), points.end(), std::back_inserter(heights), [&](const auto& p) {
-    return surface.HeightOf(p) / SupportTolerance(p.z(), options);
-  });
-  return heights;
-}
+// The heights of points above surfaces, in tolerances. Keeps its memory from one to the next.
+class Heights {
+ public:
+  explicit Heights(const SupportOptions& options) : options_(options) {}
 
-// Of the points within the tolerance, those that scatter about the height of most of them. Low
-// things lie within the tolerance as well, but at another height.
-Points PointsAtCommonHeight(const Points& points, const SupportSurface& surface,
-                            const SupportOptions& options) {
-  constexpr float kSigmas = 2;
-  constexpr float kHalfPerSigma = 0.6745F;  // half of a normal distribution is so near its mean
-  Points near = PointsNear(points, surface, options);
-  if (near.empty()) return near;
-  const std::vector<float> heights = Heights(near, surface, options);
-  InterruptionPoint();
-  const Interval most = ShortestHalf(heights);
-  const float reach = kSigmas / kHalfPerSigma * most.half_width;
-  Points common;
-  common.reserve(near.size());
-  for (std::size_t i = 0; i < near.size(); ++i) {
-    if (std::abs(heights[i] - most.middle) <= reach) common.push_back(near[i]);
+  // Half of how far those of half of the points are apart.
+  float Scatter(const Points& points, const SupportSurface& surface) {
+    SetHeights(points, surface);
+    return ShortestHalf(heights_).half_width;
   }
-  return common;
-}
+
+  // Of the points within the tolerance, those that scatter about the height of most of them. Low
+  // things lie within the tolerance as well, but at another height. Until the next call.
+  const Points& AtCommonHeight(const Points& points, const SupportSurface& surface) {
+    constexpr float kSigmas = 2;
+    constexpr float kHalfPerSigma = 0.6745F;  // half of a normal distribution is so near its mean
+    KeepNear(points, surface, options_, 1, near_);
+    if (near_.empty()) return near_;
+    SetHeights(near_, surface);
+    sorted_ = heights_;
+    const Interval most = ShortestHalf(sorted_);
+    const float reach = kSigmas / kHalfPerSigma * most.half_width;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < near_.size(); ++i) {
+      if (std::abs(heights_[i] - most.middle) <= reach) near_[count++] = near_[i];
+    }
+    near_.resize(count);
+    return near_;
+  }
+
+ private:
+  void SetHeights(const Points& points, const SupportSurface& surface) {
+    InterruptionPoint();
+    heights_.resize(points.size());
+    std::transform(points.begin(), points.end(), heights_.begin(), [&](const auto& p) {
+      return surface.HeightOf(p) / SupportTolerance(p.z(), options_);
+    });
+  }
+
+  const SupportOptions& options_;
+  Points near_;
+  std::vector<float> heights_, sorted_;
+};
 
 SupportSurface FitWide(const Points& points, SupportSurface surface, const Eigen::Vector3f& up,
                        const SupportOptions& options) {
+  Points inliers;
   for (int fit = 0; fit < options.plane_fits; ++fit) {
     InterruptionPoint();
     const float widening = fit == 0 ? 2.0F : 1.0F;  // gravity may be off by a degree at first
-    const Points inliers = PointsNear(points, surface, options, widening);
+    KeepNear(points, surface, options, widening, inliers);
     if (inliers.size() < kMinPoints) break;
     InterruptionPoint();
     surface = FitPlane(inliers, up);
@@ -120,10 +158,11 @@ SupportSurface FitWide(const Points& points, SupportSurface surface, const Eigen
 }
 
 SupportSurface FitToCommonHeight(const Points& points, SupportSurface surface,
-                                 const Eigen::Vector3f& up, const SupportOptions& options) {
+                                 const Eigen::Vector3f& up, const SupportOptions& options,
+                                 Heights& heights) {
   const Points sample = SampleNear(points, surface, options);
   for (int fit = 0; fit < options.common_height_fits; ++fit) {
-    const Points inliers = PointsAtCommonHeight(sample, surface, options);
+    const Points& inliers = heights.AtCommonHeight(sample, surface);
     if (inliers.size() < kMinPoints) break;
     surface = FitPlane(inliers, up);
   }
@@ -137,15 +176,15 @@ SupportSurface FitRobustly(const Points& points, const SupportSurface& level,
                            const SupportOptions& options) {
   const Points sample = SampleNear(points, level, options);
   if (sample.empty()) return wide;
-  const auto scatter = [&](const SupportSurface& surface) {
-    return ShortestHalf(Heights(sample, surface, options)).half_width;
-  };
+  Heights heights(options);
   constexpr float kBlurred = 0.25F;  // of the tolerance; such noise hides low things anyway
-  if (scatter(wide) > kBlurred) return wide;
-  const SupportSurface from_level = FitToCommonHeight(points, level, up, options);
-  const SupportSurface from_wide = FitToCommonHeight(points, wide, up, options);
+  if (heights.Scatter(sample, wide) > kBlurred) return wide;
+  const SupportSurface from_level = FitToCommonHeight(points, level, up, options, heights);
+  const SupportSurface from_wide = FitToCommonHeight(points, wide, up, options, heights);
   constexpr float kClearlyLess = 0.8F;
-  return scatter(from_wide) < kClearlyLess * scatter(from_level) ? from_wide : from_level;
+  return heights.Scatter(sample, from_wide) < kClearlyLess * heights.Scatter(sample, from_level)
+             ? from_wide
+             : from_level;
 }
 
 }  // namespace
@@ -153,12 +192,7 @@ SupportSurface FitRobustly(const Points& points, const SupportSurface& level,
 Points PointsNear(const Points& points, const SupportSurface& surface,
                   const SupportOptions& options, float widening) {
   Points near;
-  near.reserve(points.size());
-  LongLoop loop;
-  std::copy_if(points.begin(), points.end(), std::back_inserter(near), [&](const auto& p) {
-    loop.Turn();
-    return std::abs(surface.HeightOf(p)) <= widening * SupportTolerance(p.z(), options);
-  });
+  KeepNear(points, surface, options, widening, near);
   return near;
 }
 
