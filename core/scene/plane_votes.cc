@@ -35,7 +35,7 @@ PlaneVotes::PlaneVotes(const VoxelGrid& grid, const std::vector<int>& voters,
   }
 }
 
-void PlaneVotes::Remove(const std::vector<int>& voters) {
+void PlaneVotes::Remove(std::span<const int> voters) {
   LongLoop loop;
   for (const int v : voters) {
     loop.Turn();

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/scene/support_surface.h"
@@ -20,7 +21,7 @@ class PlaneVotes {
   PlaneVotes(const VoxelGrid& grid, const std::vector<int>& voters, const Eigen::Vector3f& up);
 
   // Takes back the votes of voters.
-  void Remove(const std::vector<int>& voters);
+  void Remove(std::span<const int> voters);
 
   // The plane with most votes.
   std::optional<SupportSurface> MostVoted() const;

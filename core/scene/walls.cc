@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
@@ -30,6 +29,7 @@ std::vector<int> UprightVoxels(const VoxelGrid& grid, const Eigen::Vector3f& up,
   const float max_sine = std::numbers::sqrt2_v<float> / 2;
   LongLoop loop;
   std::vector<int> upright;
+  upright.reserve(grid.voxels.size());
   for (int v = 0; v < static_cast<int>(grid.voxels.size()); ++v) {
     loop.Turn();
     const Eigen::Vector3f& normal = grid.voxels[v].normal;
@@ -39,16 +39,18 @@ std::vector<int> UprightVoxels(const VoxelGrid& grid, const Eigen::Vector3f& up,
   return upright;
 }
 
+bool IsNear(const Eigen::Vector3f& p, const SupportSurface& plane, const SupportOptions& tolerance,
+            float widening) {
+  return std::abs(plane.HeightOf(p)) <= widening * SupportTolerance(p.z(), tolerance);
+}
+
 std::vector<int> Inliers(const VoxelGrid& grid, const std::vector<int>& voxels,
-                         const SupportSurface& plane, const SupportOptions& tolerance,
-                         float widening) {
+                         const SupportSurface& plane, const SupportOptions& tolerance) {
   std::vector<int> inliers;
   inliers.reserve(voxels.size());
   InterruptionPoint();
-  std::copy_if(voxels.begin(), voxels.end(), std::back_inserter(inliers), [&](int v) {
-    const Eigen::Vector3f& p = grid.voxels[v].mean;
-    return std::abs(plane.HeightOf(p)) <= widening * SupportTolerance(p.z(), tolerance);
-  });
+  std::copy_if(voxels.begin(), voxels.end(), std::back_inserter(inliers),
+               [&](int v) { return IsNear(grid.voxels[v].mean, plane, tolerance, 1); });
   return inliers;
 }
 
@@ -62,12 +64,15 @@ std::vector<int> Facing(const VoxelGrid& grid, std::vector<int> inliers,
 
 SupportSurface Refine(const VoxelGrid& grid, const std::vector<int>& candidates,
                       SupportSurface plane, const SupportOptions& tolerance) {
+  std::vector<Eigen::Vector3f> points;
+  points.reserve(candidates.size());
   for (const float widening : {2.0F, 1.5F, 1.0F}) {
     InterruptionPoint();
-    const std::vector<int> inliers = Inliers(grid, candidates, plane, tolerance, widening);
-    std::vector<Eigen::Vector3f> points;
-    points.reserve(inliers.size());
-    for (const int v : inliers) points.push_back(grid.voxels[v].mean);
+    points.clear();
+    for (const int v : candidates) {
+      const Eigen::Vector3f& p = grid.voxels[v].mean;
+      if (IsNear(p, plane, tolerance, widening)) points.push_back(p);
+    }
     if (points.size() < 3) break;
     plane = FitPlane(points, plane.normal);
   }
@@ -151,28 +156,28 @@ std::vector<char> FindWalls(const VoxelGrid& grid, const Eigen::Vector3f& up,
   std::vector<char> on_wall(grid.voxels.size(), 0);
   if (options.min_extent_m <= 0) return on_wall;
   const std::vector<int> upright = UprightVoxels(grid, up, supports, tolerance);
-  std::vector<int> all(grid.voxels.size());
-  std::iota(all.begin(), all.end(), 0);
   std::vector<int> candidates = upright;
   PlaneVotes votes(grid, upright, up);
   for (int i = 0; i < kMaxPlanes && candidates.size() >= 3; ++i) {
     const std::optional<SupportSurface> voted = votes.MostVoted();
     if (!voted) break;
     const SupportSurface plane = Refine(grid, candidates, *voted, tolerance);
-    if (Inliers(grid, candidates, plane, tolerance, 1.0F).empty()) break;
+    const auto is_on_plane = [&](int v) {
+      return IsNear(grid.voxels[v].mean, plane, tolerance, 1);
+    };
+    if (std::none_of(candidates.begin(), candidates.end(), is_on_plane)) break;
     // Also of those that went to an earlier plane, perhaps one across this wall.
-    const std::vector<int> inliers =
-        Facing(grid, Inliers(grid, upright, plane, tolerance, 1.0F), plane);
+    const std::vector<int> inliers = Facing(grid, Inliers(grid, upright, plane, tolerance), plane);
     const LargeParts parts(grid, inliers, plane, up, options);
     InterruptionPoint();
     if (parts.Exist()) {
-      for (const int v : Inliers(grid, all, plane, tolerance, 1.5F)) {
-        if (parts.Contain(grid.voxels[v].mean)) on_wall[v] = 1;
+      for (std::size_t v = 0; v < on_wall.size(); ++v) {
+        const Eigen::Vector3f& p = grid.voxels[v].mean;
+        if (IsNear(p, plane, tolerance, 1.5F) && parts.Contain(p)) on_wall[v] = 1;
       }
     }
     const auto explained = std::stable_partition(candidates.begin(), candidates.end(), [&](int v) {
-      const Eigen::Vector3f& p = grid.voxels[v].mean;
-      return std::abs(plane.HeightOf(p)) > 1.5F * SupportTolerance(p.z(), tolerance);
+      return !IsNear(grid.voxels[v].mean, plane, tolerance, 1.5F);
     });
     votes.Remove({explained, candidates.end()});
     candidates.erase(explained, candidates.end());
