@@ -44,6 +44,7 @@ float NearerHalf(const cv::Mat& nearness) {
   for (; histogram[bin] <= below; ++bin) below -= histogram[bin];
 
   std::vector<float> candidates;
+  candidates.reserve(static_cast<std::size_t>(histogram[bin]));
   for (const float value : values) {
     if (bin_of(value) == bin) candidates.push_back(value);
   }

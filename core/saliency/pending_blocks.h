@@ -26,21 +26,18 @@ class PendingBlocks {
       : border_(border),
         num_blocks_(num_blocks),
         stride_(num_blocks + kMargin),
-        strengths_(static_cast<std::size_t>(num_rows) * static_cast<std::size_t>(stride_)),
-        largest_of_row_(static_cast<std::size_t>(num_rows)) {}
+        num_rows_(num_rows),
+        strengths_(static_cast<std::size_t>(num_rows) * static_cast<std::size_t>(stride_ + 1)) {}
 
   // That the block has grown so, for what lies above or below it.
   HWY_INLINE void Mark(int y, int block, const Growth& growth) {
     float* around = Row(y) + block - 1;
     const float grown[kMargin + 1] = {growth.left, growth.all, growth.right, 0};
     for (int i = 0; i <= kMargin; ++i) Raise(around[i], grown[i]);
-    Raise(largest_of_row_[static_cast<std::size_t>(y)],
-          std::max(std::max(growth.left, growth.all), growth.right));
+    Raise(LargestOfRows()[y], std::max(std::max(growth.left, growth.all), growth.right));
   }
 
-  HWY_INLINE bool RowHas(int y, float least) const {
-    return largest_of_row_[static_cast<std::size_t>(y)] >= least;
-  }
+  HWY_INLINE bool RowHas(int y, float least) const { return LargestOfRows()[y] >= least; }
   // The strength that a block waits beside, and takes it out; 0 if that is less than `least`.
   HWY_INLINE float Take(int y, int block, float least) {
     float& strength = Row(y)[block];
@@ -48,11 +45,10 @@ class PendingBlocks {
   }
   HWY_INLINE void FinishRow(int y) {
     const float* strengths = Row(y);
-    largest_of_row_[static_cast<std::size_t>(y)] =
-        *std::max_element(strengths, strengths + num_blocks_);
+    LargestOfRows()[y] = *std::max_element(strengths, strengths + num_blocks_);
   }
   float Largest() const {
-    return *std::max_element(largest_of_row_.begin() + border_, largest_of_row_.end() - border_);
+    return *std::max_element(LargestOfRows() + border_, LargestOfRows() + num_rows_ - border_);
   }
 
  private:
@@ -61,12 +57,16 @@ class PendingBlocks {
 
   static HWY_INLINE void Raise(float& value, float to) { value = std::max(value, to); }
   HWY_INLINE float* Row(int y) { return strengths_.data() + std::ptrdiff_t{y} * stride_ + 1; }
+  // So that rows without any cost nothing.
+  HWY_INLINE float* LargestOfRows() { return strengths_.data() + AfterRows(); }
+  HWY_INLINE const float* LargestOfRows() const { return strengths_.data() + AfterRows(); }
+  HWY_INLINE std::ptrdiff_t AfterRows() const { return std::ptrdiff_t{num_rows_} * stride_; }
 
   int border_;
-  int num_blocks_;                     // in a row
-  int stride_;                         // with its margin
-  std::vector<float> strengths_;       // row-major
-  std::vector<float> largest_of_row_;  // so that rows without any cost nothing
+  int num_blocks_;  // in a row
+  int stride_;      // with its margin
+  int num_rows_;
+  std::vector<float> strengths_;  // row-major; after them the largest of each row
 };
 
 }  // namespace fovea

@@ -52,15 +52,11 @@ class SumOfContrasts {
 cv::Mat ContrastOfAll(const std::vector<cv::Mat>& channels, int num_scales) {
   const std::size_t count = channels.size() * static_cast<std::size_t>(num_scales);
   SumOfContrasts sum(channels.front().size(), count);
-  std::vector<Task> tasks;
-  for (std::size_t i = 0; i < count; ++i) {
-    tasks.emplace_back([&, i] {
-      InterruptionPoint();
-      const int scale = 1 + static_cast<int>(i / channels.size());
-      sum.Add(i, PropagateStrength(channels[i % channels.size()], scale));
-    });
-  }
-  RunTogether(tasks);
+  ForEachTogether(count, [&](std::size_t i) {
+    InterruptionPoint();
+    const int scale = 1 + static_cast<int>(i / channels.size());
+    sum.Add(i, PropagateStrength(channels[i % channels.size()], scale));
+  });
   return sum.Sum();
 }
 
