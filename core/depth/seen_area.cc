@@ -1,10 +1,10 @@
 #include "core/depth/seen_area.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <opencv2/imgproc.hpp>
-#include <vector>
 
 #include "core/types/interruption.h"
 #include "core/types/pixels.h"
@@ -13,15 +13,15 @@ namespace fovea {
 namespace {
 
 constexpr double kUnevenPx = 6;  // in an image 640 wide
+constexpr int kTogether = 16;    // columns, of a piece of memory
 
 // Of each of some columns, in how many rows it was measured; row by row, as images lie in memory.
-std::vector<int> CountInColumns(const cv::Mat& depth_m, const cv::Range& columns) {
+std::array<int, kTogether> CountInColumns(const cv::Mat& depth_m, const cv::Range& columns) {
   const int step = depth_m.channels(), num = columns.size();
-  std::vector<int> counts(num);
-  int* const count = counts.data();
+  std::array<int, kTogether> counts{};
   for (int row = 0; row < depth_m.rows; ++row) {
     const float* depth = depth_m.ptr<float>(row, columns.start) + step - 1;
-    for (int i = 0; i < num; ++i, depth += step) count[i] += std::isnan(*depth) ? 0 : 1;
+    for (int i = 0; i < num; ++i, depth += step) counts[i] += std::isnan(*depth) ? 0 : 1;
   }
   return counts;
 }
@@ -46,16 +46,16 @@ int MarginOfRows(const cv::Mat& depth_m, int most, bool is_first) {
 
 // The same of columns.
 int MarginOfColumns(const cv::Mat& depth_m, int most, bool is_first) {
-  constexpr int kTogether = 16;  // of a piece of memory
   for (int i = 0; i < most; i += kTogether) {
     InterruptionPoint();
     const int end = std::min(i + kTogether, most), cols = depth_m.cols;
-    std::vector<int> counts =
+    std::array<int, kTogether> counts =
         CountInColumns(depth_m, is_first ? cv::Range(i, end) : cv::Range(cols - end, cols - i));
-    if (!is_first) std::reverse(counts.begin(), counts.end());
-    const auto found = std::find_if(counts.begin(), counts.end(),
-                                    [&](int count) { return 2 * count >= depth_m.rows; });
-    if (found != counts.end()) return i + static_cast<int>(found - counts.begin());
+    const auto last = counts.begin() + (end - i);
+    if (!is_first) std::reverse(counts.begin(), last);
+    const auto found =
+        std::find_if(counts.begin(), last, [&](int count) { return 2 * count >= depth_m.rows; });
+    if (found != last) return i + static_cast<int>(found - counts.begin());
   }
   return 0;
 }

@@ -11,28 +11,30 @@
 namespace fovea {
 namespace {
 
-void Require(bool holds, const std::string& message) {
+void Require(bool holds, const char* message) {
   if (!holds) throw std::invalid_argument(message);
+}
+
+// Nearly always it holds, and nobody needs a message.
+template <typename... Parts>
+void Require(bool holds, fmt::format_string<const Parts&...> format, const Parts&... parts) {
+  if (!holds) throw std::invalid_argument(fmt::format(format, parts...));
 }
 
 // Along one axis of the image; `names` are those of the focal length and the principal point.
 void RequirePlausible(double focal_px, double principal_px, int size_px,
-                      const std::array<std::string, 2>& names) {
+                      const std::array<const char*, 2>& names) {
   constexpr double kMaxSlope = 10, kMaxFocal_px = 1e6;
-  Require(std::isfinite(focal_px) && focal_px > 0,
-          fmt::format("{}: {:g} is not a positive number", names[0], focal_px));
-  Require(focal_px <= kMaxFocal_px,
-          fmt::format("{}: {:g} is more than {:g} px", names[0], focal_px, kMaxFocal_px));
-  Require(std::isfinite(principal_px), names[1] + ": is not a finite number");
+  Require(std::isfinite(focal_px) && focal_px > 0, "{}: {:g} is not a positive number", names[0],
+          focal_px);
+  Require(focal_px <= kMaxFocal_px, "{}: {:g} is more than {:g} px", names[0], focal_px,
+          kMaxFocal_px);
+  Require(std::isfinite(principal_px), "{}: is not a finite number", names[1]);
   const double farthest_px = std::max(std::abs(principal_px), std::abs(size_px - 1 - principal_px));
   Require(farthest_px <= kMaxSlope * focal_px,
-          fmt::format("{}: {:g} px with {} {:g} px sees pixels of an image of {} px more than 84 "
-                      "degrees beside the optical axis; intrinsics are in pixels of this image",
-                      names[0], focal_px, names[1], principal_px, size_px));
-}
-
-std::string SizeOf(const cv::Mat& image) {
-  return std::to_string(image.cols) + "x" + std::to_string(image.rows);
+          "{}: {:g} px with {} {:g} px sees pixels of an image of {} px more than 84 "
+          "degrees beside the optical axis; intrinsics are in pixels of this image",
+          names[0], focal_px, names[1], principal_px, size_px);
 }
 
 }  // namespace
@@ -48,8 +50,8 @@ void Validate(const RgbdFrame& frame) {
   Require(!frame.depth_m.empty(), "depth: the image is empty");
   Require(frame.depth_m.type() == CV_32FC1, "depth: must have one 32-bit float channel");
   Require(frame.color_rgb.size() == frame.depth_m.size(),
-          "depth: its size " + SizeOf(frame.depth_m) + " differs from colour's " +
-              SizeOf(frame.color_rgb) + "; depth must be registered to colour");
+          "depth: its size {}x{} differs from colour's {}x{}; depth must be registered to colour",
+          frame.depth_m.cols, frame.depth_m.rows, frame.color_rgb.cols, frame.color_rgb.rows);
 
   Require(frame.unseen.empty() ||
               (frame.unseen.type() == CV_8UC1 && frame.unseen.size() == frame.color_rgb.size()),
@@ -63,7 +65,7 @@ void Validate(const RgbdFrame& frame) {
   if (frame.gravity) {
     const float length = frame.gravity->norm();
     Require(std::isfinite(length) && std::abs(length - 1.0F) <= 0.1F,
-            "gravity: its length must be 1, is " + std::to_string(length));
+            "gravity: its length must be 1, is {:f}", length);
   }
 }
 
