@@ -193,6 +193,7 @@ HWY_INLINE void StoreTowardsCamera(const Vectors& normals, const float* center,
 // Every step-th column relative to the principal point, and as many more as a load may reach.
 std::vector<float> RelativeColumns(int cols, int step, double cx_px) {
   std::vector<float> relative;
+  relative.reserve(static_cast<std::size_t>(cols / step + kLanes + 1));
   for (int col = 0; col < cols + kLanes * step; col += step) {
     relative.push_back(static_cast<float>(col - cx_px));
   }

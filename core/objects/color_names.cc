@@ -120,6 +120,7 @@ std::vector<ColorPart> ColorPartsOf(const std::vector<ColoredPoint>& cloud) {
     sums.position += Eigen::Vector3d(point.x, point.y, point.z);
   }
   std::vector<ColorPart> parts;
+  parts.reserve(kNumColorNames);
   for (std::size_t i = 0; i < kNumColorNames; ++i) {
     if (by_name[i].count == 0) continue;
     parts.push_back(PartOf(static_cast<ColorName>(i), by_name[i], cloud.size()));

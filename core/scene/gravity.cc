@@ -125,6 +125,8 @@ Eigen::Vector3f EstimateGravity(const cv::Mat& normals, const GravityOptions& op
   Refinement refinement(valid);
   std::vector<Eigen::Vector3d> directions;  // by rising pitch of the start
   std::vector<Explained> explained;
+  directions.reserve(options.num_starts);
+  explained.reserve(options.num_starts);
   double best_score = 0;
   for (int start = 0; start < options.num_starts; ++start) {
     const double pitch = start * std::numbers::pi / 2 / std::max(1, options.num_starts - 1);

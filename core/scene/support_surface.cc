@@ -26,6 +26,7 @@ LevelPoints FindLevelPoints(const cv::Mat& points, const NormalMap& normals,
                             const Eigen::Vector3f& up, double max_angle_deg) {
   const float min_cos = static_cast<float>(std::cos(max_angle_deg * std::numbers::pi / 180));
   LevelPoints level;
+  level.points.reserve(normals.vectors.total());
   const int step = normals.step_px;
   for (int row = 0; row < normals.vectors.rows; ++row) {
     InterruptionPoint();
@@ -47,6 +48,7 @@ std::vector<Eigen::Vector3f> PointsAbove(const cv::Mat& points, const SupportSur
   constexpr int kStep_px = 4;
   const auto max_height_m = static_cast<float>(options.max_height_m);
   std::vector<Eigen::Vector3f> above;
+  above.reserve(points.total() / (kStep_px * kStep_px));
   for (int row = 0; row < points.rows; row += kStep_px) {
     InterruptionPoint();
     for (int col = 0; col < points.cols; col += kStep_px) {
@@ -67,6 +69,7 @@ std::vector<Eigen::Vector3f> PointsOn(const std::vector<Eigen::Vector3f>& inlier
                                       float tolerance_share) {
   InterruptionPoint();
   std::vector<Eigen::Vector3f> on;
+  on.reserve(inliers.size());
   std::copy_if(inliers.begin(), inliers.end(), std::back_inserter(on), [&](const auto& p) {
     return surface.HeightOf(p) <= tolerance_share * SupportTolerance(p.z(), options);
   });

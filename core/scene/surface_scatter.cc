@@ -14,6 +14,7 @@ float ToleranceShare(const std::vector<Eigen::Vector3f>& points, const SupportSu
   constexpr float kMedianPerSigma = 0.6745F;  // of the absolute values of a normal distribution
   if (options.tolerance_sigmas <= 0) return 1;
   std::vector<float> depths;  // only below the surface: above it there are low objects as well
+  depths.reserve(points.size());
   InterruptionPoint();
   for (const Eigen::Vector3f& p : points) {
     const float depth_m = -surface.HeightOf(p);

@@ -48,7 +48,11 @@ Labelling CheapestLabels(const PottsEnergy& energy) {
 class Expansion {
  public:
   Expansion(const PottsEnergy& potts, const Links& links, const Labelling& current)
-      : potts_(potts), links_(links), current_(current), variable_of_(potts.num_nodes, -1) {}
+      : potts_(potts), links_(links), current_(current), variable_of_(potts.num_nodes, -1) {
+    moves_.reserve(potts.num_nodes);
+    energy_.costs.reserve(potts.num_nodes);
+    energy_.pairs.reserve(potts.edges.size());
+  }
 
   // The moves that lower the energy. Until the next call.
   const std::vector<PottsEnergy::Choice>& Solve(int alpha) {

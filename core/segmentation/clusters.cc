@@ -26,6 +26,7 @@ Clusters FindClusters(const std::vector<PottsEnergy::Edge>& edges,
     }
   }
   Clusters clusters{std::vector<int>(num_nodes, -1), {}};
+  clusters.sizes.reserve(num_nodes);
   for (int node = 0; node < num_nodes; ++node) {
     if (is_left_out[node]) continue;
     const int first = sets.Find(node);

@@ -67,6 +67,7 @@ std::vector<VoxelEdge> FindContacts(const VoxelGrid& grid, const std::vector<int
   const int reach = reach_cells;
   std::vector<VoxelEdge> contacts;
   std::vector<Found> found;  // of one x
+  found.reserve(places.size());
   // Half of the neighbourhood, so that each pair is met once; all cells of one x at a time: most of
   // what is met is of the same segment, and that is soon told.
   for (int x = 0; x <= reach; ++x) {

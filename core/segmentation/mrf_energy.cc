@@ -23,6 +23,7 @@ std::vector<PottsEnergy::Edge> WeighEdges(const VoxelGrid& grid,
                                           const std::vector<char>& is_background,
                                           const MrfOptions& options) {
   std::vector<PottsEnergy::Edge> edges;
+  edges.reserve(grid.edges.size());
   LongLoop loop;
   for (const VoxelEdge& edge : grid.edges) {
     loop.Turn();

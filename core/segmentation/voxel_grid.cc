@@ -21,7 +21,9 @@ constexpr std::size_t kUsualPoints = 8;  // of a voxel, or more
 // Half of the neighbouring cells that differ along at most `axes` axes, so that each pair is met
 // once.
 std::vector<Eigen::Vector3i> HalfNeighborhood(int axes) {
+  constexpr std::size_t kMost = 13;
   std::vector<Eigen::Vector3i> offsets;
+  offsets.reserve(kMost);
   for (int x = 0; x <= 1; ++x) {
     for (int y = -1; y <= 1; ++y) {
       for (int z = -1; z <= 1; ++z) {

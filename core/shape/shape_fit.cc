@@ -108,6 +108,7 @@ Shape::Kind KindOf(const FittedSolid& fit) {
 std::vector<FittedSolid> FitKinds(const SeenObject& seen, const OrientedBox& start,
                                   std::initializer_list<Solid::Kind> kinds) {
   std::vector<Solid> starts;
+  starts.reserve(kinds.size());
   for (const Solid::Kind kind : kinds) {
     if (MayBe(kind, start.size_m)) starts.push_back(StartOf(kind, start));
   }
