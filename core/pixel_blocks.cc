@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <opencv2/imgproc.hpp>
+#include <opencv2/core.hpp>
 #include <vector>
 
 #include "core/types/blocks.h"
 #include "core/types/interruption.h"
+#include "core/types/squares.h"
 
 namespace fovea {
 namespace {
@@ -115,8 +116,8 @@ cv::Mat LabelsOfPixels(const cv::Mat& label_of_block, const cv::Mat& depth_of_bl
                        const cv::Mat& depth_m, double max_depth_m, const PixelBlocks& blocks) {
   const auto limit = static_cast<float>(max_depth_m);
   cv::Mat labels = cv::Mat::zeros(depth_m.size(), CV_16UC1);
-  cv::Mat any_around;
-  cv::dilate(label_of_block, any_around, cv::Mat::ones(3, 3, CV_8UC1));
+  cv::Mat any_around = label_of_block.clone();
+  TakeLargestAround(1, any_around);
   for (cv::Point block; block.y < label_of_block.rows; ++block.y) {
     InterruptionPoint();
     for (block.x = 0; block.x < label_of_block.cols; ++block.x) {

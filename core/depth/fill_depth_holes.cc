@@ -4,10 +4,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <opencv2/imgproc.hpp>
+#include <opencv2/core.hpp>
 #include <vector>
 
 #include "core/types/interruption.h"
+#include "core/types/squares.h"
 
 namespace fovea {
 namespace {
@@ -50,9 +51,8 @@ float Mode(Neighborhood& around, float bin) {
 
 cv::Mat FillOnce(const cv::Mat& depth, float bin) {
   const cv::Mat measured = depth == depth;  // false for NaN
-  cv::Mat near_measured;
-  cv::dilate(measured, near_measured,
-             cv::Mat::ones(2 * kWindowRadius + 1, 2 * kWindowRadius + 1, CV_8UC1));
+  cv::Mat near_measured = measured.clone();
+  TakeLargestAround(kWindowRadius, near_measured);
   std::vector<cv::Point> holes;
   cv::findNonZero(near_measured != measured, holes);
   cv::Mat filled = depth.clone();

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/types/interruption.h"
+#include "core/types/squares.h"
 
 namespace fovea {
 namespace {
@@ -41,7 +42,7 @@ cv::Mat Occupancy(const std::vector<cv::Point>& cells, const cv::Size& size) {
   for (const cv::Point& cell : cells) {
     if (grid.contains(cell)) occupied.at<uchar>(cell) = 255;
   }
-  cv::morphologyEx(occupied, occupied, cv::MORPH_CLOSE, cv::Mat::ones(3, 3, CV_8UC1));
+  CloseGaps(1, occupied);
   return occupied;
 }
 

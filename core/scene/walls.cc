@@ -10,6 +10,7 @@
 #include "core/scene/plane_fit.h"
 #include "core/scene/plane_votes.h"
 #include "core/types/interruption.h"
+#include "core/types/squares.h"
 
 namespace fovea {
 namespace {
@@ -18,7 +19,7 @@ constexpr int kMaxPlanes = 8;
 constexpr double kMinAreaM2 = 0.08;    // visible, of a part that is wall
 constexpr float kWallCellM = 0.04F;    // of the grid on a plane, at least
 constexpr float kMaxWallCells = 2048;  // along a side of it, however far the points reach
-constexpr int kSolidCells = 5;         // edge of a square within a wall: legs of a table have none
+constexpr int kSolidReach = 2;         // of a square within a wall: legs of a table have none
 constexpr float kMinWallCosine =
     std::numbers::sqrt2_v<float> / 2;  // of what has a plane's direction
 
@@ -102,7 +103,7 @@ class LargeParts {
     cv::Mat occupied = cv::Mat::zeros(size.y(), size.x(), CV_8UC1);
     for (const int v : voxels) occupied.at<uchar>(CellOf(grid.voxels[v].mean)) = 255;
     // Far surfaces are sampled thinly and have holes.
-    cv::morphologyEx(occupied, occupied, cv::MORPH_CLOSE, cv::Mat::ones(3, 3, CV_8UC1));
+    CloseGaps(1, occupied);
     Keep(occupied, options);
   }
 
@@ -123,8 +124,9 @@ class LargeParts {
 
   void Keep(const cv::Mat& occupied, const WallOptions& options) {
     large_ = cv::Mat::zeros(occupied.size(), CV_8UC1);
-    cv::Mat solid, parts, statistics, centroids;
-    cv::erode(occupied, solid, cv::Mat::ones(kSolidCells, kSolidCells, CV_8UC1));
+    cv::Mat parts, statistics, centroids;
+    cv::Mat solid = occupied.clone();
+    TakeLeastAround(kSolidReach, solid);
     const int count = cv::connectedComponentsWithStats(occupied, parts, statistics, centroids);
     for (int part = 1; part < count; ++part) {
       const int* stats = statistics.ptr<int>(part);
@@ -138,7 +140,7 @@ class LargeParts {
       large_.setTo(255, is_part);
       exist_ = true;
     }
-    cv::dilate(large_, large_, cv::Mat::ones(3, 3, CV_8UC1));
+    TakeLargestAround(1, large_);
   }
 
   Eigen::Vector3f vertical_, horizontal_;  // the plane's axes

@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/shape/outline_profiles.h"
+#include "core/types/squares.h"
 
 namespace fovea {
 namespace {
@@ -13,15 +14,16 @@ constexpr double kWidth_px = 640;  // that lengths in pixels are given for
 constexpr double kStep_px = 2;
 constexpr std::size_t kMaxContourPoints = 160;
 constexpr std::size_t kMinPoints = 12;
-constexpr int kClosing_px = 5;
+constexpr int kReach_px = 2;  // of what closes notches
 
 // Of the largest part of the mask, without its notches and holes; in pixels of the image.
 std::vector<cv::Point> Contour(const cv::Mat& labels, int label, const cv::Rect& bounds) {
-  const cv::Rect around = cv::Rect(bounds.tl() - cv::Point(kClosing_px, kClosing_px),
-                                   bounds.br() + cv::Point(kClosing_px, kClosing_px)) &
+  constexpr int kMargin_px = 2 * kReach_px + 1;
+  const cv::Rect around = cv::Rect(bounds.tl() - cv::Point(kMargin_px, kMargin_px),
+                                   bounds.br() + cv::Point(kMargin_px, kMargin_px)) &
                           cv::Rect({}, labels.size());
   cv::Mat mask = labels(around) == label;
-  cv::morphologyEx(mask, mask, cv::MORPH_CLOSE, cv::Mat::ones(kClosing_px, kClosing_px, CV_8UC1));
+  CloseGaps(kReach_px, mask);
   std::vector<std::vector<cv::Point>> contours;
   cv::findContours(mask, contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE, around.tl());
   if (contours.empty()) return {};
@@ -39,8 +41,9 @@ std::vector<Eigen::Vector2f> Smoothed(const std::vector<cv::Point>& contour, dou
     const cv::Point& p = contour[i * contour.size() / count];
     points[i] = {static_cast<float>(p.x), static_cast<float>(p.y)};
   }
+  std::vector<Eigen::Vector2f> before;
   for (int pass = 0; pass < 2; ++pass) {
-    const std::vector<Eigen::Vector2f> before = points;
+    before = points;
     for (std::size_t i = 0; i < count; ++i) {
       const Eigen::Vector2f& previous = before[(i + count - 1) % count];
       const Eigen::Vector2f& next = before[(i + 1) % count];
