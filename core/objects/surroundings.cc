@@ -1,8 +1,9 @@
 #include "core/objects/surroundings.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
-#include <opencv2/imgproc.hpp>
+#include <opencv2/core.hpp>
 #include <optional>
 
 #include "core/depth/depth_gap.h"
@@ -102,11 +103,10 @@ bool IsGrey(const LabelledScene& scene) {
 class Contrast {
  public:
   Contrast(const LabelledScene& scene, const cv::Mat& labels)
-      : labels_(labels),
+      : lab_(scene.lab),
+        labels_(labels),
         inside_px_(ScaledPx(kInsidePx, labels.cols, 1)),
-        unseen_(IsGrey(scene) ? kUsualContrast : 0) {
-    cv::blur(scene.lab, lab_, {kBlurPx, kBlurPx});
-  }
+        unseen_(IsGrey(scene) ? kUsualContrast : 0) {}
 
   // From a little inside of the border at `pixel`, which faces `side`, to a pixel beyond it; units
   // of 8-bit CIELAB.
@@ -115,15 +115,32 @@ class Contrast {
     const bool is_own = cv::Rect({}, labels_.size()).contains(inside) &&
                         labels_.at<std::uint16_t>(inside) == labels_.at<std::uint16_t>(pixel);
     if (!is_own) inside = pixel;
-    const cv::Vec3i own = lab_.at<cv::Vec3b>(inside), other = lab_.at<cv::Vec3b>(beyond);
-    return std::hypot(cv::norm(own - other), unseen_);
+    return std::hypot(cv::norm(ColorAround(inside) - ColorAround(beyond)), unseen_);
   }
 
  private:
+  // As cv::blur has it, which would do so for all pixels.
+  cv::Vec3i ColorAround(const cv::Point& pixel) const {
+    constexpr int kReach = kBlurPx / 2, kCount = kBlurPx * kBlurPx;
+    std::array<int, kBlurPx> cols{};
+    for (int i = 0; i < kBlurPx; ++i) {
+      cols[i] = cv::borderInterpolate(pixel.x - kReach + i, lab_.cols, cv::BORDER_REFLECT_101);
+    }
+    cv::Vec3i sum(0, 0, 0);
+    for (int i = 0; i < kBlurPx; ++i) {
+      const int row =
+          cv::borderInterpolate(pixel.y - kReach + i, lab_.rows, cv::BORDER_REFLECT_101);
+      const auto* of_row = lab_.ptr<cv::Vec3b>(row);
+      for (const int col : cols) sum += of_row[col];
+    }
+    for (int& channel : sum.val) channel = (channel + kCount / 2) / kCount;
+    return sum;
+  }
+
+  const cv::Mat& lab_;  // CV_8UC3
   const cv::Mat& labels_;
   int inside_px_;
   double unseen_;
-  cv::Mat lab_;  // CV_8UC3
 };
 
 BorderSide SideOf(const cv::Point& side, const std::optional<cv::Point2f>& up_px) {
