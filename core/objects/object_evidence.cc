@@ -58,13 +58,16 @@ void SetJoins(const MergeTree& tree, std::size_t n, ObjectEvidence& evidence) {
 class Summation {
  public:
   Summation(std::vector<ObjectEvidence>& evidence, std::vector<Surroundings> surroundings)
-      : evidence_(evidence), top_of_(surroundings.size(), -1), towards_(evidence.size()) {
-    for (std::size_t label = 1; label < surroundings.size(); ++label) {
-      top_of_[label] = static_cast<int>(label) - 1;
-      members_.push_back({static_cast<int>(label)});
+      : evidence_(evidence),
+        top_of_(surroundings.size(), -1),
+        towards_(evidence.size()),
+        members_(evidence.size()),
+        next_(surroundings.size(), 0) {
+    for (int label = 1; label < static_cast<int>(surroundings.size()); ++label) {
+      top_of_[label] = label - 1;
+      members_[label - 1] = {label, label, 1};
       towards_[label - 1] = std::move(surroundings[label].towards);
     }
-    members_.resize(evidence.size());
   }
 
   void Sum(int node, int left, int right) {
@@ -84,6 +87,12 @@ class Summation {
   }
 
  private:
+  // Labels, each with the next one in next_; 0 after the last.
+  struct Members {
+    int first = 0, last = 0;
+    std::size_t count = 0;
+  };
+
   // The borders of one child that face the other are none any more. Looks through the shorter list:
   // in noise, what is left over touches thousands.
   void RemoveInner(int child, int other, BorderCounts& sum) {
@@ -92,8 +101,8 @@ class Summation {
       sum.Add(entry->second, -1);
       return towards.erase(entry);
     };
-    if (members_[other].size() < towards.size()) {
-      for (const int label : members_[other]) {
+    if (members_[other].count < towards.size()) {
+      for (int label = members_[other].first; label != 0; label = next_[label]) {
         if (const auto entry = towards.find(label); entry != towards.end()) remove(entry);
       }
       return;
@@ -105,20 +114,21 @@ class Summation {
 
   // What is known of the smaller one is added to that of the larger one.
   void Unite(int node, int left, int right) {
-    if (members_[left].size() < members_[right].size()) std::swap(left, right);
+    if (members_[left].count < members_[right].count) std::swap(left, right);
     towards_[node] = std::move(towards_[left]);
     for (const auto& [label, counts] : towards_[right]) towards_[node][label].Add(counts);
-    members_[node] = std::move(members_[left]);
-    members_[node].insert(members_[node].end(), members_[right].begin(), members_[right].end());
-    for (const int label : members_[node]) top_of_[label] = node;
+    const Members &larger = members_[left], &smaller = members_[right];
+    next_[larger.last] = smaller.first;
+    members_[node] = {larger.first, smaller.last, larger.count + smaller.count};
+    for (int label = larger.first; label != 0; label = next_[label]) top_of_[label] = node;
     towards_[right].clear();
-    members_[right].clear();
   }
 
   std::vector<ObjectEvidence>& evidence_;
   std::vector<int> top_of_;                           // of each label, the largest node so far
   std::vector<std::map<int, BorderCounts>> towards_;  // of each largest node
-  std::vector<std::vector<int>> members_;             // labels of each largest node
+  std::vector<Members> members_;                      // of each largest node
+  std::vector<int> next_;                             // of each label
 };
 
 }  // namespace

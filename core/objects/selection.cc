@@ -24,20 +24,37 @@ int NextLabelled(const std::uint16_t* labels, int col, int cols) {
   return col;
 }
 
-// One entry a label, the background's first and empty.
-std::vector<PixelRuns> CollectRuns(const cv::Mat& labels) {
-  std::vector<PixelRuns> runs(1);
+struct LabelledRun {
+  int label = 0;
+  PixelRun pixels;
+};
+
+// Row by row.
+std::vector<LabelledRun> CollectRuns(const cv::Mat& labels) {
+  constexpr int kUsualRuns = 4;  // of a row, or fewer
+  std::vector<LabelledRun> runs;
+  runs.reserve(kUsualRuns * static_cast<std::size_t>(labels.rows));
   const int cols = labels.cols;
   for (int row = 0; row < labels.rows; ++row) {
     InterruptionPoint();
     const auto* of_row = labels.ptr<std::uint16_t>(row);
     for (int end = 0, first = 0; (first = NextLabelled(of_row, end, cols)) < cols;) {
-      const std::size_t label = of_row[first];
+      const int label = of_row[first];
       for (end = first + 1; end < cols && of_row[end] == label;) ++end;
-      if (label >= runs.size()) runs.resize(label + 1);
-      runs[label].push_back({row, first, end});
+      runs.push_back({label, {row, first, end}});
     }
   }
+  return runs;
+}
+
+// One entry a label, the background's first and empty.
+std::vector<PixelRuns> RunsOfLabels(const cv::Mat& labels, std::size_t num_labels) {
+  const std::vector<LabelledRun> all = CollectRuns(labels);
+  std::vector<std::size_t> counts(num_labels + 1, 0);
+  for (const LabelledRun& run : all) ++counts.at(run.label);
+  std::vector<PixelRuns> runs(counts.size());
+  for (std::size_t label = 0; label < runs.size(); ++label) runs[label].reserve(counts[label]);
+  for (const LabelledRun& run : all) runs[run.label].push_back(run.pixels);
   return runs;
 }
 
@@ -79,8 +96,9 @@ std::size_t KeepMostSalient(int max_objects, std::vector<Candidate>& candidates)
 Selection SelectObjects(const cv::Mat& labels, const std::vector<float>& confidences,
                         const BlockImage& saliency, const SeenArea& area,
                         const SelectionOptions& options) {
-  std::vector<PixelRuns> runs = CollectRuns(labels);
+  std::vector<PixelRuns> runs = RunsOfLabels(labels, confidences.size());
   Selection selection;
+  selection.candidates.reserve(confidences.size());
   for (int label = 1; label < static_cast<int>(runs.size()); ++label) {
     PixelRuns& pixels = runs[label];
     const std::size_t num_pixels = CountPixels(pixels);
@@ -91,7 +109,7 @@ Selection SelectObjects(const cv::Mat& labels, const std::vector<float>& confide
       continue;
     }
     const bool truncated = area.CutsOff(pixels);
-    const float confidence = confidences.at(static_cast<std::size_t>(label) - 1);
+    const float confidence = confidences[static_cast<std::size_t>(label) - 1];
     const float mean_saliency = MeanOf(saliency, pixels, num_pixels);
     selection.candidates.push_back(
         {label, std::move(pixels), num_pixels, confidence, mean_saliency, truncated});

@@ -1,8 +1,8 @@
 #include "core/segmentation/merge_tree.h"
 
 #include <algorithm>
-#include <map>
-#include <set>
+#include <functional>
+#include <queue>
 #include <utility>
 
 #include "core/segmentation/labels.h"
@@ -26,10 +26,10 @@ class Builder {
   }
 
   void JoinDownTo(double min_log_odds) {
-    while (!candidates_.empty() && -candidates_.begin()->first > min_log_odds) {
+    while (!candidates_.empty() && -candidates_.top().first > min_log_odds) {
       InterruptionPoint();
-      const auto [negative_log_odds, pair] = *candidates_.begin();
-      candidates_.erase(candidates_.begin());
+      const auto [negative_log_odds, pair] = candidates_.top();
+      candidates_.pop();
       const auto found = graph_.Pairs().find(pair);
       // Those whose odds have changed are left in.
       if (found == graph_.Pairs().end() || -LogOdds(found->second) != negative_log_odds) continue;
@@ -40,13 +40,14 @@ class Builder {
   void JoinSeparate(const FindSeparate& find_separate) {
     const std::vector<int> before = Renumbered(labels_, graph_.Objects());
     const std::vector<int> after = find_separate(before);
-    std::map<int, int> first_of;  // the lowest segment of each new object
+    std::vector<int> first_of(CountLabels(after) + 1, 0);  // of each new object, its first segment
     for (std::size_t v = 0; v < labels_.size(); ++v) {
       if (labels_[v] == 0) continue;
       const int segment = graph_.Objects().Find(labels_[v]);
-      const auto [known, is_new] = first_of.try_emplace(after[v], segment);
-      const int other = graph_.Objects().Find(known->second);
-      if (!is_new && other != segment) Join(std::minmax(other, segment), kSeparateLogOdds);
+      int& first = first_of[after[v]];
+      if (first == 0) first = segment;
+      const int other = graph_.Objects().Find(first);
+      if (other != segment) Join(std::minmax(other, segment), kSeparateLogOdds);
     }
   }
 
@@ -75,8 +76,9 @@ class Builder {
 
   SegmentGraph graph_;
   const std::vector<int>& labels_;
-  std::vector<int> node_of_;  // of each segment that stands for a joined one
-  std::set<std::pair<double, SegmentPair>> candidates_;  // −log odds first
+  std::vector<int> node_of_;                         // of each segment that stands for a joined one
+  using Candidate = std::pair<double, SegmentPair>;  // −log odds first
+  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> candidates_;
   MergeTree tree_;
 };
 
