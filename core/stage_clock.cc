@@ -43,6 +43,7 @@ void StageClock::Begin(const std::string& stage) {
 void StageClock::RunBranches(const std::vector<Branch>& branches) {
   Finish();
   std::vector<Task> tasks;
+  tasks.reserve(branches.size());
   for (const Branch& branch : branches) {
     StageClock& clock = branches_.emplace_back("");
     tasks.emplace_back([&branch, &clock] {

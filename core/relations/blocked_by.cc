@@ -25,9 +25,10 @@ void BlockByWhatStandsOn(std::vector<DetectedObject>& objects) {
       }
     }
   }
+  std::vector<bool> is_known;
   for (DetectedObject& object : objects) {
     object.blocked_by.clear();
-    std::vector<bool> is_known(objects.size() + 1);
+    is_known.assign(objects.size() + 1, false);
     is_known[static_cast<std::size_t>(object.label)] = true;
     AddAbove(carried, object.label, is_known, object.blocked_by);
   }

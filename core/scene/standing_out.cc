@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kBin = 6;            // of colours, in their units
 constexpr double kUsualShare = 0.03;  // of the area of a support
+constexpr std::size_t kUsualBins = 64;
 
 std::vector<int> VoxelsOn(const Support& support, const VoxelGrid& grid,
                           const std::vector<char>& is_background, const SupportOptions& tolerance) {
@@ -35,8 +36,9 @@ std::vector<Eigen::Vector3d> UsualColors(const VoxelGrid& grid, const std::vecto
     Eigen::Vector3d color = Eigen::Vector3d::Zero();
     double area = 0;
   };
-  CellIndex index;
+  CellIndex index(kUsualBins);
   std::vector<Sum> bins;
+  bins.reserve(kUsualBins);
   double total = 0;
   LongLoop loop;
   for (const int v : on) {
@@ -54,6 +56,7 @@ std::vector<Eigen::Vector3d> UsualColors(const VoxelGrid& grid, const std::vecto
     total += area;
   }
   std::vector<Eigen::Vector3d> usual;
+  usual.reserve(static_cast<std::size_t>(1 / kUsualShare));
   for (const Sum& sum : bins) {
     if (sum.area >= kUsualShare * total) usual.emplace_back(sum.color / sum.area);
   }

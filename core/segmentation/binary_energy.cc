@@ -17,6 +17,7 @@ class BinaryMinimizer::GainFlow {
  public:
   void Begin(const BinaryEnergy& energy) {
     nodes_.assign(energy.costs.size(), {});
+    found_.reserve(nodes_.size());
     out_of_reach_ = static_cast<int>(nodes_.size()) + 2;
     first_active_.resize(out_of_reach_);
     num_at_height_.assign(out_of_reach_, 0);

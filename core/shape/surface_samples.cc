@@ -154,7 +154,9 @@ void AddBent(const Solid& solid, std::vector<SurfaceSample>& samples) {
 }  // namespace
 
 std::vector<SurfaceSample> SampleSurface(const Solid& solid) {
+  constexpr std::size_t kMost = kAround * (kAcross + 6) + 3 * kAcross * kAcross;
   std::vector<SurfaceSample> samples;
+  samples.reserve(kMost);
   const Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   const Eigen::Vector3f u(solid.along.x(), solid.along.y(), 0),
       v(-solid.along.y(), solid.along.x(), 0);

@@ -38,10 +38,10 @@ void RethrowFirst(const std::vector<std::exception_ptr>& errors) {
 
 // Tasks of one call of RunTogether(); all but the tasks themselves under the mutex.
 struct Helpers::Batch {
-  Batch(Scope& of, const std::vector<Task>& all) : scope(of), tasks(all), errors(all.size()) {}
+  Batch(Scope& of, std::span<const Task> all) : scope(of), tasks(all), errors(all.size()) {}
 
   Scope& scope;
-  const std::vector<Task>& tasks;
+  const std::span<const Task> tasks;
   std::vector<std::exception_ptr> errors;  // of each task
   std::size_t next = 0;                    // the first that nobody has begun
   std::size_t num_done = 0;
@@ -86,7 +86,7 @@ Helpers::Scope::~Scope() {
 
 std::chrono::nanoseconds Helpers::Waited() { return waited; }
 
-void Helpers::Run(Scope& scope, const std::vector<Task>& tasks) {
+void Helpers::Run(Scope& scope, std::span<const Task> tasks) {
   Batch batch(scope, tasks);
   std::unique_lock lock(mutex_);
   const auto place = open_.insert(open_.end(), &batch);
@@ -191,7 +191,11 @@ bool IsHelped() {
   return scope_of_thread != nullptr && !scope_of_thread->helpers_.threads_.empty();
 }
 
-void RunTogether(const std::vector<Task>& tasks) {
+void RunTogether(std::initializer_list<Task> tasks) {
+  RunTogether(std::span(tasks.begin(), tasks.size()));
+}
+
+void RunTogether(std::span<const Task> tasks) {
   if (IsHelped() && tasks.size() > 1) {
     scope_of_thread->helpers_.Run(*scope_of_thread, tasks);
   } else {

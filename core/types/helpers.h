@@ -6,8 +6,10 @@
 #include <condition_variable>
 #include <cstddef>
 #include <functional>
+#include <initializer_list>
 #include <list>
 #include <mutex>
+#include <span>
 #include <thread>
 #include <vector>
 
@@ -18,7 +20,8 @@ using Task = std::function<void()>;
 // Calls each task once and returns after the last one. They run side by side where this thread is
 // being helped (Helpers::Scope), else in turn. What a task throws is thrown here; where several do,
 // that of the first of them. A stop that is asked of this thread reaches all of them.
-void RunTogether(const std::vector<Task>& tasks);
+void RunTogether(std::span<const Task> tasks);
+void RunTogether(std::initializer_list<Task> tasks);
 
 // The same for `work` on each number from 0 to `count` - 1.
 void ForEachTogether(std::size_t count, const std::function<void(std::size_t)>& work);
@@ -49,7 +52,7 @@ class Helpers {
    private:
     friend class Helpers;
     friend bool IsHelped();
-    friend void fovea::RunTogether(const std::vector<Task>& tasks);
+    friend void fovea::RunTogether(std::span<const Task> tasks);
 
     Helpers& helpers_;
     int spare_;  // helpers that it may still have
@@ -60,11 +63,11 @@ class Helpers {
 
  private:
   friend bool IsHelped();
-  friend void RunTogether(const std::vector<Task>& tasks);
+  friend void RunTogether(std::span<const Task> tasks);
   struct Batch;
 
   void Stop();
-  void Run(Scope& scope, const std::vector<Task>& tasks);
+  void Run(Scope& scope, std::span<const Task> tasks);
   void Await(Batch& batch, std::unique_lock<std::mutex>& lock);
   Batch* FindPart(const Scope& scope);
   Batch* FindWork();
