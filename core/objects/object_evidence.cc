@@ -1,7 +1,9 @@
 #include "core/objects/object_evidence.h"
 
 #include <algorithm>
-#include <map>
+#include <limits>
+#include <numeric>
+#include <optional>
 #include <utility>
 
 #include "core/segmentation/labels.h"
@@ -54,82 +56,68 @@ void SetJoins(const MergeTree& tree, std::size_t n, ObjectEvidence& evidence) {
   evidence.is_likely = n < tree.num_likely && evidence.outer_log_odds < 0;
 }
 
-// Sums the evidence of unions in the order in which they were made.
-class Summation {
+// Which of the unions holds two segments first. The segments of each union so far are a tree, the
+// smaller one below the larger: no way up is longer than the logarithm of their number.
+class FirstUnions {
  public:
-  Summation(std::vector<ObjectEvidence>& evidence, std::vector<Surroundings> surroundings)
-      : evidence_(evidence),
-        top_of_(surroundings.size(), -1),
-        towards_(evidence.size()),
-        members_(evidence.size()),
-        next_(surroundings.size(), 0) {
-    for (int label = 1; label < static_cast<int>(surroundings.size()); ++label) {
-      top_of_[label] = label - 1;
-      members_[label - 1] = {label, label, 1};
-      towards_[label - 1] = std::move(surroundings[label].towards);
+  explicit FirstUnions(const MergeTree& tree) : above_(tree.num_segments) {
+    std::vector<int> root_of_node(tree.nodes.size());
+    std::iota(root_of_node.begin(), root_of_node.begin() + above_.size(), 0);
+    std::vector<int> sizes(tree.num_segments, 1);
+    for (std::size_t n = tree.num_segments; n < tree.nodes.size(); ++n) {
+      int larger = root_of_node[tree.nodes[n].left], smaller = root_of_node[tree.nodes[n].right];
+      if (sizes[larger] < sizes[smaller]) std::swap(larger, smaller);
+      sizes[larger] += sizes[smaller];
+      above_[smaller] = {larger, static_cast<int>(n)};
+      root_of_node[n] = larger;
     }
   }
 
-  void Sum(int node, int left, int right) {
-    ObjectEvidence& sum = evidence_[node];
-    sum = evidence_[left];
-    const ObjectEvidence& other = evidence_[right];
-    sum.part.Add(other.part);
-    sum.placement.Add(other.placement);
-    sum.borders.Add(other.borders);
-    sum.num_pixels += other.num_pixels;
-    sum.num_missing += other.num_missing;
-    sum.bounds_px |= other.bounds_px;
-    sum.num_segments += other.num_segments;
-    RemoveInner(left, right, sum.borders);
-    RemoveInner(right, left, sum.borders);
-    Unite(node, left, right);
+  // Of two other segments, which are nodes of the tree too; none unless they are joined.
+  std::optional<int> Of(int a, int b) const {
+    int by = 0;
+    while (a != b) {
+      int& lower = above_[a].by < above_[b].by ? a : b;  // it was joined before
+      by = above_[lower].by;
+      if (by == kNever) return std::nullopt;
+      lower = above_[lower].segment;
+    }
+    return by;
   }
 
  private:
-  // Labels, each with the next one in next_; 0 after the last.
-  struct Members {
-    int first = 0, last = 0;
-    std::size_t count = 0;
+  static constexpr int kNever = std::numeric_limits<int>::max();
+
+  struct Above {
+    int segment = 0;
+    int by = kNever;  // the union that put it there
   };
-
-  // The borders of one child that face the other are none any more. Looks through the shorter list:
-  // in noise, what is left over touches thousands.
-  void RemoveInner(int child, int other, BorderCounts& sum) {
-    std::map<int, BorderCounts>& towards = towards_[child];
-    const auto remove = [&](auto entry) {
-      sum.Add(entry->second, -1);
-      return towards.erase(entry);
-    };
-    if (members_[other].count < towards.size()) {
-      for (int label = members_[other].first; label != 0; label = next_[label]) {
-        if (const auto entry = towards.find(label); entry != towards.end()) remove(entry);
-      }
-      return;
-    }
-    for (auto entry = towards.begin(); entry != towards.end();) {
-      entry = top_of_[entry->first] == other ? remove(entry) : std::next(entry);
-    }
-  }
-
-  // What is known of the smaller one is added to that of the larger one.
-  void Unite(int node, int left, int right) {
-    if (members_[left].count < members_[right].count) std::swap(left, right);
-    towards_[node] = std::move(towards_[left]);
-    for (const auto& [label, counts] : towards_[right]) towards_[node][label].Add(counts);
-    const Members &larger = members_[left], &smaller = members_[right];
-    next_[larger.last] = smaller.first;
-    members_[node] = {larger.first, smaller.last, larger.count + smaller.count};
-    for (int label = larger.first; label != 0; label = next_[label]) top_of_[label] = node;
-    towards_[right].clear();
-  }
-
-  std::vector<ObjectEvidence>& evidence_;
-  std::vector<int> top_of_;                           // of each label, the largest node so far
-  std::vector<std::map<int, BorderCounts>> towards_;  // of each largest node
-  std::vector<Members> members_;                      // of each largest node
-  std::vector<int> next_;                             // of each label
+  std::vector<Above> above_;
 };
+
+// But for the borders between the two, which are none any more.
+void AddUp(const ObjectEvidence& other, ObjectEvidence& sum) {
+  sum.part.Add(other.part);
+  sum.placement.Add(other.placement);
+  sum.borders.Add(other.borders);
+  sum.num_pixels += other.num_pixels;
+  sum.num_missing += other.num_missing;
+  sum.bounds_px |= other.bounds_px;
+  sum.num_segments += other.num_segments;
+}
+
+// Of each union the borders between what it joins.
+std::vector<BorderCounts> InnerBorders(const std::vector<Facing>& facings, const MergeTree& tree) {
+  const FirstUnions first(tree);
+  std::vector<BorderCounts> inner(tree.nodes.size() - tree.num_segments);
+  LongLoop loop;
+  for (const Facing& facing : facings) {
+    loop.Turn();
+    const std::optional<int> node = first.Of(facing.own - 1, facing.other - 1);
+    if (node) inner[*node - tree.num_segments].Count(facing.side, facing.beyond);
+  }
+  return inner;
+}
 
 }  // namespace
 
@@ -145,13 +133,14 @@ SegmentEvidence LookAtSegments(const LabelledScene& scene, const std::vector<int
   const cv::Mat image = LabelImage(scene.grid, segments);
   const std::vector<Part> parts =
       CollectParts(scene.grid, segments, scene.colors, scene.intrinsics, scene.up);
-  result.surroundings = FindSurroundings(scene, image);
-  result.surroundings.resize(parts.size());
+  Surroundings surroundings = FindSurroundings(scene, image);
+  surroundings.counts.resize(parts.size());
+  result.facings = std::move(surroundings.facings);
   std::vector<ObjectEvidence>& evidence = result.of_segments;
   evidence.resize(parts.size() - 1);
   for (std::size_t i = 0; i < evidence.size(); ++i) {
     evidence[i].part = parts[i + 1];
-    evidence[i].borders = result.surroundings[i + 1].counts;
+    evidence[i].borders = surroundings.counts[i + 1];
   }
   CountPixels(image, scene.standing, evidence);
   LongLoop loop;
@@ -165,13 +154,14 @@ SegmentEvidence LookAtSegments(const LabelledScene& scene, const std::vector<int
 }
 
 std::vector<ObjectEvidence> CollectEvidence(SegmentEvidence segments, const MergeTree& tree) {
+  const std::vector<BorderCounts> inner = InnerBorders(segments.facings, tree);
   std::vector<ObjectEvidence> evidence = std::move(segments.of_segments);
   evidence.resize(tree.nodes.size());
-  Summation summation(evidence, std::move(segments.surroundings));
   for (std::size_t n = tree.num_segments; n < tree.nodes.size(); ++n) {
     InterruptionPoint();
-    const MergeNode& node = tree.nodes[n];
-    summation.Sum(static_cast<int>(n), node.left, node.right);
+    evidence[n] = evidence[tree.nodes[n].left];
+    AddUp(evidence[tree.nodes[n].right], evidence[n]);
+    evidence[n].borders.Add(inner[n - tree.num_segments], -1);
   }
   for (std::size_t n = 0; n < tree.nodes.size(); ++n) SetJoins(tree, n, evidence[n]);
   return evidence;

@@ -39,15 +39,15 @@ struct ObjectEvidence {
 // What can be said of segments however they are joined.
 struct SegmentEvidence {
   std::vector<ObjectEvidence> of_segments;  // of label i + 1, without joins
-  std::vector<Surroundings> surroundings;   // by label
+  std::vector<Facing> facings;              // between them
 };
 
 // `segments`: one entry a voxel, its labels. Cost: proportional to the image.
 SegmentEvidence LookAtSegments(const LabelledScene& scene, const std::vector<int>& segments,
                                const SupportOptions& support_options);
 
-// One entry a node of `tree`, which is of the same segments. Cost: for n segments proportional to
-// n log n.
+// One entry a node of `tree`, which is of the same segments. Cost: for n segments and facings
+// proportional to n log n.
 std::vector<ObjectEvidence> CollectEvidence(SegmentEvidence segments, const MergeTree& tree);
 
 }  // namespace fovea

@@ -175,8 +175,11 @@ double BorderCounts::Total() const {
   return Of(BorderSide::kAbove) + Of(BorderSide::kBeside) + Of(BorderSide::kBelow);
 }
 
-std::vector<Surroundings> FindSurroundings(const LabelledScene& scene, const cv::Mat& labels) {
-  std::vector<Surroundings> surroundings(1);
+Surroundings FindSurroundings(const LabelledScene& scene, const cv::Mat& labels) {
+  constexpr int kUsualFacings = 8;  // of a row, or fewer
+  Surroundings surroundings{std::vector<BorderCounts>(1), {}};
+  std::vector<BorderCounts>& counts = surroundings.counts;
+  surroundings.facings.reserve(kUsualFacings * static_cast<std::size_t>(labels.rows));
   const Search search(scene, labels);
   const Contrast contrast(scene, labels);
   for (int row = 0; row < labels.rows; ++row) {
@@ -184,7 +187,7 @@ std::vector<Surroundings> FindSurroundings(const LabelledScene& scene, const cv:
     const auto* label = labels.ptr<std::uint16_t>(row);
     for (int col = 0; col < labels.cols; ++col) {
       if (label[col] == 0) continue;
-      if (label[col] >= surroundings.size()) surroundings.resize(label[col] + std::size_t{1});
+      if (label[col] >= counts.size()) counts.resize(label[col] + std::size_t{1});
       if (IsInterior(labels, row, col)) continue;
       const cv::Point pixel(col, row);
       const auto up_px = UpInImage(PointAt(scene.points, pixel), scene.intrinsics, scene.up);
@@ -193,11 +196,12 @@ std::vector<Surroundings> FindSurroundings(const LabelledScene& scene, const cv:
         const std::optional<Found> found = search.LookFrom(pixel, side);
         if (!found) continue;
         const BorderSide border = SideOf(side, up_px);
-        Surroundings& own = surroundings[label[col]];
-        own.counts.Count(border, found->beyond);
-        if (found->segment != 0) own.towards[found->segment].Count(border, found->beyond);
+        counts[label[col]].Count(border, found->beyond);
+        if (found->segment != 0) {
+          surroundings.facings.push_back({label[col], found->segment, border, found->beyond});
+        }
         if (IsLevelBackground(found->beyond)) {
-          own.counts.contrast += contrast.Between(pixel, side, found->pixel);
+          counts[label[col]].contrast += contrast.Between(pixel, side, found->pixel);
         }
       }
     }

@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
-#include <map>
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
@@ -55,13 +54,19 @@ struct BorderCounts {
   double Total() const;
 };
 
-struct Surroundings {
-  BorderCounts counts;                  // all of its border
-  std::map<int, BorderCounts> towards;  // of it, what faces another segment, by its label
+// The side of a pixel of one segment that faces another.
+struct Facing {
+  int own = 0, other = 0;  // labels
+  BorderSide side = BorderSide::kBeside;
+  Beyond beyond = Beyond::kLevelSegment;
 };
 
-// One entry a label of `labels` (CV_16UC1, 0 = background), the background's first and empty. Cost:
-// proportional to the image.
-std::vector<Surroundings> FindSurroundings(const LabelledScene& scene, const cv::Mat& labels);
+struct Surroundings {
+  std::vector<BorderCounts> counts;  // one entry a label, the background's first and empty
+  std::vector<Facing> facings;       // of what is counted, all that face a segment
+};
+
+// Of the segments of `labels` (CV_16UC1, 0 = background). Cost: proportional to the image.
+Surroundings FindSurroundings(const LabelledScene& scene, const cv::Mat& labels);
 
 }  // namespace fovea
