@@ -70,8 +70,12 @@ struct Thing {
   Mean height_m, distance_m;
   Mean height_around_m;
 
+  // Whatever is around it.
+  bool MayBeOne() const {
+    return num_voxels >= kMinVoxels && extent.diagonal().norm() <= kMaxExtent_m;
+  }
   bool IsOne(const SupportOptions& tolerance) const {
-    if (num_voxels < kMinVoxels || extent.diagonal().norm() > kMaxExtent_m) return false;
+    if (!MayBeOne()) return false;
     if (height_around_m.count == 0) return true;
     const auto distance = static_cast<float>(distance_m.Value());
     return height_m.Value() - height_around_m.Value() >=
@@ -125,7 +129,9 @@ std::map<int, Thing> Measure(const VoxelGrid& grid, const std::vector<int>& part
     thing.height_m.Add(on.height_m[v]);
     thing.distance_m.Add(grid.voxels[v].mean.z());
   }
-  MeasureAround(grid, parts, on, things);
+  const bool any = std::any_of(things.begin(), things.end(),
+                               [](const auto& thing) { return thing.second.MayBeOne(); });
+  if (any) MeasureAround(grid, parts, on, things);
   return things;
 }
 
