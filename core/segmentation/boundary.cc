@@ -22,24 +22,27 @@ namespace {
 constexpr int kGapCells = 2;
 constexpr double kMinGapPairs = 4;
 
-Boundaries CollectWithin(int reach_cells, const VoxelGrid& grid, const std::vector<int>& labels,
-                         const std::vector<MeanColor>& colors, const Eigen::Vector3f& up) {
+// Of pairs that are not among those that are known.
+Boundaries CollectWithin(int reach_cells, const Boundaries& known, const VoxelGrid& grid,
+                         const std::vector<int>& labels, const std::vector<MeanColor>& colors,
+                         const Eigen::Vector3f& up) {
   Boundaries boundaries;
   LongLoop loop;
   for (const VoxelEdge& pair : FindContacts(grid, labels, reach_cells)) {
     loop.Turn();
-    const auto [low, high] = std::minmax(labels[pair.a], labels[pair.b]);
+    const SegmentPair segments = std::minmax(labels[pair.a], labels[pair.b]);
+    if (known.contains(segments)) continue;
     const Voxel& a = grid.voxels[pair.a];
     const Voxel& b = grid.voxels[pair.b];
     if (a.normal.isZero() || b.normal.isZero()) continue;
     const Eigen::Vector3f way_m = b.mean - a.mean;
     const float rise_m = up.dot(way_m);
-    boundaries[{low, high}].Add({.num_pairs = 1,
-                                 .convexity_sum_deg = ConvexityDeg(a, b),
-                                 .step_sum_deg = std::abs(StepDeg(a, b)),
-                                 .contrast_sum = colors[pair.a].DistanceTo(colors[pair.b]),
-                                 .way_sum_m2 = way_m.squaredNorm(),
-                                 .rise_sum_m2 = rise_m * rise_m});
+    boundaries[segments].Add({.num_pairs = 1,
+                              .convexity_sum_deg = ConvexityDeg(a, b),
+                              .step_sum_deg = std::abs(StepDeg(a, b)),
+                              .contrast_sum = colors[pair.a].DistanceTo(colors[pair.b]),
+                              .way_sum_m2 = way_m.squaredNorm(),
+                              .rise_sum_m2 = rise_m * rise_m});
   }
   return boundaries;
 }
@@ -67,11 +70,11 @@ std::vector<int> LabelsOfRims(const VoxelGrid& grid, std::vector<int> labels) {
 
 Boundaries CollectBoundaries(const VoxelGrid& grid, const std::vector<int>& labels,
                              const std::vector<MeanColor>& colors, const Eigen::Vector3f& up) {
-  Boundaries boundaries = CollectWithin(1, grid, labels, colors, up);
-  for (const auto& [pair, boundary] :
-       CollectWithin(kGapCells, grid, LabelsOfRims(grid, labels), colors, up)) {
-    if (boundary.num_pairs >= kMinGapPairs) boundaries.try_emplace(pair, boundary);
-  }
+  Boundaries boundaries = CollectWithin(1, {}, grid, labels, colors, up);
+  Boundaries gaps =
+      CollectWithin(kGapCells, boundaries, grid, LabelsOfRims(grid, labels), colors, up);
+  std::erase_if(gaps, [](const auto& gap) { return gap.second.num_pairs < kMinGapPairs; });
+  boundaries.merge(gaps);
   return boundaries;
 }
 
