@@ -21,6 +21,20 @@ void TakeNearer(const float* depths, std::vector<float>& nearest) {
   }
 }
 
+// NaN where none is.
+float MeanOfMeasured(const cv::Mat& depth_m, const cv::Range& rows, const cv::Range& cols) {
+  float sum = 0, count = 0;
+  for (int row = rows.start; row < rows.end; ++row) {
+    const float* depth = depth_m.ptr<float>(row);
+    for (int col = cols.start; col < cols.end; ++col) {
+      const bool is_measured = (depth[col] > 0) & (depth[col] < kFarthest);
+      sum += is_measured ? depth[col] : 0.0F;
+      count += is_measured ? 1.0F : 0.0F;
+    }
+  }
+  return sum / count;
+}
+
 template <typename T>
 void Enlarge(const cv::Mat& map, int size_px, cv::Mat& enlarged) {
   for (int row = 0; row < enlarged.rows; row += size_px) {
@@ -54,23 +68,13 @@ cv::Mat ReduceDepthByBlocks(const cv::Mat& depth_m, int size_px) {
   if (size_px == 1) return depth_m;
   const int cols = NumBlocks(depth_m.cols, size_px);
   cv::Mat reduced(NumBlocks(depth_m.rows, size_px), cols, CV_32FC1);
-  std::vector<float> sums(cols), counts(cols);
   for (int block_row = 0; block_row < reduced.rows; ++block_row) {
-    std::fill(sums.begin(), sums.end(), 0.0F);
-    std::fill(counts.begin(), counts.end(), 0.0F);
-    const int end_row = std::min((block_row + 1) * size_px, depth_m.rows);
-    for (int row = block_row * size_px; row < end_row; ++row) {
-      const float* depth = depth_m.ptr<float>(row);
-      for (int block = 0, col = 0; block < cols; ++block) {
-        for (const int end = std::min(col + size_px, depth_m.cols); col < end; ++col) {
-          const bool is_measured = (depth[col] > 0) & (depth[col] < kFarthest);
-          sums[block] += is_measured ? depth[col] : 0.0F;
-          counts[block] += is_measured ? 1.0F : 0.0F;
-        }
-      }
-    }
+    const cv::Range rows(block_row * size_px, std::min((block_row + 1) * size_px, depth_m.rows));
     float* mean = reduced.ptr<float>(block_row);
-    for (int col = 0; col < cols; ++col) mean[col] = sums[col] / counts[col];  // 0/0 is NaN
+    for (int block = 0; block < cols; ++block) {
+      const int first = block * size_px, end = std::min(first + size_px, depth_m.cols);
+      mean[block] = MeanOfMeasured(depth_m, rows, {first, end});
+    }
   }
   return reduced;
 }
@@ -89,7 +93,8 @@ cv::Mat NearestOfBlocks(const cv::Mat& depth_m, int size_px) {
     float* nearest = reduced.ptr<float>(block_row);
     for (int block = 0; block < cols; ++block) {
       const int first = block * size_px, end = std::min(first + size_px, depth_m.cols);
-      const float depth = *std::min_element(of_columns.begin() + first, of_columns.begin() + end);
+      float depth = kFarthest;
+      for (int col = first; col < end; ++col) depth = std::min(depth, of_columns[col]);
       nearest[block] = depth < kFarthest ? depth : std::numeric_limits<float>::quiet_NaN();
     }
   }
