@@ -10,6 +10,8 @@ namespace {
 
 // Stages that come again count as one.
 void Add(const StageTime& time, std::vector<StageTime>& times) {
+  constexpr std::size_t kUsualStages = 16;
+  times.reserve(kUsualStages);
   const auto known = std::find_if(times.begin(), times.end(), [&](const StageTime& other) {
     return other.stage == time.stage;
   });

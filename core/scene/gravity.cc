@@ -45,7 +45,7 @@ Normals ValidNormals(const cv::Mat& normals) {
 // Remembers its answers: different starts soon meet.
 class Refinement {
  public:
-  explicit Refinement(const Normals& normals) : normals_(normals) {}
+  explicit Refinement(const Normals& normals) : normals_(normals) { steps_.reserve(kUsualSteps); }
 
   Eigen::Vector3d Of(const Eigen::Vector3d& down, double angle_rad) {
     const auto known = std::find_if(steps_.begin(), steps_.end(), [&](const Step& step) {
@@ -57,6 +57,8 @@ class Refinement {
   }
 
  private:
+  static constexpr std::size_t kUsualSteps = 64;
+
   struct Step {
     Eigen::Vector3d from;
     double angle_rad;

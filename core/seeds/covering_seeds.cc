@@ -103,7 +103,9 @@ int Farthest(VoxelsOfPart part, const SurfaceDistance& distance) {
 
 std::vector<int> VoxelsToAdd(const VoxelGrid& grid, const std::vector<char>& is_background,
                              SurfaceDistance& distance, const CoverOptions& options) {
+  constexpr std::size_t kUsualSeeds = 64;
   std::vector<int> added;
+  added.reserve(kUsualSeeds);
   const auto add = [&](int voxel) {
     added.push_back(voxel);
     distance.AddSource(voxel);

@@ -76,7 +76,9 @@ float BackgroundCost(float squared_distance, const DataTermOptions& options) {
 
 Lists<PottsEnergy::Choice> DataTerm(const Sites& sites, const std::vector<Seed>& seeds,
                                     const DataTermOptions& options) {
+  constexpr std::size_t kUsualChoices = 8;  // of a site, or more
   Lists<PottsEnergy::Choice> choices(seeds.size() + 1);
+  choices.Reserve(kUsualChoices * sites.means.size());
   ChoicesOfSeeds of_seeds(sites, options);
   Positions means;
   std::size_t num_choices = 0;

@@ -35,6 +35,9 @@ class Lists {
     return lists;
   }
 
+  // Keeps room for so many items in all.
+  void Reserve(std::size_t num_items) { items_.reserve(num_items); }
+
   // Adds to a list that has room.
   void Put(std::size_t list, const Item& item) { items_[bounds_[list].end++] = item; }
 
