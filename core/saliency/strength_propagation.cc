@@ -38,7 +38,10 @@ class Propagation {
         blocks_((channel.cols - 2 * scale + kBlock_px - 1) / kBlock_px),
         cols_((blocks_ + 2) * kBlock_px),
         down_(channel.rows, scale, blocks_),
-        up_(down_) {
+        up_(down_),
+        maps_(2 * channel.rows, cols_, CV_32F),
+        features_(maps_.rowRange(0, channel.rows)),
+        strengths_(maps_.rowRange(channel.rows, maps_.rows)) {
     InterruptionPoint();
     SetFeatures(channel);
     SetStart(channel.cols - 2 * scale);
@@ -63,7 +66,6 @@ class Propagation {
  private:
   // Those of the image's border go on beyond it.
   void SetFeatures(const cv::Mat& channel) {
-    features_.create(channel.rows, cols_, CV_32F);
     for (int y = 0; y < channel.rows; ++y) {
       const std::uint8_t* from = channel.ptr(y);
       float* row = features_.ptr<float>(y);
@@ -76,7 +78,6 @@ class Propagation {
 
   // One within `scale` of the ends, where nothing pulls, and 0 elsewhere.
   void SetStart(int cols_inside) {
-    strengths_.create(features_.size(), CV_32F);
     for (int y = 0; y < strengths_.rows; ++y) {
       float* row = strengths_.ptr<float>(y);
       float* inside = row + kBlock_px;
@@ -177,8 +178,9 @@ class Propagation {
   LongLoop loop_;
   PendingBlocks down_;
   PendingBlocks up_;
-  cv::Mat features_;   // CV_32FC1, in steps of StrengthBlock::kFeatureStep, cols_ wide
-  cv::Mat strengths_;  // CV_32FC1, cols_ wide
+  cv::Mat maps_;      // CV_32FC1, cols_ wide: the two
+  cv::Mat features_;  // in steps of StrengthBlock::kFeatureStep
+  cv::Mat strengths_;
 };
 
 }  // namespace
