@@ -9,6 +9,7 @@
 #include "core/options.h"
 #include "flags/suggestion.h"
 #include "server/byte_order_mark.h"
+#include "server/config_lines.h"
 
 namespace fovea::server {
 namespace {
@@ -19,37 +20,6 @@ bool IsOptionOfTheMethod(const std::string& key) {
   return std::any_of(options.begin(), options.end(), [&](const OptionInfo& option) {
     return option.name == key || (!group.empty() && option.name.starts_with(group));
   });
-}
-
-// Numbers of the lines that start with this key or section.
-std::vector<std::size_t> LinesOf(const std::string& key, const std::string& text) {
-  std::vector<std::size_t> found;
-  std::istringstream lines(text);
-  std::size_t number = 0;
-  for (std::string line; std::getline(lines, line);) {
-    ++number;
-    const std::size_t start = std::min(line.find_first_not_of(" \t\"'["), line.size());
-    const std::size_t end = start + key.size();
-    if (line.compare(start, key.size(), key) != 0) continue;
-    if (end == line.size() || line.find_first_of(" \t=\"']", end) == end) found.push_back(number);
-  }
-  return found;
-}
-
-// Number of the first line whose list goes on in the next one, which CLI11 takes for part of the
-// list or for a key as it comes; 0 = none.
-std::size_t LineOfOpenList(const std::string& text) {
-  std::istringstream lines(text);
-  std::size_t number = 0;
-  for (std::string line; std::getline(lines, line);) {
-    ++number;
-    line.resize(std::min(line.find('#'), line.size()));
-    const std::size_t equals = std::min(line.find('='), line.size());
-    const std::size_t first = line.find_first_not_of("= \t", equals);
-    const std::size_t last = line.find_last_not_of(" \t\r");
-    if (first < line.size() && line[first] == '[' && line[last] != ']') return number;
-  }
-  return 0;
 }
 
 std::string TextOf(std::istream& input) {
@@ -114,10 +84,7 @@ std::string ConfigFile::Problem(const CLI::Option* option, const CLI::ConfigItem
 
 std::vector<CLI::ConfigItem> ConfigFile::from_config(std::istream& input) const {
   const std::string text = TextOf(input);
-  if (const std::size_t line = LineOfOpenList(text)) {
-    Fail(line,
-         "a list must end in the line that it begins in; an address with brackets needs quotes");
-  }
+  if (const auto fault = FirstFault(text)) Fail(fault->line, fault->what);
   std::istringstream copy(text);
   std::vector<CLI::ConfigItem> found = CLI::ConfigTOML::from_config(copy);
   for (const CLI::ConfigItem& item : found) Check(item, text);
