@@ -1,5 +1,8 @@
 #include "client/cli/bag/ros_messages.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -106,13 +109,24 @@ cv::Mat Converted(const cv::Mat& pixels, int code) {
 }
 
 cv::Mat UnitsOf(const cv::Mat& meters, double unit_m) {
+  constexpr double kMostUnits = std::numeric_limits<std::uint16_t>::max();
   cv::Mat units(meters.size(), CV_16UC1);
+  double nearest_m = std::numeric_limits<double>::infinity();
   for (int y = 0; y < meters.rows; ++y) {
     for (int x = 0; x < meters.cols; ++x) {
-      const double unit = std::round(meters.at<float>(y, x) / unit_m);
-      const bool fits = unit > 0 && unit <= std::numeric_limits<std::uint16_t>::max();
-      units.at<std::uint16_t>(y, x) = fits ? static_cast<std::uint16_t>(unit) : 0;
+      const double depth_m = meters.at<float>(y, x);
+      const double unit = std::round(depth_m / unit_m);
+      units.at<std::uint16_t>(y, x) =
+          unit > 0 && unit <= kMostUnits ? static_cast<std::uint16_t>(unit) : 0;
+      if (depth_m > 0) nearest_m = std::min(nearest_m, depth_m);
     }
+  }
+  // Millimetres, most likely, which nobody would see in an image without depth.
+  if (std::isfinite(nearest_m) && std::round(nearest_m / unit_m) > kMostUnits) {
+    throw std::invalid_argument(
+        fmt::format("the nearest depth of an image of 32FC1, which is in metres, is {:g} m, and 16 "
+                    "bits hold {:g} m: check its unit",
+                    nearest_m, kMostUnits * unit_m));
   }
   return units;
 }
@@ -122,6 +136,27 @@ std::pair<std::string_view, std::string_view> ReadCompressed(std::string_view me
   ReadHeader(reader);
   const std::string_view format = reader.Text();
   return {format, reader.Bytes()};
+}
+
+constexpr std::size_t kParameters = 12;  // before the file in compressedDepth
+
+// PNG of A / depth + B, where A and B are the last of its parameters and 0 is none, as
+// compressed_depth_image_transport writes it.
+cv::Mat MetersOf(std::string_view compressed_depth) {
+  ByteReader reader(compressed_depth.substr(0, kParameters));
+  reader.Number<std::int32_t>();
+  const auto a = reader.Number<float>(), b = reader.Number<float>();
+  cv::Mat inverse;
+  try {
+    inverse = image_files::DecodeDepth(compressed_depth.substr(kParameters));
+  } catch (const std::runtime_error& error) {
+    throw std::invalid_argument(error.what());
+  }
+  cv::Mat meters(inverse.size(), CV_32FC1);
+  std::transform(
+      inverse.begin<std::uint16_t>(), inverse.end<std::uint16_t>(), meters.begin<float>(),
+      [&](std::uint16_t value) { return value == 0 ? 0 : a / (static_cast<float>(value) - b); });
+  return meters;
 }
 
 }  // namespace
@@ -149,11 +184,12 @@ std::string ColorFile(std::string_view message, bool compressed) {
 
 std::string DepthFile(std::string_view message, bool compressed, double unit_m) {
   if (compressed) {
-    constexpr std::size_t kParameters = 12;  // before the file in compressedDepth
     auto [format, file] = ReadCompressed(message);
-    if (format.starts_with("16UC1; compressedDepth") && file.size() > kParameters) {
-      file.remove_prefix(kParameters);
+    const std::string_view png = file.substr(std::min(kParameters, file.size()));
+    if (format.starts_with("32FC1; compressedDepth") && png.starts_with(kPng)) {
+      return EncodePng(UnitsOf(MetersOf(file), unit_m));
     }
+    if (format.starts_with("16UC1; compressedDepth")) file = png;
     if (file.starts_with(kPng)) return std::string(file);
     throw NoUse("depth", format);
   }

@@ -20,7 +20,8 @@ Header HeaderOf(std::string_view message);
 // is a CompressedImage. Colour: rgb8, bgr8, 8UC3, rgba8, bgra8, mono8 and 8UC1.
 std::string ColorFile(std::string_view message, bool compressed);
 // 16-bit PNG in units of `unit_m` metres, 0 = none: 16UC1 and mono16 as they are, 32FC1 (metres)
-// rounded; compressed PNG and compressedDepth of 16UC1.
+// rounded; compressed PNG, and compressedDepth of both in PNG. Depth in metres of which none fits
+// into 16 bits is refused.
 std::string DepthFile(std::string_view message, bool compressed, double unit_m);
 
 // Of the images as the camera takes them (K and D), or of `rectified` ones (P, without distortion).

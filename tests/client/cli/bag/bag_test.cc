@@ -7,6 +7,7 @@
 #include <opencv2/core.hpp>
 
 #include "client/cli/bag/topics.h"
+#include "client/image_files/image_files.h"
 #include "tests/client/cli/bag/small_bags.h"
 #include "tests/support/bag_writer.h"
 
@@ -137,6 +138,41 @@ TEST(Bag, DepthInMetersBecomesTheUnitsThatAreSent) {
   const Bag tenths = Read(bag, {.depth_unit_m = 0.0001});
   EXPECT_EQ(Depth(tenths.list.frames.at(0)).at<std::uint16_t>(0, 0), 12500);
   EXPECT_EQ(Depth(tenths.list.frames.at(0)).at<std::uint16_t>(0, 1), 0) << "too far for 16 bits";
+}
+
+// As they are where somebody sends millimetres as 32FC1.
+TEST(Bag, DepthInMetersThatIsTooFarForAllBitsIsRefused) {
+  const auto why_not = [](float first, float second) {
+    return WhyNot(BagOf("Image", ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb), "Image",
+                        ImageMessage(kFirst_ns, "32FC1", 2, 1, 8, Meters(first, second))));
+  };
+  EXPECT_THAT(why_not(1250, 812), HasSubstr("which is in metres, is 812 m, and 16 bits hold "
+                                            "65.535 m: check its unit"));
+  EXPECT_EQ(why_not(1250, 65.5F), "");
+  EXPECT_EQ(why_not(NAN, INFINITY), "") << "of nothing that was measured";
+  EXPECT_EQ(why_not(0, 1e-5F), "");
+}
+
+// As compressed_depth_image_transport writes metres: A / depth + B.
+TEST(Bag, ReadsQuantizedInverseDepth) {
+  const float a = 100.F * 101.F, b = 1 - a / 10;
+  const cv::Mat inverse = (cv::Mat_<std::uint16_t>(1, 2) << a / 2 + b, 0);
+  const std::string file =
+      std::string("\1\0\0\0", 4) + Meters(a, b) + image_files::EncodePng(inverse);
+  const auto bag_of = [](const std::string& format, const std::string& data) {
+    return BagOf("Image", ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb), "CompressedImage",
+                 CompressedMessage(kFirst_ns, format, data));
+  };
+  for (const char* format : {"32FC1; compressedDepth png", "32FC1; compressedDepth"}) {
+    const Bag bag = Read(bag_of(format, file));
+    EXPECT_NEAR(Depth(bag.list.frames.at(0)).at<std::uint16_t>(0, 0), 2000, 1);
+    EXPECT_EQ(Depth(bag.list.frames.at(0)).at<std::uint16_t>(0, 1), 0);
+  }
+  EXPECT_NE(WhyNot(bag_of("32FC1; compressedDepth png", file.substr(0, 40))), "");
+  for (const char* packed : {"", "x", "0123456789ab"}) {
+    EXPECT_THAT(WhyNot(bag_of("32FC1; compressedDepth rvl", packed)), HasSubstr("is no depth"));
+    EXPECT_THAT(WhyNot(bag_of("16UC1; compressedDepth rvl", packed)), HasSubstr("is no depth"));
+  }
 }
 
 TEST(Bag, SaysWhyThereIsNoFrame) {
