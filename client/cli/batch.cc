@@ -163,6 +163,8 @@ Outcome DetectFrame(const Run& run, const FrameFiles& files) {
             /*is_of_all=*/false};
   } catch (const client::RpcError& error) {
     return {run.explain(error), 0, {}, {}, IsOfAllFrames(error, run)};
+  } catch (const ErrorOfAllFrames& error) {
+    return {error.what(), 0, {}, {}, /*is_of_all=*/true};
   } catch (const std::exception& error) {
     return {error.what(), 0, {}, {}, /*is_of_all=*/false};
   }

@@ -47,7 +47,7 @@ bool SetIntrinsicsFrom(const Bag& bag, const DetectFlags& flags, FrameSettings* 
                         IsRectified(bag.color_topic) ? " of rectified images" : "", bag.info_topic,
                         flags.input));
   settings->intrinsics = IntrinsicsOf(*camera);
-  settings->intrinsics_path = flags.input;
+  settings->info_topic = bag.info_topic;
   settings->size = {camera->width, camera->height};
   SetLens(flags, bag.info_topic, &settings->intrinsics);
   return true;

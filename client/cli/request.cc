@@ -89,6 +89,11 @@ v1::DetectRequest CommonRequest(const FrameSettings& settings) {
 
 void CheckSize(const FrameSettings& settings, const v1::Detections& detections) {
   const cv::Size size(static_cast<int>(detections.width()), static_cast<int>(detections.height()));
+  if (!settings.info_topic.empty() && !settings.size.empty() && settings.size != size) {
+    throw ErrorOfAllFrames(fmt::format(
+        "{}: it is for images of {}x{}, colour has {}x{}; give --intrinsics instead",
+        settings.info_topic, settings.size.width, settings.size.height, size.width, size.height));
+  }
   RequireSize("--intrinsics", settings.intrinsics_path, settings.size, size);
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <opencv2/core/types.hpp>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "fovea/v1/detection_service.pb.h"
@@ -23,7 +24,8 @@ struct DepthCamera {
 struct FrameSettings {
   v1::CameraIntrinsics intrinsics;
   cv::Size size;                // of the images that they are for; empty = not said
-  std::string intrinsics_path;  // of the file that said so
+  std::string intrinsics_path;  // of the file that said so; empty = none, or a bag
+  std::string info_topic;       // of the bag that said so
   std::optional<DepthCamera> depth_camera;
   double depth_unit_m = 0.001;
   std::optional<v1::Vector3> gravity;
@@ -63,8 +65,13 @@ v1::DetectRequest CommonRequest(const FrameSettings& settings);
 // The settings of a frame that was sent before are its own, as far as pictures need them.
 FrameSettings SettingsFor(const FrameFiles& files, const FrameSettings& settings);
 
+// Of something that all frames of a run have in common.
+struct ErrorOfAllFrames : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 // Throws std::runtime_error where the intrinsics are for images of another size than the one that
-// was answered.
+// was answered, ErrorOfAllFrames where they are a bag's.
 void CheckSize(const FrameSettings& settings, const v1::Detections& detections);
 
 // The bytes of the files travel as they are, and a frame that was sent before goes with its own

@@ -14,6 +14,7 @@ namespace fovea::testing {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
@@ -175,20 +176,27 @@ TEST_F(CliTest, WritesNothingIntoTheFolderOfTheFrames) {
   EXPECT_EQ(fs::file_size(At("seq/depth/1.png")), size);
 }
 
-TEST_F(CliTest, ReadsBags) {
+// With a frame for each camera_info, of which the first holds.
+std::string BagOf(const std::vector<std::string>& infos) {
   const auto data = [](const cv::Mat& image) {
     return std::string(reinterpret_cast<const char*>(image.data), image.total() * image.elemSize());
   };
-  constexpr std::int64_t kTime_ns = 1'700'000'000'500'000'000;
+  std::int64_t time_ns = 1'700'000'000'500'000'000;
   BagWriter writer;
-  writer.Add("/color/camera_info", "CameraInfo", CameraInfoMessage(kWidth, kHeight, 30, -0.1));
-  writer.Add("/color/\x1bimage", "Image",  // no topic of ROS, but bags may be of anybody
-
-             ImageMessage(kTime_ns, "rgb8", kWidth, kHeight, 3 * kWidth, data(TestColor())));
-  writer.Add("/depth/image", "Image",
-             ImageMessage(kTime_ns, "16UC1", kWidth, kHeight, 2 * kWidth, data(TestDepth())));
+  for (const std::string& info : infos) {
+    writer.Add("/color/camera_info", "CameraInfo", info);
+    writer.Add("/color/\x1bimage", "Image",  // no topic of ROS, but bags may be of anybody
+               ImageMessage(time_ns, "rgb8", kWidth, kHeight, 3 * kWidth, data(TestColor())));
+    writer.Add("/depth/image", "Image",
+               ImageMessage(time_ns, "16UC1", kWidth, kHeight, 2 * kWidth, data(TestDepth())));
+    time_ns += 1'000'000'000;
+  }
   writer.EndChunk("lz4");
-  Write("b.mcap", writer.Finish());
+  return writer.Finish();
+}
+
+TEST_F(CliTest, ReadsBags) {
+  Write("b.mcap", BagOf({CameraInfoMessage(kWidth, kHeight, 30, -0.1)}));
   const auto detect = [&](std::vector<std::string> flags) {
     flags.insert(flags.begin(), {FOVEA_CLI, "detect", "--server", server_.address(), "--input",
                                  At("b.mcap"), "--output", At("out")});
@@ -207,6 +215,19 @@ TEST_F(CliTest, ReadsBags) {
                      "b.mcap: --depth-topic: it has no images of /d");
   Write("b.mcap", "no bag");
   ExpectOneLineError(detect({}), "b.mcap: it is no MCAP file");
+}
+
+TEST_F(CliTest, EndsABagWhoseCameraInfoIsOfAnotherSize) {
+  const std::string larger = CameraInfoMessage(2 * kWidth, 2 * kHeight, 60);
+  Write("b.mcap", BagOf({larger, larger, larger}));
+  const Finished finished = Execute({FOVEA_CLI, "detect", "--server", server_.address(), "--input",
+                                     At("b.mcap"), "--output", At("out")});
+  EXPECT_EQ(finished.exit_code, 1);
+  EXPECT_THAT(finished.err,
+              EndsWith("\nfovea: /color/camera_info: it is for images of 64x48, colour "
+                       "has 32x24; give --intrinsics instead\n"));
+  EXPECT_THAT(finished.out, Not(HasSubstr("failed")));
+  EXPECT_EQ(Detect({"--input", At("b.mcap"), "--output", At("out")}).exit_code, 0);
 }
 
 }  // namespace
