@@ -19,6 +19,7 @@
 #include "core/relations/blocked_by.h"
 #include "core/relations/free_places.h"
 #include "core/relations/leans_on.h"
+#include "core/scene/background.h"
 #include "core/search.h"
 #include "core/segmentation/labels.h"
 #include "core/stage_clock.h"
@@ -111,8 +112,11 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& op
   result.labels = LabelsOfPixels(LabelImage(scene.grid, search.found.objects), depth_of_blocks,
                                  shown, options.max_depth_m, blocks);
   RefitToPixels({near, frame.intrinsics}, blocks, options.support, scene.supports, result);
-  DescribeObjects(frame, {shown, frame.intrinsics}, {search.saliency, blocks.edge_px},
-                  search.found.confidences, scene.supports, options.objects, result);
+  DescribeObjects(
+      frame, {shown, frame.intrinsics}, {search.saliency, blocks.edge_px},
+      {search.found.confidences, FindCutByRegion(scene.grid, search.found.objects,
+                                                 search.found.confidences.size(), scene.hidden)},
+      scene.supports, options.objects, result);
   ObjectSurroundings around;
   around.supports = std::move(scene.supports);
   if (NeedsSurroundings(options)) {

@@ -14,8 +14,11 @@ namespace {
 void AddFlatThings(const std::vector<char>& is_flat_thing, const CameraIntrinsics& intrinsics,
                    const RegionOptions& region, SceneGeometry& scene) {
   for (std::size_t v = 0; v < is_flat_thing.size(); ++v) {
-    if (is_flat_thing[v] != 0 && IsInRegion(scene.grid.voxels[v].mean, intrinsics, region)) {
+    if (is_flat_thing[v] == 0) continue;
+    if (IsInRegion(scene.grid.voxels[v].mean, intrinsics, region)) {
       scene.is_background[v] = 0;
+    } else {
+      scene.hidden[v] = 1;
     }
   }
 }
@@ -25,14 +28,18 @@ void SetThings(const CameraIntrinsics& camera, const DetectorOptions& options,
                SceneGeometry& scene) {
   scene.is_background =
       FindBackground(scene.grid, scene.supports, options.support, camera, options.region);
+  scene.hidden =
+      FindHiddenByRegion(scene.grid, scene.supports, options.support, camera, options.region);
   scene.colors = ColorsOfVoxels(scene.grid, scene.lab);
   AddFlatThings(FindFlatThings(scene.grid, scene.colors, scene.is_background, scene.supports,
                                options.support, options.flat_things),
                 camera, options.region, scene);
 }
 
-void AddWalls(const std::vector<char>& on_wall, std::vector<char>& is_background) {
-  for (std::size_t v = 0; v < on_wall.size(); ++v) is_background[v] |= on_wall[v];
+void AddWalls(SceneGeometry& scene) {
+  const std::vector<char>& on_wall = scene.on_wall;
+  for (std::size_t v = 0; v < on_wall.size(); ++v) scene.is_background[v] |= on_wall[v];
+  for (std::size_t v = 0; v < scene.hidden.size(); ++v) scene.hidden[v] &= on_wall[v] == 0 ? 1 : 0;
 }
 
 }  // namespace
@@ -64,7 +71,7 @@ SceneGeometry FindGeometry(const RgbdFrame& frame, const cv::Mat& depth_m, const
                  scene.on_wall = FindWalls(scene.grid, -scene.gravity.direction, scene.supports,
                                            options.support, options.walls);
                }});
-  AddWalls(scene.on_wall, scene.is_background);
+  AddWalls(scene);
   return scene;
 }
 

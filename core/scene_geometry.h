@@ -25,6 +25,7 @@ struct SceneGeometry {
   std::vector<MeanColor> colors;
   std::vector<char> is_background;
   std::vector<char> on_wall;
+  std::vector<char> hidden;  // by the region of interest alone; empty without one
 };
 
 // `depth_m`: with small holes filled; `points`: its, as of BackProject, not changed; `camera`: in

@@ -126,11 +126,11 @@ DescribedObject Describe(const RgbdFrame& frame, const PixelPoints& points,
 }  // namespace
 
 void DescribeObjects(const RgbdFrame& frame, const PixelPoints& points, const BlockImage& saliency,
-                     const std::vector<float>& confidences, const std::vector<Support>& supports,
+                     const LabelFacts& facts, const std::vector<Support>& supports,
                      const ObjectOptions& options, Detections& detections) {
   const Selection selection =
-      SelectObjects(detections.labels, confidences, saliency,
-                    SeenArea(points.Depth_m(), frame.unseen), options.selection);
+      SelectObjects(detections.labels, facts, saliency, SeenArea(points.Depth_m(), frame.unseen),
+                    options.selection);
   detections.diagnostics.segments_too_small = selection.num_too_small;
   detections.diagnostics.objects_less_salient = selection.num_less_salient;
   detections.labels = cv::Mat::zeros(frame.depth_m.size(), CV_16UC1);

@@ -23,9 +23,9 @@ struct ObjectOptions {
 // object stands on the highest of the supports that it is above, or on the first.
 //
 // `detections.labels`: CV_16UC1, 0 = background; `points`: with one wherever there is a label;
-// `saliency`: CV_32FC1 in [0, 1]; `confidences`: as SelectObjects takes them.
+// `saliency`: CV_32FC1 in [0, 1]; `facts`: as SelectObjects takes them.
 void DescribeObjects(const RgbdFrame& frame, const PixelPoints& points, const BlockImage& saliency,
-                     const std::vector<float>& confidences, const std::vector<Support>& supports,
+                     const LabelFacts& facts, const std::vector<Support>& supports,
                      const ObjectOptions& options, Detections& detections);
 
 }  // namespace fovea

@@ -93,12 +93,11 @@ std::size_t KeepMostSalient(int max_objects, std::vector<Candidate>& candidates)
 
 }  // namespace
 
-Selection SelectObjects(const cv::Mat& labels, const std::vector<float>& confidences,
-                        const BlockImage& saliency, const SeenArea& area,
-                        const SelectionOptions& options) {
-  std::vector<PixelRuns> runs = RunsOfLabels(labels, confidences.size());
+Selection SelectObjects(const cv::Mat& labels, const LabelFacts& facts, const BlockImage& saliency,
+                        const SeenArea& area, const SelectionOptions& options) {
+  std::vector<PixelRuns> runs = RunsOfLabels(labels, facts.confidences.size());
   Selection selection;
-  selection.candidates.reserve(confidences.size());
+  selection.candidates.reserve(facts.confidences.size());
   for (int label = 1; label < static_cast<int>(runs.size()); ++label) {
     PixelRuns& pixels = runs[label];
     const std::size_t num_pixels = CountPixels(pixels);
@@ -108,8 +107,10 @@ Selection SelectObjects(const cv::Mat& labels, const std::vector<float>& confide
       ++selection.num_too_small;
       continue;
     }
-    const bool truncated = area.CutsOff(pixels);
-    const float confidence = confidences[static_cast<std::size_t>(label) - 1];
+    const std::size_t k = static_cast<std::size_t>(label) - 1;
+    const bool is_cut = !facts.is_cut_by_region.empty() && facts.is_cut_by_region.at(k) != 0;
+    const bool truncated = is_cut || area.CutsOff(pixels);
+    const float confidence = facts.confidences.at(k);
     const float mean_saliency = MeanOf(saliency, pixels, num_pixels);
     selection.candidates.push_back(
         {label, std::move(pixels), num_pixels, confidence, mean_saliency, truncated});

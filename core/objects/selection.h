@@ -26,7 +26,13 @@ struct Candidate {
   std::size_t num_pixels = 0;
   float confidence = 0;
   float saliency = 0;      // mean over the pixels
-  bool truncated = false;  // ends with the measured area
+  bool truncated = false;  // ends with the measured area or the region of interest
+};
+
+// What is known of the labels: of label k at k − 1.
+struct LabelFacts {
+  const std::vector<float>& confidences;
+  std::vector<char> is_cut_by_region = {};  // empty: none is
 };
 
 struct Selection {
@@ -35,10 +41,9 @@ struct Selection {
   std::size_t num_less_salient = 0;  // beyond max_objects
 };
 
-// `labels`: CV_16UC1, 0 = background; `confidences`: of label k at k − 1; `saliency`: CV_32FC1 in
-// [0, 1]; `area`: what the camera sees of the image. Cost: proportional to the image.
-Selection SelectObjects(const cv::Mat& labels, const std::vector<float>& confidences,
-                        const BlockImage& saliency, const SeenArea& area,
-                        const SelectionOptions& options = {});
+// `labels`: CV_16UC1, 0 = background; `saliency`: CV_32FC1 in [0, 1]; `area`: what the camera sees
+// of the image. Cost: proportional to the image.
+Selection SelectObjects(const cv::Mat& labels, const LabelFacts& facts, const BlockImage& saliency,
+                        const SeenArea& area, const SelectionOptions& options = {});
 
 }  // namespace fovea

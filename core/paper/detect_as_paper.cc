@@ -88,9 +88,13 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const PaperOptions& optio
   // Section 4: what is reported of them.
   clock.Begin("objects");
   result.labels = LabelsWithin(grid, objects, measured == measured);
-  DescribeObjects(
-      frame, {ChannelZ(points), frame.intrinsics}, {MeanSaliency(color_saliency, depth_saliency)},
-      Confidences(result.labels, measured, frame.intrinsics), supports, options.objects, result);
+  const std::vector<float> confidences = Confidences(result.labels, measured, frame.intrinsics);
+  const std::vector<char> hidden =
+      FindHiddenByRegion(grid, supports, options.support, frame.intrinsics, options.region);
+  DescribeObjects(frame, {ChannelZ(points), frame.intrinsics},
+                  {MeanSaliency(color_saliency, depth_saliency)},
+                  {confidences, FindCutByRegion(grid, objects, CountLabels(objects), hidden)},
+                  supports, options.objects, result);
   clock.Finish();
   if (trace != nullptr) {
     *trace = {depth,

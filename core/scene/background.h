@@ -2,6 +2,7 @@
 // interest.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/scene/region.h"
@@ -16,5 +17,18 @@ namespace fovea {
 std::vector<char> FindBackground(const VoxelGrid& grid, const std::vector<Support>& supports,
                                  const SupportOptions& options, const CameraIntrinsics& intrinsics,
                                  const RegionOptions& region);
+
+// One entry a voxel: 1 where the region alone keeps it from being part of an object. Empty where
+// there is no region, which costs nothing.
+std::vector<char> FindHiddenByRegion(const VoxelGrid& grid, const std::vector<Support>& supports,
+                                     const SupportOptions& options,
+                                     const CameraIntrinsics& intrinsics,
+                                     const RegionOptions& region);
+
+// Of object k at k − 1: whether one of its voxels has a hidden one beside it, on which it may go
+// on. `objects`: one entry a voxel, 1 … `num_objects`, 0 = background; `hidden`: as of
+// FindHiddenByRegion. Empty where that is. Cost: proportional to the neighbours.
+std::vector<char> FindCutByRegion(const VoxelGrid& grid, const std::vector<int>& objects,
+                                  std::size_t num_objects, const std::vector<char>& hidden);
 
 }  // namespace fovea

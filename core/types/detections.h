@@ -61,7 +61,7 @@ struct DetectedObject {
   std::array<std::uint8_t, 3> mean_color{};            // RGB
   std::vector<ColorPart> colors;                       // by name, the largest part first
   std::optional<float> height_above_support_m;         // of its lowest point
-  bool truncated = false;                              // the mask ends with the image or its depth
+  bool truncated = false;      // the mask ends with the image, its depth or the region of interest
   bool depth_missing = false;  // of most of the mask: it was seen as a hole in its support, the box
                                // is as deep as wide, and the grasp not more than a proposal
   std::vector<Grasp> grasps;   // of each gripper that was asked for, likeliest first

@@ -54,7 +54,7 @@ struct NoGrasp {
     kCovered,   // something lies on it
     kTooLow,    // the fingers would touch what it stands on
     kSloped,    // its sides would slip out of the fingers
-    kCut,       // the image ends where it would be taken
+    kCut,       // it is truncated where it would be taken
     kTooLittleSeen,
     kNoSeal,    // suction: no patch is flat and wide enough
     kUnlikely,  // there are candidates, and none is likely to succeed

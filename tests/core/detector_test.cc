@@ -191,6 +191,35 @@ TEST(Detect, SaysThatARegionMayShutEverythingOut) {
   EXPECT_THAT(Detect(Tabletop(), options).diagnostics.messages, Contains(HasSubstr("region.*")));
 }
 
+// Of the objects that lie for the most part in a part of the image.
+std::vector<bool> TruncatedIn(const Detections& found, const cv::Rect& part) {
+  std::vector<bool> truncated;
+  for (const DetectedObject& object : found.objects) {
+    const int num = cv::countNonZero(found.labels(part) == object.label);
+    if (2 * num > static_cast<int>(object.num_pixels)) truncated.push_back(object.truncated);
+  }
+  return truncated;
+}
+
+TEST(Detect, WhatARegionCutsIsTruncated) {
+  const RgbdFrame frame = TabletopTruth().frame;
+  DetectorOptions options = OptionsOfProfile("default");
+  const Detections whole = Detect(frame, options);
+  const auto largest = std::max_element(
+      whole.objects.begin(), whole.objects.end(), [](const auto& a, const auto& b) {
+        return (a.truncated ? 0 : a.num_pixels) < (b.truncated ? 0 : b.num_pixels);
+      });
+  ASSERT_NE(largest, whole.objects.end());
+  ASSERT_FALSE(largest->truncated);
+  const cv::Rect& bounds = largest->bounds_px;
+  const auto with_left_end_at = [&](int x_px) {
+    options.region.x_px = x_px;
+    return TruncatedIn(Detect(frame, options), bounds);
+  };
+  EXPECT_THAT(with_left_end_at(bounds.x + bounds.width / 4), testing::ElementsAre(true));
+  EXPECT_THAT(with_left_end_at(bounds.x - 10), testing::ElementsAre(false));
+}
+
 TEST(Detect, TellsWhatItRejectedAndWhy) {
   DetectorOptions options = OptionsOfProfile("default");
   const RgbdFrame frame = Tabletop();

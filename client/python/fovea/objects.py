@@ -146,7 +146,7 @@ class Object:
     centroid: FloatArray
     mean_color: tuple[int, int, int]  # red, green, blue
     height_above_support_m: float | None  # of its lowest point; None where there is no support
-    truncated: bool  # the mask ends with the image, or with its depth
+    truncated: bool  # the mask ends with the image, its depth or the region
     # Clear, black or shiny: seen as a hole in the depth of what it stands on, its box is a guess.
     depth_missing: bool
     grasps: list[Grasp]  # of each gripper, likeliest first

@@ -18,6 +18,7 @@ struct LabelledObjects {
                   std::nullopt};
   cv::Mat saliency{480, 640, CV_32FC1, cv::Scalar(0.5F)};
   std::vector<float> confidences = std::vector<float>(9, 0.5F);
+  std::vector<char> is_cut;
   Detections detections;
   cv::Mat shown_m;  // the depth of what is described; the frame's unless there is another
 
@@ -28,7 +29,8 @@ struct LabelledObjects {
     const std::vector<Support> supports =
         detections.support ? std::vector<Support>{{*detections.support, Footprint()}}
                            : std::vector<Support>{};
-    DescribeObjects(frame, points, {saliency}, confidences, supports, options, detections);
+    DescribeObjects(frame, points, {saliency}, {confidences, is_cut}, supports, options,
+                    detections);
   }
 };
 
@@ -132,6 +134,17 @@ TEST(DescribeObjects, FlagsObjectsWhereTheDepthEnds) {
   EXPECT_FALSE(scene.detections.objects[1].truncated);
 }
 
+TEST(DescribeObjects, FlagsWhatTheRegionCuts) {
+  LabelledObjects scene;
+  scene.Label({100, 100, 40, 40}, 1);
+  scene.Label({300, 200, 30, 30}, 2);
+  scene.is_cut = {0, 1};
+  scene.Describe();
+  ASSERT_EQ(scene.detections.objects.size(), 2U);
+  EXPECT_FALSE(scene.detections.objects[0].truncated);
+  EXPECT_TRUE(scene.detections.objects[1].truncated);
+}
+
 TEST(DescribeObjects, SaliencyIsTheMeanOverTheMaskAndTheMostSalientAreKept) {
   LabelledObjects scene;
   scene.Label({100, 100, 40, 40}, 1);
@@ -166,7 +179,7 @@ float HeightAbove(const std::vector<Support>& supports) {
   LabelledObjects scene;
   scene.Label({300, 200, 40, 40}, 1);
   const PixelPoints points(scene.frame.depth_m, scene.frame.intrinsics);
-  DescribeObjects(scene.frame, points, {scene.saliency}, scene.confidences, supports, {},
+  DescribeObjects(scene.frame, points, {scene.saliency}, {scene.confidences}, supports, {},
                   scene.detections);
   return scene.detections.objects.at(0).height_above_support_m.value();
 }
