@@ -16,7 +16,8 @@ namespace fovea {
 // 1e12 m), else from the frames: the same view is a standing camera, else from features outside of
 // objects, or on all of the scene where those do not suffice, against a key frame or else the last
 // one. The key frame stays as long as the camera is near it, so that errors do not add up while it
-// stands or shakes. Holds two frames' features, some 200 KB.
+// stands or shakes. Holds two frames' features, some 200 KB; none of frames whose motion comes from
+// poses, or of a first one with a pose: if the next has none, its motion is unknown.
 class CameraPath {
  public:
   struct Place {

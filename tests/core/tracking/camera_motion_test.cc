@@ -149,6 +149,18 @@ TEST(CameraPath, WhatIsTooFarForAFrameIsAMistake) {
   }
 }
 
+TEST(CameraPath, TakesTheMotionFromFramesOfWhichOneHasAPose) {
+  CameraPath path;
+  AddAt(path, 0, 1);
+  AddAt(path, 0.04, 2);
+  for (int i = 2; i < 6; ++i) {
+    const auto pose = i % 2 == 0 ? std::optional(PoseAt(5 * i)) : std::nullopt;
+    const CameraPath::Place place = AddAt(path, 0.04 * i, i + 1, pose);
+    EXPECT_EQ(place.motion.source, kEstimated) << "frame " << i;
+    EXPECT_NEAR(place.motion.last_from_this.translation().x(), 0.04, 0.004) << "frame " << i;
+  }
+}
+
 // The wheels slipped: the image is the one of before, but where poses were given they hold.
 TEST(CameraPath, DoesNotGoBackToFramesBeforePoses) {
   CameraPath path;
