@@ -26,7 +26,7 @@ float DominatingHeight(const Points& points, const Eigen::Vector3f& up, float bi
   constexpr std::size_t kUsualBins = 256;
   std::vector<Bin> histogram;  // ascending
   histogram.reserve(kUsualBins);
-  std::size_t in = 0;          // the bin of the point before, which is mostly that of the next
+  std::size_t in = 0;  // the bin of the point before, which is mostly that of the next
   LongLoop loop;
   for (const Eigen::Vector3f& p : points) {
     loop.Turn();
