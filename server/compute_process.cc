@@ -13,7 +13,7 @@ namespace fovea::server {
 // detections run side by side, so each is worth one thread. Each of malloc's arenas keeps the most
 // that it ever held, mostly at its end, which only the first gives back (SpareMemory); glibc makes
 // eight for each processor, over which threads and with them such peaks wander for hours. A
-// detection allocates some 3000 times, so that a few threads can share one.
+// detection allocates some 800 times, so that a few threads can share one.
 void SetUpComputing(int num_threads) {
   constexpr int kThreadsPerArena = 8;
   mallopt(M_ARENA_MAX, 1 + (num_threads - 1) / kThreadsPerArena);

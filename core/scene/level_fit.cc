@@ -212,7 +212,8 @@ SupportSurface FitAnew(const Points& points, const SupportSurface& surface,
                        const SupportOptions& options) {
   constexpr std::size_t kEnoughPoints = 50;
   if (PointsNear(points, surface, options).size() < kEnoughPoints) return surface;
-  SupportSurface anew = FitToCommonHeight(points, surface, surface.normal, options);
+  Heights heights(options);
+  SupportSurface anew = FitToCommonHeight(points, surface, surface.normal, options, heights);
   anew.num_points = surface.num_points;
   return anew;
 }
