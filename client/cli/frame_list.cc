@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 #include <tuple>
 
 #include "client/cli/endings.h"
@@ -79,7 +80,10 @@ FrameList ListByName(const fs::path& folder) {
 
 // Lines "time path", whose path may have spaces in it; # begins a comment.
 std::vector<TimedImage> ReadTumList(const fs::path& list) {
-  std::istringstream lines(ReadFile(list.string()));
+  std::string text = ReadFile(list.string());
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // some editors begin files with it
+  if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
+  std::istringstream lines(text);
   std::vector<TimedImage> images;
   std::string line;
   for (int number = 1; std::getline(lines, line); ++number) {

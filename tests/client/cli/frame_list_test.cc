@@ -132,6 +132,15 @@ TEST_F(FrameListTest, ReadsNamesWithSpacesInTumsLists) {
   EXPECT_EQ(list.frames[0].depth_path, folder_.At("depth/desk left 1.png"));
 }
 
+// Which some editors begin files with.
+TEST_F(FrameListTest, ReadsTumsListsWithAByteOrderMark) {
+  Write("rgb.txt",
+        "\xEF\xBB\xBF"
+        "1.5 rgb/1.png\n");
+  Write("depth.txt", "\xEF\xBB\xBF# depth maps\n1.5 depth/1.png\n");
+  EXPECT_EQ(ListFrames(Input()).frames.size(), 1U);
+}
+
 // Their folders alone would be read, with another unit of depth.
 TEST_F(FrameListTest, HalfOfTumsListsIsNone) {
   for (const char* name : {"rgb/1.5.png", "depth/1.5.png"}) Write(name);
