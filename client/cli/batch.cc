@@ -36,6 +36,7 @@ struct Outcome {
   std::vector<std::string> notes;
   std::string json_line;
   bool is_of_all = false;  // the failure is no matter of this frame
+  cv::Size size = {};      // of the image that was answered
 };
 
 // How the answer compares with that of a frame that was sent before.
@@ -160,7 +161,8 @@ Outcome DetectFrame(const Run& run, const FrameFiles& files) {
             found.objects_size(),
             std::move(notes),
             run.batch.json_lines ? JsonLine(outputs, request, found) : "",
-            /*is_of_all=*/false};
+            /*is_of_all=*/false,
+            {static_cast<int>(found.width()), static_cast<int>(found.height())}};
   } catch (const client::RpcError& error) {
     return {run.explain(error), 0, {}, {}, IsOfAllFrames(error, run)};
   } catch (const ErrorOfAllFrames& error) {
@@ -191,6 +193,20 @@ class Printer {
     progress_.Advance(files.id + ": " + NumObjects(outcome.num_objects), outcome.notes);
   }
 
+  // Once, for frames whose intrinsics nobody checks by their size.
+  void NoteOtherSize(const FrameFiles& files, const cv::Size& size) {
+    if (size.empty() || size == size_ || other_size_noted_) return;
+    other_size_noted_ = !size_.empty();
+    if (!other_size_noted_) {
+      size_ = size;
+      return;
+    }
+    progress_.Complain(fmt::format(
+        "note: {} has {}x{}, frames before it {}x{}: --intrinsics without a size are used for all, "
+        "and are those of one",
+        files.id, size.width, size.height, size_.width, size_.height));
+  }
+
   // Returns whether nothing failed.
   bool Finish(std::size_t num_before) {
     progress_.Finish();
@@ -206,6 +222,8 @@ class Printer {
   std::ostream& text_;
   std::size_t num_done_ = 0, num_failed_ = 0;
   int num_objects_ = 0;
+  cv::Size size_;
+  bool other_size_noted_ = false;
 };
 
 // What the flags do not say of the cameras, the folder does.
@@ -252,6 +270,9 @@ bool DetectFolder(const client::Client& client, const Batch& batch, FrameSetting
     in_flight.pop_front();
     if (outcome.is_of_all) throw std::runtime_error(outcome.failure);
     printer.Print(files, outcome);
+    if (run.settings.size.empty() && !batch.sent_before) {
+      printer.NoteOtherSize(files, outcome.size);
+    }
   }
   return printer.Finish(num_before);
 }

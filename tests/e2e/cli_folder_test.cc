@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <opencv2/imgproc.hpp>
 #include <sstream>
 
 #include "tests/e2e/cli_fixture.h"
@@ -146,6 +147,21 @@ TEST_F(CliTest, TakesIntrinsicsFromFiles) {
   const Finished finished = Execute(folder);
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
   EXPECT_THAT(finished.err, HasSubstr("note: intrinsics from " + At("intrinsics.txt")));
+}
+
+TEST_F(CliTest, NotesFramesOfOtherSizesWhereIntrinsicsAreOfNone) {
+  for (const char* name : {"b", "c"}) {
+    cv::Mat color, depth;
+    cv::resize(TestColor(), color, {}, 0.5, 0.5, cv::INTER_NEAREST);
+    cv::resize(TestDepth(), depth, {}, 0.5, 0.5, cv::INTER_NEAREST);
+    Write(std::string(name) + "_color.png", PngOf(color));
+    Write(std::string(name) + "_depth.png", PngOf(depth));
+  }
+  const Finished finished = Detect({"--input", Folder(), "--output", At("out")});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_EQ(finished.err,
+            "note: b has 16x12, frames before it 32x24: --intrinsics without a size are used for "
+            "all, and are those of one\n");
 }
 
 TEST_F(CliTest, ReadsTumFolders) {
