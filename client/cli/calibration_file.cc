@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <vector>
 
+#include "client/cli/camera_window.h"
 #include "client/cli/distortion.h"
 #include "client/cli/files.h"
 #include "client/cli/parsing.h"
@@ -79,12 +81,28 @@ Calibration FromMatrix(const YAML::Node& node, const char* name) {
   return calibration;
 }
 
+CameraWindow WindowOf(const YAML::Node& yaml) {
+  const auto number = [](const YAML::Node& node, const char* name) {
+    const YAML::Node field = node.IsMap() ? node[name] : YAML::Node();
+    return field && !field.IsNull() ? field.as<std::uint32_t>() : 0;
+  };
+  CameraWindow window{number(yaml, "binning_x"), number(yaml, "binning_y")};
+  if (const YAML::Node roi = yaml["roi"]) {
+    window.x_offset = number(roi, "x_offset");
+    window.y_offset = number(roi, "y_offset");
+    window.width = number(roi, "width");
+    window.height = number(roi, "height");
+  }
+  return window;
+}
+
 // A message; ROS 1 writes K and D.
 Calibration ParseCameraInfo(const YAML::Node& yaml) {
   const bool is_ros2 = static_cast<bool>(yaml["k"]);
   Calibration calibration = FromMatrix(Field(yaml, is_ros2 ? "k" : "K"), is_ros2 ? "k" : "K");
   calibration.width = Field(yaml, "width").as<int>();
   calibration.height = Field(yaml, "height").as<int>();
+  Apply(WindowOf(yaml), &calibration);
   calibration.distortion = DistortionOf(yaml, yaml[is_ros2 ? "d" : "D"]);
   return calibration;
 }

@@ -109,6 +109,21 @@ TEST_F(CalibrationTest, ReadsACameraInfoMessage) {
   ExpectRefused("k: [1, 0, 1, 0, 1, 1, 0, 0, 1]\n", "it has no width");
 }
 
+TEST_F(CalibrationTest, ReadsACameraInfoOfImagesThatAreCutOutAndBinned) {
+  const std::string k = "k: [600, 0, 320, 0, 600, 240, 0, 0, 1]\nwidth: 640\nheight: 480\n";
+  const Calibration c = ReadCalibration(folder_.Write(
+      "c.yaml", k + "binning_x: 2\nbinning_y: 0\nroi:\n  x_offset: 100\n  y_offset: 40\n"
+                    "  height: 300\n  width: 200\n  do_rectify: false\n"));
+  EXPECT_EQ(c.fx, 300);
+  EXPECT_EQ(c.fy, 600);
+  EXPECT_EQ(c.cx, 110);
+  EXPECT_EQ(c.cy, 200);
+  EXPECT_EQ(c.width, 100);
+  EXPECT_EQ(c.height, 300);
+  ExpectRefused(k + "roi: {x_offset: 600, width: 41}\n", "its roi is not within");
+  ExpectRefused(k + "binning_x: 641\n", "its binning leaves no pixel");
+}
+
 // As bags turned into JSON have it.
 TEST_F(CalibrationTest, ReadsACameraInfoMessageInJson) {
   const Calibration c = ReadCalibration(

@@ -76,8 +76,8 @@ std::string CompressedMessage(std::int64_t stamp_ns, std::string_view format,
   return Cdr().Header(stamp_ns).Word(format).Data(data).Finish();
 }
 
-std::string CameraInfoMessage(std::uint32_t width, std::uint32_t height, double focal_px,
-                              double k1) {
+std::string CameraInfoMessage(std::uint32_t width, std::uint32_t height, double focal_px, double k1,
+                              const Window& window) {
   Cdr cdr;
   cdr.Header(kSecond_ns).Number(height).Number(width).Word("plumb_bob").Number(std::uint32_t{5});
   for (const double value : {k1, 0.0, 0.0, 0.0, 0.0}) cdr.Number(value);
@@ -91,7 +91,11 @@ std::string CameraInfoMessage(std::uint32_t width, std::uint32_t height, double 
        {rectified_px, 0.0, cx, 0.0, 0.0, rectified_px, cy, 0.0, 0.0, 0.0, 1.0, 0.0}) {
     cdr.Number(value);
   }
-  return cdr.Finish();
+  for (const std::uint32_t value : {window.binning_x, window.binning_y, window.x_offset,
+                                    window.y_offset, window.height, window.width}) {
+    cdr.Number(value);
+  }
+  return cdr.Number(std::uint8_t{0}).Finish();
 }
 
 BagWriter::BagWriter() : file_("\x89MCAP0\r\n" + Record(1, Text("ros2") + Text("test"))) {}

@@ -13,9 +13,13 @@ std::string ImageMessage(std::int64_t stamp_ns, std::string_view encoding, std::
                          std::string_view frame = "camera");
 std::string CompressedMessage(std::int64_t stamp_ns, std::string_view format,
                               std::string_view data);
+// As in sensor_msgs; all 0 = whole images.
+struct Window {
+  std::uint32_t binning_x = 0, binning_y = 0, x_offset = 0, y_offset = 0, height = 0, width = 0;
+};
 // fx = fy = `focal_px`, plumb_bob with k1 = `k1`.
 std::string CameraInfoMessage(std::uint32_t width, std::uint32_t height, double focal_px,
-                              double k1 = 0);
+                              double k1 = 0, const Window& window = {});
 
 class BagWriter {
  public:

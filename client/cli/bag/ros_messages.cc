@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "client/cli/bag/byte_reader.h"
+#include "client/cli/camera_window.h"
 #include "client/cli/distortion.h"
 #include "client/image_files/image_files.h"
 
@@ -138,6 +139,17 @@ std::pair<std::string_view, std::string_view> ReadCompressed(std::string_view me
   return {format, reader.Bytes()};
 }
 
+CameraWindow ReadWindow(CdrReader& reader) {
+  CameraWindow window;
+  window.binning_x = reader.Number<std::uint32_t>();
+  window.binning_y = reader.Number<std::uint32_t>();
+  window.x_offset = reader.Number<std::uint32_t>();
+  window.y_offset = reader.Number<std::uint32_t>();
+  window.height = reader.Number<std::uint32_t>();
+  window.width = reader.Number<std::uint32_t>();
+  return window;
+}
+
 constexpr std::size_t kParameters = 12;  // before the file in compressedDepth
 
 // PNG of A / depth + B, where A and B are the last of its parameters and 0 is none, as
@@ -228,6 +240,7 @@ Calibration CameraInfo(std::string_view message, bool rectified) {
     throw std::invalid_argument(std::string("it is of no camera (") + (rectified ? "P" : "K") +
                                 ", width and height)");
   }
+  Apply(ReadWindow(reader), &calibration);
   if (!rectified) calibration.distortion = MakeDistortion(model, coefficients);
   return calibration;
 }

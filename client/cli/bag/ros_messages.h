@@ -24,7 +24,8 @@ std::string ColorFile(std::string_view message, bool compressed);
 // into 16 bits is refused.
 std::string DepthFile(std::string_view message, bool compressed, double unit_m);
 
-// Of the images as the camera takes them (K and D), or of `rectified` ones (P, without distortion).
+// Of the images as the camera takes them (K and D), or of `rectified` ones (P, without distortion),
+// cut out and binned as the message says.
 Calibration CameraInfo(std::string_view message, bool rectified);
 
 }  // namespace fovea::cli

@@ -98,6 +98,31 @@ TEST(Bag, RectifiedImagesHaveNoDistortion) {
   EXPECT_FALSE(camera->distortion);
 }
 
+// K = [fx / binning, (cx - offset) / binning], as image_geometry has it.
+TEST(Bag, CameraInfoOfImagesThatAreCutOutAndBinned) {
+  const auto camera_of = [](const testing::Window& window) {
+    const char* topic = "/camera/color/camera_info";
+    return *ColorCameraOf(WithInfo(kColor, topic, CameraInfoMessage(641, 481, 600, -0.25, window)));
+  };
+  const Calibration binned = camera_of({.binning_x = 2, .binning_y = 4});
+  EXPECT_EQ(binned.fx, 300);
+  EXPECT_EQ(binned.fy, 150);
+  EXPECT_EQ(binned.cx, 160);
+  EXPECT_EQ(binned.cy, 60);
+  EXPECT_EQ(binned.width, 320);
+  EXPECT_EQ(binned.height, 120);
+  EXPECT_EQ(binned.distortion->coefficients(0), -0.25);
+  const Calibration cut = camera_of({2, 1, 100, 40, 300, 200});
+  EXPECT_EQ(cut.fx, 300);
+  EXPECT_EQ(cut.fy, 600);
+  EXPECT_EQ(cut.cx, 110);
+  EXPECT_EQ(cut.cy, 200);
+  EXPECT_EQ(cut.width, 100);
+  EXPECT_EQ(cut.height, 300);
+  EXPECT_THROW(camera_of({.x_offset = 600, .width = 42}), std::invalid_argument);
+  EXPECT_THROW(camera_of({.binning_y = 482}), std::invalid_argument);
+}
+
 // As cameras that nobody has calibrated send it.
 TEST(Bag, CameraInfoWithoutNumbersMattersWhereItIsNeeded) {
   const std::string uncalibrated = CameraInfoMessage(2, 1, 0);
