@@ -71,6 +71,10 @@ void WriteBags(const fs::path& folder) {
     writer.Add("/depth/image", "CompressedImage",
                CompressedMessage(2 * kTime_ns, "16UC1; compressedDepth png", std::string(20, 'p')));
     writer.Add("/depth/image", "Image", ImageMessage(kTime_ns, "32FC1", 1, 1, 4, "abcd"));
+    writer.Add("/color/image", "Image", ImageMessage(kTime_ns / 2, "mono8", 1, 1, 1, "c"));
+    writer.Add("/depth/image", "CompressedImage",
+               CompressedMessage(kTime_ns / 2, "32FC1; compressedDepth png",
+                                 std::string(12, '>') + PngOf(TestDepth())));
     Write(folder, compression.empty() ? "plain" : compression, writer.Finish());
   }
 }
