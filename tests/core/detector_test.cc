@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "core/types/helpers.h"
-#include "core/types/projection.h"
 #include "tests/support/labelled_frame.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/sensor.h"
@@ -68,26 +67,6 @@ class Detector : public testing::TestWithParam<std::string> {
  protected:
   const DetectorOptions options_ = OptionsOfProfile(GetParam());
 };
-
-// Blocks have the least depth in them: by them the table would be 1 mm higher.
-TEST(DetectorInBlocks, TellsTheTableOfPixels) {
-  const CameraIntrinsics camera{525, 525, 319.5, 239.5};
-  const Eigen::Vector3f up = -Eigen::Vector3f(0, 1, 1).normalized();
-  const float offset_m = 0.7F;  // 0.99 m along the axis
-  RgbdFrame frame{
-      cv::Mat(480, 640, CV_8UC3, cv::Scalar(90, 90, 90)), cv::Mat(480, 640, CV_32FC1), camera, {}};
-  for (int row = 0; row < 480; ++row) {
-    for (int col = 0; col < 640; ++col) {
-      frame.depth_m.at<float>(row, col) = -offset_m / up.dot(RayOf({col, row}, camera));
-    }
-  }
-  const Detections found = Detect(frame, OptionsOfProfile("default"));
-  ASSERT_TRUE(found.support.has_value());
-  for (const cv::Point pixel : {cv::Point(0, 0), {639, 0}, {320, 240}, {0, 479}, {639, 479}}) {
-    const Eigen::Vector3f on_table = frame.depth_m.at<float>(pixel) * RayOf(pixel, camera);
-    EXPECT_NEAR(found.support->HeightOf(on_table), 0, 1e-4F) << pixel;
-  }
-}
 
 TEST_P(Detector, FindsObjectsOnATable) {
   const auto truth = TabletopTruth();

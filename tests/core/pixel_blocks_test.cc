@@ -7,6 +7,7 @@
 #include <limits>
 #include <opencv2/core.hpp>
 
+#include "core/detector.h"
 #include "core/types/projection.h"
 
 namespace fovea {
@@ -130,6 +131,26 @@ TEST(LabelsOfPixels, WithoutDepthInReachAreNone) {
   const cv::Mat of_block(1, 1, CV_16UC1, cv::Scalar(3));
   const cv::Mat labels = LabelsOfPixels(of_block, of_depth, depth_m, 2, {2, depth_m.size()});
   EXPECT_EQ(cv::countNonZero(labels == 3), 2);
+}
+
+// Blocks have the least depth in them: by them the table would be 1 mm higher.
+TEST(PixelBlocks, LeaveThePlaneOfTheTableToPixels) {
+  const CameraIntrinsics camera{525, 525, 319.5, 239.5};
+  const Eigen::Vector3f up = -Eigen::Vector3f(0, 1, 1).normalized();
+  const float offset_m = 0.7F;  // 0.99 m along the axis
+  RgbdFrame frame{
+      cv::Mat(480, 640, CV_8UC3, cv::Scalar(90, 90, 90)), cv::Mat(480, 640, CV_32FC1), camera, {}};
+  for (int row = 0; row < 480; ++row) {
+    for (int col = 0; col < 640; ++col) {
+      frame.depth_m.at<float>(row, col) = -offset_m / up.dot(RayOf({col, row}, camera));
+    }
+  }
+  const Detections found = Detect(frame, OptionsOfProfile("default"));
+  ASSERT_TRUE(found.support.has_value());
+  for (const cv::Point pixel : {cv::Point(0, 0), {639, 0}, {320, 240}, {0, 479}, {639, 479}}) {
+    const Eigen::Vector3f on_table = frame.depth_m.at<float>(pixel) * RayOf(pixel, camera);
+    EXPECT_NEAR(found.support->HeightOf(on_table), 0, 1e-4F) << pixel;
+  }
 }
 
 }  // namespace
