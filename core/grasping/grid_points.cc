@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/grasping/placed_points.h"
+#include "core/grasping/sight.h"
 #include "core/types/interruption.h"
 #include "core/types/projection.h"
 
@@ -41,16 +42,6 @@ struct TwoHighest {
     first = std::max(first, height);
   }
 };
-
-bool IsAtMask(const GraspScene& scene, int row, int column, int label) {
-  constexpr int kAway_px = 2;
-  const auto is_label = [&](int r, int c) {
-    return r >= 0 && c >= 0 && r < scene.labels.rows && c < scene.labels.cols &&
-           scene.labels.ptr<std::uint16_t>(r)[c] == label;
-  };
-  return is_label(row, column - kAway_px) || is_label(row, column + kAway_px) ||
-         is_label(row - kAway_px, column) || is_label(row + kAway_px, column);
-}
 
 // Points of the object that may lie well outside of its solid: parts that it does not have.
 class BesideSolid {

@@ -165,7 +165,6 @@ void AddGrasp(const Turn& turn, const JawPlace& place, const std::array<JawConta
   grasp.opening_m = width;
   grasp.pre_grasp_opening_m = opened;
   grasp.pre_grasp_distance_m = std::max(kLeastPreGrasp_m, place.depth_m + kPreGraspBeyond_m);
-  grasp.clearance_m = std::min({place.clearance_m, place.tip_gap_m, place.palm_gap_m});
   grasp.unseen_contacts = t[kTermUnseenContacts];
   scored.family = FamilyOf(grasp.kind);
   hand.grasps.push_back(scored);

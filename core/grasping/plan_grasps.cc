@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/grasping/clearance.h"
 #include "core/grasping/grasp_model.h"
 #include "core/grasping/hand_grid.h"
 #include "core/grasping/jaw_grasps.h"
@@ -146,13 +147,16 @@ void PlanGrasps(const GraspScene& scene, const std::vector<Gripper>& grippers,
   if (grippers.empty()) return;
   const Planner planner(scene, grippers, objects);
   if (candidates != nullptr) candidates->resize(objects.size());
-  // Planning reads of the others where they are, never what they are taken by.
+  // Planning reads of the others where and what they are, never what they are taken by.
   ForEachTogether(objects.size(), [&](std::size_t i) {
     const std::vector<Planner::Found> found = planner.PlanFor(i);
     DetectedObject& object = objects[i];
     for (std::size_t g = 0; g < grippers.size(); ++g) {
       const std::vector<ScoredGrasp>& all = found[g].grasps;
-      const std::vector<Grasp> ranked = RankGrasps(all, grippers[g]);
+      std::vector<Grasp> ranked = RankGrasps(all, grippers[g]);
+      if (const auto* jaw = std::get_if<JawGripper>(&grippers[g].hand)) {
+        for (Grasp& grasp : ranked) grasp.clearance_m = ClearanceOf(scene, objects, i, *jaw, grasp);
+      }
       if (ranked.empty()) object.no_grasps.push_back({g, ReasonOf(found[g], object)});
       object.grasps.insert(object.grasps.end(), ranked.begin(), ranked.end());
       if (candidates != nullptr) {

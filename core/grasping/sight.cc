@@ -26,4 +26,14 @@ Sight SightOf(const GraspScene& scene, int label, const Eigen::Vector3f& place) 
   return is_target && seen_m < place.z() + tolerance ? Sight::kOnTarget : Sight::kFree;
 }
 
+bool IsAtMask(const GraspScene& scene, int row, int column, int label) {
+  constexpr int kAway_px = 2;
+  const auto is_label = [&](int r, int c) {
+    return r >= 0 && c >= 0 && r < scene.labels.rows && c < scene.labels.cols &&
+           scene.labels.ptr<std::uint16_t>(r)[c] == label;
+  };
+  return is_label(row, column - kAway_px) || is_label(row, column + kAway_px) ||
+         is_label(row - kAway_px, column) || is_label(row + kAway_px, column);
+}
+
 }  // namespace fovea

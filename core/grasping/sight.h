@@ -20,4 +20,7 @@ enum class Sight {
 // noise of depth cameras does, of a measured point it is at it; of another's that counts as free.
 Sight SightOf(const GraspScene& scene, int label, const Eigen::Vector3f& place);
 
+// Whether a pixel is so near to the mask of an object that it may be of it.
+bool IsAtMask(const GraspScene& scene, int row, int column, int label);
+
 }  // namespace fovea

@@ -34,7 +34,8 @@ struct Grasp {
   // pre-grasp is tool_center_point - approach * pre_grasp_distance_m. At least 0.1 m, and 2 cm more
   // than the finger tips are below the object's top or a cup below the rim of what is hollow.
   float pre_grasp_distance_m = kLeastPreGrasp_m;
-  // Smallest distance of the open hand, on its way in, to what was seen or may be there; to 0.02.
+  // Smallest distance of the open hand, on its way in, to what else was seen or may be there; up to
+  // 0.02. Of jaws it is known of grasps that are offered alone.
   float clearance_m = 0;
   // Share of both contact areas, or of the lip of a cup, that no pixel shows, 0 … 1.
   float unseen_contacts = 0;
