@@ -1,5 +1,6 @@
 #include "core/tracking/camera_motion.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -10,6 +11,8 @@ namespace {
 
 // Robots' poses come from encoders or visual odometry: some millimetres from frame to frame.
 constexpr double kPoseError_m = 0.005;
+// From the camera to things, which its turns move by their errors.
+constexpr double kFar_m = 1;
 // Where nothing is known of a motion, it is within what a shaking hand does between two frames.
 constexpr double kUnknownError_m = 0.05;
 // Beyond that from its key frame, a camera sees less and less of the same.
@@ -63,7 +66,8 @@ CameraPath::Place FromPoses(const Eigen::Isometry3d& last, const Eigen::Isometry
     place.error_m = kUnknownError_m;
   } else {
     place.motion = {CameraMotionSource::kGiven, motion};
-    place.error_m = kPoseError_m;
+    // What is said to stand does: arms, and cameras on stands.
+    place.error_m = std::min(kPoseError_m, motion.translation().norm() + kFar_m * AngleOf(motion));
   }
   return place;
 }

@@ -50,11 +50,14 @@ std::vector<Sighting> SightingsOf(const Detections& detections, const CameraIntr
     const DetectedObject& object = detections.objects[i];
     const double side_m2 =
         object.centroid.z() * object.centroid.z() / (intrinsics.fx_px * intrinsics.fy_px);
-    sightings[i] = {
-        object.label,    object.confidence,
-        object.box,      object.centroid,
-        colors[i],       static_cast<float>(static_cast<double>(object.num_pixels) * side_m2),
-        SampleOf(object)};
+    sightings[i] = {object.label,
+                    object.confidence,
+                    object.box,
+                    object.uncertainty,
+                    object.centroid,
+                    colors[i],
+                    static_cast<float>(static_cast<double>(object.num_pixels) * side_m2),
+                    SampleOf(object)};
   }
   return sightings;
 }
@@ -67,6 +70,12 @@ OrientedBox Moved(OrientedBox box, const Eigen::Isometry3f& to_from_own) {
 
 Sighting Moved(Sighting sighting, const Eigen::Isometry3f& to_from_own) {
   sighting.box = Moved(sighting.box, to_from_own);
+  if (sighting.uncertainty) {
+    Eigen::Matrix4f turn = Eigen::Matrix4f::Identity();
+    turn.topLeftCorner<3, 3>() = to_from_own.linear();
+    Eigen::Matrix4f& covariance = sighting.uncertainty->pose_covariance;
+    covariance = (turn * covariance * turn.transpose()).eval();
+  }
   sighting.centroid = to_from_own * sighting.centroid;
   for (Eigen::Vector3f& point : sighting.points) point = to_from_own * point;
   return sighting;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <optional>
 #include <vector>
 
 #include "core/types/detections.h"
@@ -14,6 +15,7 @@ struct Sighting {
   int label = 0;         // in its frame's label image
   float confidence = 0;  // 0 … 1
   OrientedBox box;
+  std::optional<BoxUncertainty> uncertainty = {};      // of the box
   Eigen::Vector3f centroid = Eigen::Vector3f::Zero();  // of the visible points
   Eigen::Vector3f lab = Eigen::Vector3f::Zero();       // mean colour, CIELAB: L 0 … 100, a and b
   // What of it faces the camera: the area of its pixels at their depth.

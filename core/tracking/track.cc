@@ -11,20 +11,6 @@ double PositionDeviation(const Sighting& sighting) {
   return 0.005 + 0.1 * sighting.box.size_m.norm();
 }
 
-// How far a thing that stands seems to be from its place at most: noise, and that another part of
-// it is seen.
-double StillWithin(const Sighting& sighting, double camera_error_m) {
-  return 0.015 + 0.2 * sighting.box.size_m.norm() + 3 * camera_error_m;
-}
-
-// Below that, things stand: noise moves them by as much.
-constexpr float kSlowest_m_s = 0.05F;
-constexpr int kSlowFrames = 5;
-
-const Eigen::Vector3f& Shorter(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
-  return a.squaredNorm() < b.squaredNorm() ? a : b;
-}
-
 void Shift(Sighting& sighting, const Eigen::Vector3f& by) {
   sighting.box.center += by;
   sighting.centroid += by;
@@ -39,14 +25,14 @@ Track::Track(std::uint64_t id, const Sighting& first, const std::optional<Captur
       last_seen_(at),
       expected_(first),
       steadied_(first.box),
-      steady_centroid_(first.centroid) {}
+      place_(SpotOf(first)) {}
 
-void Track::Advance(const Eigen::Isometry3f& this_from_last, double seconds) {
+void Track::Advance(const Eigen::Isometry3f& this_from_last, double seconds, double adding_up_m) {
   expected_ = Moved(std::move(expected_), this_from_last);
   steadied_.Transform(this_from_last);
-  steady_centroid_ = this_from_last * steady_centroid_;
-  if (off_) off_ = this_from_last.linear() * *off_;
-  off_seconds_ += seconds;
+  place_ = Moved(place_, this_from_last);
+  place_.camera_variance_m2 += adding_up_m * adding_up_m;
+  heading_ = this_from_last.linear() * heading_;
   seconds_hidden_ += seconds;
   if (!filter_) return;
   filter_->Transform(this_from_last);
@@ -60,28 +46,18 @@ void Track::Advance(const Eigen::Isometry3f& this_from_last, double seconds) {
 
 void Track::OnSeen(const Sighting& sighting, double camera_error_m,
                    const std::optional<CaptureTime>& at) {
-  if (filter_) {
-    FollowMotion(sighting, camera_error_m);
-  } else {
-    StandStill(sighting);
-    const Eigen::Vector3f off = Shorter(sighting.centroid - steady_centroid_,
-                                        sighting.box.center - steadied_.mean().center);
-    const bool is_off = off.norm() > StillWithin(sighting, camera_error_m);
-    // Once may be a mistake of the mask.
-    if (is_off && off_ && off_->dot(off) > 0) {
-      const auto seconds = static_cast<float>(std::max(off_seconds_, 1e-3));
-      const Eigen::Vector3f velocity = (off - *off_) / seconds;
-      // Two times may be nearer to each other than their frames were.
-      const float within = std::min(1.0F, kFastest_m_s / velocity.norm());
-      filter_.emplace(sighting.centroid, within * velocity);
-      steadied_ = SteadiedBox(sighting.box);
-      off_.reset();
-      slow_ = 0;
-    } else {
-      off_ = is_off ? std::optional(off) : std::nullopt;
-      off_seconds_ = 0;
-    }
-  }
+  const Spot spot = SpotOf(sighting);
+  const Displacement by = Between(place_, spot, scatter_, camera_error_m);
+  const bool is_off = IsOff(by), looks_alike = LooksAlike(place_, spot);
+  if (!is_off) {
+    StandStill(sighting, spot);
+  } else if (filter_ || was_off_ || looks_alike || steadied_.count() == 1) {
+    const Displacement step = Between(SpotOf(expected_), spot, scatter_, camera_error_m);
+    const bool goes_on = was_off_ && step.IsBeyond(Displacement::kMovedBeyond);
+    StartAnew(sighting, spot, filter_ || looks_alike || goes_on, camera_error_m);
+    heading_ = by.of_center.normalized();
+  }  // else its mask changed as well, which may be a mistake: it is left out once
+  was_off_ = is_off;
   expected_ = sighting;
   last_seen_ = at;
   ++times_seen_;
@@ -89,18 +65,30 @@ void Track::OnSeen(const Sighting& sighting, double camera_error_m,
   seconds_hidden_ = 0;
 }
 
-void Track::StandStill(const Sighting& sighting) {
-  steadied_.Add(sighting.box);
-  const float weight = 1.0F / static_cast<float>(steadied_.count());
-  steady_centroid_ += weight * (sighting.centroid - steady_centroid_);
+// What moves is off by half of that, too, where it goes on the same way.
+bool Track::IsOff(const Displacement& by) const {
+  if (by.IsBeyond(Displacement::kMovedBeyond)) return true;
+  return filter_ && by.IsBeyond(Displacement::kMovedBeyond / 2) &&
+         by.of_center.dot(heading_) > by.of_center.norm() / 2;
 }
 
-void Track::FollowMotion(const Sighting& sighting, double camera_error_m) {
-  filter_->Update(sighting.centroid, PositionDeviation(sighting) + camera_error_m);
+void Track::StandStill(const Sighting& sighting, const Spot& spot) {
+  if (!filter_ && !was_off_) Learn(scatter_, SpotOf(expected_), spot);
+  filter_.reset();
+  steadied_.Add(sighting.box);
+  Mix(place_, spot, 1.0F / static_cast<float>(steadied_.count()));
+}
+
+void Track::StartAnew(const Sighting& sighting, const Spot& spot, bool moves,
+                      double camera_error_m) {
+  if (filter_) {
+    filter_->Update(sighting.centroid, PositionDeviation(sighting) + camera_error_m);
+  } else if (moves) {
+    // It may have been pushed once: what comes next tells how fast it is.
+    filter_.emplace(sighting.centroid, Eigen::Vector3f::Zero());
+  }
   steadied_ = SteadiedBox(sighting.box);
-  steady_centroid_ = sighting.centroid;
-  slow_ = filter_->velocity().norm() < kSlowest_m_s ? slow_ + 1 : 0;
-  if (slow_ >= kSlowFrames) filter_.reset();
+  place_ = spot;
 }
 
 ObjectTrack Track::ToObjectTrack() const {

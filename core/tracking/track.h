@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/tracking/sighting.h"
+#include "core/tracking/spot.h"
 #include "core/tracking/steadied_box.h"
 #include "core/tracking/velocity_filter.h"
 #include "core/types/track.h"
@@ -18,8 +19,9 @@ class Track {
  public:
   Track(std::uint64_t id, const Sighting& first, const std::optional<CaptureTime>& at);
 
-  // The camera has moved, and so many seconds have passed.
-  void Advance(const Eigen::Isometry3f& this_from_last, double seconds);
+  // The camera has moved, and so many seconds have passed. `adding_up_m`: what is not known of the
+  // motion, where that adds up from frame to frame.
+  void Advance(const Eigen::Isometry3f& this_from_last, double seconds, double adding_up_m = 0);
   // It was seen, or not, in the frame that was advanced to. `camera_error_m`: what is not known of
   // the camera's motion since the frame before.
   void OnSeen(const Sighting& sighting, double camera_error_m,
@@ -37,8 +39,9 @@ class Track {
   ObjectTrack ToObjectTrack() const;
 
  private:
-  void FollowMotion(const Sighting& sighting, double camera_error_m);
-  void StandStill(const Sighting& sighting);
+  bool IsOff(const Displacement& by) const;
+  void StandStill(const Sighting& sighting, const Spot& spot);
+  void StartAnew(const Sighting& sighting, const Spot& spot, bool moves, double camera_error_m);
 
   std::uint64_t id_;
   std::optional<CaptureTime> first_seen_, last_seen_;
@@ -47,12 +50,11 @@ class Track {
   double seconds_hidden_ = 0;  // since it was seen last
   Sighting expected_;
   SteadiedBox steadied_;
-  Eigen::Vector3f steady_centroid_;
-  // Of what is off its steady place, that in the last frame; none where it was at it.
-  std::optional<Eigen::Vector3f> off_;
-  double off_seconds_ = 0;                // since then
+  Spot place_;  // the mean of those that steadied_ is of
+  Scatter scatter_;
+  bool was_off_ = false;                  // its place, in the last frame that showed it
   std::optional<VelocityFilter> filter_;  // of what moves against the background
-  int slow_ = 0;                          // frames in turn
+  Eigen::Vector3f heading_ = Eigen::Vector3f::Zero();  // its last step, of what moves
 };
 
 }  // namespace fovea

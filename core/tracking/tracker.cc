@@ -23,7 +23,10 @@ void Tracker::Add(const RgbdFrame& frame, const FrameContext& context, Detection
   const CameraPath::Place place = path_.Add(frame, detections.labels, context.camera_pose);
   const double seconds = SecondsUntil(context.captured_at);
   const Eigen::Isometry3f this_from_last = place.motion.last_from_this.inverse().cast<float>();
-  for (Track& track : tracks_) track.Advance(this_from_last, seconds);
+  // Poses are all of one frame of reference: what they err by does not add up.
+  const bool is_given = place.motion.source == CameraMotionSource::kGiven;
+  const double adding_up_m = is_given ? 0 : place.error_m;
+  for (Track& track : tracks_) track.Advance(this_from_last, seconds, adding_up_m);
   std::erase_if(tracks_, [](const Track& track) { return !track.was_seen() && !IsKept(track); });
   Match(SightingsOf(detections, frame.intrinsics, kMaxTracks), place, frame, context, detections);
   Forget();
