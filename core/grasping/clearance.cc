@@ -64,16 +64,17 @@ class Nearest {
         hand_(hand),
         floor_(objects[target].box) {}
 
+  // Some of the pixels, then all around the nearest of these.
   void LookAtPoints() {
-    constexpr int kMostPixels = 10000;
+    constexpr int kMostPixels = 900;
     const cv::Rect part = PartAround(scene_, hand_);
     const int step = std::max(1, cvCeil(std::sqrt(part.area() / static_cast<double>(kMostPixels))));
-    float nearest = kFarthestSquared;
-    for (int row = part.y; row < part.br().y; row += step) {
-      for (int first = part.x; first < part.br().x; first += step * SweptHand::kTogether) {
-        LookAtSome(row, first, part.br().x, step, nearest);
-      }
-    }
+    const TwoNearest some = NearestIn(part, step);
+    squared_ = some.second;
+    if (step == 1 || some.first == kFarthestSquared) return;
+    const cv::Rect around(some.pixel - cv::Point(step, step),
+                          some.pixel + cv::Point(step + 1, step + 1));
+    squared_ = std::min(squared_, NearestIn(part & around, 1).second);
   }
 
   // Where it was not seen to be missing.
@@ -100,20 +101,39 @@ class Nearest {
   float Distance() const { return std::min(kFarthestClearance_m, std::sqrt(squared_)); }
 
  private:
-  // Pixels of a row from `first` on; `nearest`: of the points so far, beside the second nearest.
-  void LookAtSome(int row, int first, int end, int step, float& nearest) {
-    const auto* points = scene_.points.ptr<Eigen::Vector3f>(row);
+  // Squared distances, no farther than what is told.
+  struct TwoNearest {
+    float first = kFarthestSquared, second = kFarthestSquared;
+    cv::Point pixel;  // of the first
+  };
+
+  TwoNearest NearestIn(const cv::Rect& part, int step) const {
+    TwoNearest nearest;
+    for (int row = part.y; row < part.br().y; row += step) {
+      for (int first = part.x; first < part.br().x; first += step * SweptHand::kTogether) {
+        LookAtSome({first, row}, part.br().x, step, nearest);
+      }
+    }
+    return nearest;
+  }
+
+  // Pixels of a row from the first on.
+  void LookAtSome(const cv::Point& first, int end, int step, TwoNearest& nearest) const {
+    const auto* points = scene_.points.ptr<Eigen::Vector3f>(first.y) + first.x;
     SweptHand::Each x, y, z;
-    const int num = std::min(SweptHand::kTogether, (end - first + step - 1) / step);
+    const int num = std::min(SweptHand::kTogether, (end - first.x + step - 1) / step);
     for (int i = 0; i < SweptHand::kTogether; ++i) {  // the last fills up what is left
-      const Eigen::Vector3f& point = points[first + std::min(i, num - 1) * step];
+      const Eigen::Vector3f& point = points[std::min(i, num - 1) * step];
       x[i] = point.x(), y[i] = point.y(), z[i] = point.z();
     }
     const SweptHand::Each squared = hand_.SquaredDistances(x, y, z);
     for (int i = 0; i < num; ++i) {
-      if (squared[i] >= squared_ || !Counts(row, first + i * step)) continue;
-      squared_ = std::max(nearest, squared[i]);
-      nearest = std::min(nearest, squared[i]);
+      const cv::Point pixel(first.x + i * step, first.y);
+      if (squared[i] >= nearest.second || !Counts(pixel.y, pixel.x)) continue;
+      nearest.second = std::max(nearest.first, squared[i]);
+      if (squared[i] >= nearest.first) continue;
+      nearest.first = squared[i];
+      nearest.pixel = pixel;
     }
   }
 

@@ -16,8 +16,8 @@ inline constexpr float kFarthestClearance_m = 0.02F;  // to which it is told
 // what was seen of anything else, the surface that the object stands on, or what the others were
 // completed to, where nothing was seen to be free; up to kFarthestClearance_m, 0 where it touches.
 // Points count from the second nearest on: a single one may be noise.
-// Cost: proportional to the part of the image that the hand covers, of which 10,000 pixels at most
-// are looked at.
+// Cost: proportional to the part of the image that the hand covers, of which some 1000 pixels at
+// most are looked at.
 float ClearanceOf(const GraspScene& scene, const std::vector<DetectedObject>& objects,
                   std::size_t target, const JawGripper& jaw, const Grasp& grasp);
 
