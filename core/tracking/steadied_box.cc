@@ -43,6 +43,11 @@ void SteadiedBox::Add(const OrientedBox& box) {
                        .toRotationMatrix();
 }
 
+void SteadiedBox::StartAnew(const OrientedBox& box) {
+  count_ = 1;
+  mean_ = NearestTurn(box, mean_.rotation);
+}
+
 void SteadiedBox::Transform(const Eigen::Isometry3f& to_from_own) {
   mean_ = Moved(mean_, to_from_own);
 }

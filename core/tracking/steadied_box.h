@@ -19,6 +19,8 @@ class SteadiedBox {
   explicit SteadiedBox(const OrientedBox& first) : mean_(first) {}
 
   void Add(const OrientedBox& box);
+  // With this box alone, but for its turn.
+  void StartAnew(const OrientedBox& box);
   // The frame of reference changes.
   void Transform(const Eigen::Isometry3f& to_from_own);
 

@@ -49,15 +49,17 @@ void Track::OnSeen(const Sighting& sighting, double camera_error_m,
   const Spot spot = SpotOf(sighting);
   const Displacement by = Between(place_, spot, scatter_, camera_error_m);
   const bool is_off = IsOff(by), looks_alike = LooksAlike(place_, spot);
+  // Where its mask changed as well, that may be a mistake.
+  const bool leave_out = is_off && !filter_ && !left_out_ && !looks_alike && steadied_.count() > 1;
   if (!is_off) {
     StandStill(sighting, spot);
-  } else if (filter_ || was_off_ || looks_alike || steadied_.count() == 1) {
+  } else if (!leave_out) {
     const Displacement step = Between(SpotOf(expected_), spot, scatter_, camera_error_m);
-    const bool goes_on = was_off_ && step.IsBeyond(Displacement::kMovedBeyond);
+    const bool goes_on = left_out_ && step.IsBeyond(Displacement::kMovedBeyond);
     StartAnew(sighting, spot, filter_ || looks_alike || goes_on, camera_error_m);
     heading_ = by.of_center.normalized();
-  }  // else its mask changed as well, which may be a mistake: it is left out once
-  was_off_ = is_off;
+  }
+  left_out_ = leave_out;
   expected_ = sighting;
   last_seen_ = at;
   ++times_seen_;
@@ -73,7 +75,7 @@ bool Track::IsOff(const Displacement& by) const {
 }
 
 void Track::StandStill(const Sighting& sighting, const Spot& spot) {
-  if (!filter_ && !was_off_) Learn(scatter_, SpotOf(expected_), spot);
+  if (!filter_ && !left_out_) Learn(scatter_, SpotOf(expected_), spot);
   filter_.reset();
   steadied_.Add(sighting.box);
   Mix(place_, spot, 1.0F / static_cast<float>(steadied_.count()));
@@ -87,7 +89,11 @@ void Track::StartAnew(const Sighting& sighting, const Spot& spot, bool moves,
     // It may have been pushed once: what comes next tells how fast it is.
     filter_.emplace(sighting.centroid, Eigen::Vector3f::Zero());
   }
-  steadied_ = SteadiedBox(sighting.box);
+  if (moves) {
+    steadied_ = SteadiedBox(sighting.box);
+  } else {
+    steadied_.StartAnew(sighting.box);
+  }
   place_ = spot;
 }
 

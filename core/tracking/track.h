@@ -52,7 +52,7 @@ class Track {
   SteadiedBox steadied_;
   Spot place_;  // the mean of those that steadied_ is of
   Scatter scatter_;
-  bool was_off_ = false;                  // its place, in the last frame that showed it
+  bool left_out_ = false;                 // of steadied_, in the last frame that showed it
   std::optional<VelocityFilter> filter_;  // of what moves against the background
   Eigen::Vector3f heading_ = Eigen::Vector3f::Zero();  // its last step, of what moves
 };

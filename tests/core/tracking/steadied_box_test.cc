@@ -40,6 +40,16 @@ TEST(SteadiedBox, ABoxTurnedByAQuarterOrAHalfIsTheSame) {
   EXPECT_NEAR(steadied.mean().rotation.determinant(), 1, 1e-5);
 }
 
+TEST(SteadiedBox, StartsAnewWithTheSameSideAlongX) {
+  SteadiedBox steadied(Box(0, 2, {0.21F, 0.2F, 0.1F}));
+  steadied.Add(Box(0, 2, {0.21F, 0.2F, 0.1F}));
+  steadied.StartAnew(Box(0.5F, 93, {0.3F, 0.2F, 0.1F}));
+  EXPECT_EQ(steadied.count(), 1U);
+  EXPECT_NEAR(YawOf(steadied.mean()), 3, 1e-3);
+  EXPECT_TRUE(steadied.mean().size_m.isApprox(Eigen::Vector3f(0.2F, 0.3F, 0.1F), 1e-5F));
+  EXPECT_NEAR(steadied.mean().center.x(), 0.5, 1e-6);
+}
+
 TEST(SteadiedBox, OldFramesFade) {
   SteadiedBox steadied(Box(1, 0, {0.3F, 0.2F, 0.1F}));
   for (int i = 0; i < 60; ++i) steadied.Add(Box(0, 0, {0.3F, 0.2F, 0.1F}));

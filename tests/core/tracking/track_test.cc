@@ -157,6 +157,15 @@ TEST(Track, AnotherMaskThatIsElsewhereIsLeftOutOnce) {
   EXPECT_EQ(thing.track.ToObjectTrack().steadied_over, 1U);
 }
 
+// As where two things that touch are taken for one now and then.
+TEST(Track, StandsThoughItsMaskGoesToAndFro) {
+  Followed thing;
+  for (int i = 0; i < 12; ++i) {
+    const bool other = i % 5 < 2 || i % 5 == 3;
+    EXPECT_FALSE(thing.See(other ? InPart(ThingAt(0.04F)) : ThingAt(0)).is_moving) << i;
+  }
+}
+
 TEST(Track, WhatIsHalfHiddenByAHandMovesFromItsSecondStepOn) {
   Followed thing;
   thing.See(InPart(ThingAt(0.04F)));
