@@ -131,7 +131,9 @@ cv::Mat LabelsOfPixels(const cv::Mat& label_of_block, const cv::Mat& depth_of_bl
 std::vector<Eigen::Vector3f> UnlabelledPoints(const PixelPoints& points, const cv::Mat& labels,
                                               const PixelBlocks& blocks) {
   constexpr int kStep = 3;
+  const std::size_t step_px = static_cast<std::size_t>(kStep) * blocks.edge_px;
   std::vector<Eigen::Vector3f> unlabelled;
+  unlabelled.reserve((labels.rows / step_px + 1) * (labels.cols / step_px + 1));
   for (int row = blocks.edge_px / 2; row < labels.rows; row += kStep * blocks.edge_px) {
     for (int col = blocks.edge_px / 2; col < labels.cols; col += kStep * blocks.edge_px) {
       const bool has_depth = !std::isnan(points.Depth_m().at<float>(row, col));

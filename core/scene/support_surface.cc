@@ -173,9 +173,11 @@ std::vector<Support> FindSupports(const cv::Mat& points, const NormalMap& normal
 
 void RefitSurfaces(const std::vector<Eigen::Vector3f>& points, const SupportOptions& options,
                    std::vector<Support>& supports) {
+  std::vector<Eigen::Vector3f> covered;
+  covered.reserve(points.size());
   for (Support& support : supports) {
     InterruptionPoint();
-    std::vector<Eigen::Vector3f> covered;
+    covered.clear();
     std::copy_if(points.begin(), points.end(), std::back_inserter(covered),
                  [&](const auto& p) { return support.footprint.Covers(p); });
     support.surface = FitAnew(covered, support.surface, options);
