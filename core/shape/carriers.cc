@@ -40,9 +40,11 @@ float HeightAlong(const Eigen::Vector3f& up, const OrientedBox& box, float share
   return up.dot(box.center) + (share - 0.5F) * box.size_m.z();
 }
 
-std::optional<int> Touching(const DetectedObject& object, const std::vector<DetectedObject>& others,
-                            const std::vector<OutlinePoint>& outline) {
+Touch Touching(const DetectedObject& object, const std::vector<DetectedObject>& others,
+               const std::vector<OutlinePoint>& outline,
+               const std::optional<SupportSurface>& support) {
   constexpr float kMinShare = 0.12F;  // of the outline where it ends
+  constexpr int kNothing = -1;
   const Eigen::Vector3f up = object.visible_box.rotation.col(2);
   const float bottom = HeightAlong(up, object.visible_box, 0);
   // What rises higher stands beside it.
@@ -58,14 +60,17 @@ std::optional<int> Touching(const DetectedObject& object, const std::vector<Dete
     ++ends;
     if (std::abs(up.dot(point.beyond) - bottom) > kContact_m) continue;
     ++touching;
-    ++touches[may_carry(point.label_beyond) ? point.label_beyond : 0];
+    const bool is_on_support = !support || std::abs(support->HeightOf(point.beyond)) <= kContact_m;
+    ++touches[may_carry(point.label_beyond) ? point.label_beyond : is_on_support ? 0 : kNothing];
   }
   if (touching == 0 || static_cast<float>(touching) < kMinShare * static_cast<float>(ends)) {
-    return std::nullopt;
+    return {};
   }
-  return std::max_element(touches.begin(), touches.end(),
-                          [](const auto& a, const auto& b) { return a.second < b.second; })
-      ->first;
+  const int most =
+      std::max_element(touches.begin(), touches.end(), [](const auto& a, const auto& b) {
+        return a.second < b.second;
+      })->first;
+  return {true, most == kNothing ? std::nullopt : std::optional(most)};
 }
 
 std::vector<Carrier> CarriersOf(const DetectedObject& object,

@@ -21,11 +21,17 @@ struct Carrier {
 // The height of a box's bottom (`share` 0), top (1) or what is between, against gravity.
 float HeightAlong(const Eigen::Vector3f& up, const OrientedBox& box, float share);
 
+struct Touch {
+  bool is_seen = false;        // else the object is seen to end in the air
+  std::optional<int> carrier;  // 0: the support; nothing: what is seen there carries nothing
+};
+
 // What touches the object from below: where it ends, something at the height of its lowest points
-// is seen beyond. The label that most of it has, 0 = none; nothing where it is seen to end in the
-// air.
-std::optional<int> Touching(const DetectedObject& object, const std::vector<DetectedObject>& others,
-                            const std::vector<OutlinePoint>& outline);
+// is seen beyond. Most of it is of the carrier; what is neither an object that ends there nor on
+// the support stands beside it, or is of the object itself.
+Touch Touching(const DetectedObject& object, const std::vector<DetectedObject>& others,
+               const std::vector<OutlinePoint>& outline,
+               const std::optional<SupportSurface>& support);
 
 // The highest of the objects below it, then the support. `lower`: those of `others` that begin
 // below the object, with completed boxes.

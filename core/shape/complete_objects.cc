@@ -51,7 +51,7 @@ struct Explanation {
 // The solid that stands where the object's points end, or that reaches down to a carrier, whichever
 // explains more.
 Explanation Explain(const DetectedObject& object, const std::vector<OutlinePoint>& outline,
-                    const CameraIntrinsics& intrinsics, const std::optional<int>& touching,
+                    const CameraIntrinsics& intrinsics, const Touch& touching,
                     const std::vector<Carrier>& carriers) {
   std::optional<Explanation> best;
   const auto consider = [&](float drop_m, std::optional<int> carrier, float extra_cost) {
@@ -66,9 +66,9 @@ Explanation Explain(const DetectedObject& object, const std::vector<OutlinePoint
   if (nearest < kContact_m) {
     consider(nearest, carriers.front().label, 0);
   } else {
-    consider(0, touching, touching ? 0 : kCostOfFloating);
+    consider(0, touching.carrier, touching.is_seen ? 0 : kCostOfFloating);
     for (const Carrier& below : carriers) {
-      consider(below.drop_m, below.label, touching ? kCostOfFloating : 0);
+      consider(below.drop_m, below.label, touching.carrier ? kCostOfFloating : 0);
     }
   }
   return *best;
@@ -97,9 +97,9 @@ void CompleteObjects(const RgbdFrame& frame, const PixelPoints& points,
       done.push_back(i);
       continue;
     }
-    Explanation explained =
-        Explain(object, outlines[i], frame.intrinsics, Touching(object, objects, outlines[i]),
-                CarriersOf(object, objects, done, supports[i]));
+    Explanation explained = Explain(object, outlines[i], frame.intrinsics,
+                                    Touching(object, objects, outlines[i], supports[i]),
+                                    CarriersOf(object, objects, done, supports[i]));
     if (!explained.carrier) explained.carrier = HeldBy(object, objects, done, supports[i]);
     if (explained.carrier) object.stands_on.push_back(*explained.carrier);
     SetShape(explained.shape, explained.frame, object);

@@ -38,14 +38,14 @@ class TwoSheets : public testing::Test {
 };
 
 TEST_F(TwoSheets, MayCarryEachOther) {
-  EXPECT_EQ(Touching(sheets_[0], sheets_, {edge_}), 2);
+  EXPECT_EQ(Touching(sheets_[0], sheets_, {edge_}, floor_).carrier, 2);
   EXPECT_EQ(CarriersOf(sheets_[0], sheets_, {1}, floor_).front().label, 2);
   EXPECT_EQ(HeldBy(sheets_[0], sheets_, {1}, floor_), 2);
 }
 
 TEST_F(TwoSheets, DoNotCarryWhatTheyStandOn) {
   sheets_[1].stands_on = {1};
-  EXPECT_EQ(Touching(sheets_[0], sheets_, {edge_}), 0);
+  EXPECT_EQ(Touching(sheets_[0], sheets_, {edge_}, floor_).carrier, std::nullopt);
   EXPECT_EQ(CarriersOf(sheets_[0], sheets_, {1}, floor_).front().label, 0);
   EXPECT_EQ(HeldBy(sheets_[0], sheets_, {1}, floor_), std::nullopt);
 }
@@ -54,9 +54,28 @@ TEST_F(TwoSheets, DoNotCarryWhatTheyStandOnByAnother) {
   sheets_.push_back(Slab(3, 0.4F, 0.01F));
   sheets_[1].stands_on = {3};
   sheets_[2].leans_on = {1};
-  EXPECT_EQ(Touching(sheets_[0], sheets_, {edge_}), 0);
+  EXPECT_EQ(Touching(sheets_[0], sheets_, {edge_}, floor_).carrier, std::nullopt);
   EXPECT_EQ(CarriersOf(sheets_[0], sheets_, {1}, floor_).front().label, 0);
   EXPECT_EQ(HeldBy(sheets_[0], sheets_, {1}, floor_), std::nullopt);
+}
+
+TEST_F(TwoSheets, AreNotOnTheSupportBecauseSomethingHigherIsBesideThem) {
+  sheets_[1] = Slab(2, 0, 0.1F);
+  EXPECT_TRUE(Touching(sheets_[0], sheets_, {edge_}, floor_).is_seen);
+  EXPECT_EQ(Touching(sheets_[0], sheets_, {edge_}, floor_).carrier, std::nullopt);
+  edge_.label_beyond = 0;
+  EXPECT_EQ(Touching(sheets_[0], sheets_, {edge_}, floor_).carrier, std::nullopt);
+}
+
+TEST_F(TwoSheets, StandOnTheSupportThatIsSeenBesideThem) {
+  edge_.beyond.y() = 0.485F;
+  for (const int label : {0, 2}) {
+    edge_.label_beyond = label;
+    sheets_[1] = Slab(2, 0, 0.1F);
+    EXPECT_EQ(Touching(sheets_[0], sheets_, {edge_}, floor_).carrier, 0) << label;
+  }
+  edge_.beyond.y() = 0.4F;
+  EXPECT_FALSE(Touching(sheets_[0], sheets_, {edge_}, floor_).is_seen);
 }
 
 }  // namespace
