@@ -218,7 +218,7 @@ class Client:
 
         def open_call(server: Server, requests: Iterator[Any]) -> Any:
             with self._errors():
-                return server.stub.DetectStream(requests, metadata=metadata)
+                return server.detect_stream(requests, metadata=metadata)
 
         feed = FrameFeed(frames, options_to_proto(options), every_frame, picks)
         seconds = self._timeout_of(timeout)

@@ -16,7 +16,7 @@ from fovea.errors import FoveaError, Unavailable
 from fovea.health import Health
 from fovea.options import TlsOptions
 from fovea.server_choice import ServerChoice, ServerRound
-from fovea.v1 import detection_service_pb2_grpc
+from fovea.v1 import detection_service_pb2, detection_service_pb2_grpc
 
 _MOST_MIB = 2047  # gRPC counts bytes in 31 bits
 _FRESH = 5.0  # seconds between two lookups of names
@@ -34,6 +34,11 @@ class Server:
         self.name = target.target
         self.channel = make_channel(target, has_others, tls, max_answer_mib)
         self.stub: Any = detection_service_pb2_grpc.DetectionServiceStub(self.channel)  # type: ignore[no-untyped-call]
+        # Answers come as bytes: of one that it cannot parse gRPC leaves the call open.
+        self.detect_stream: Any = self.channel.stream_stream(
+            "/fovea.v1.DetectionService/DetectStream",
+            request_serializer=detection_service_pb2.DetectStreamRequest.SerializeToString,
+        )
         self.health = Health(self.channel, metadata)
         self.is_watched = False
 

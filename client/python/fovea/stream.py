@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import grpc
+from google.protobuf.message import DecodeError
 
 from fovea.answer_reader import AnswerReader
 from fovea.better_server import BetterServer
@@ -125,7 +126,7 @@ class ResumingStream:
         asked = time.monotonic()
         while True:
             try:
-                return self._reader.get(self._seconds_left(asked))
+                return _parsed(self._reader.get(self._seconds_left(asked)))
             except grpc.RpcError as error:
                 raise error_of_call(error, self._servers.max_answer_bytes) from None
             except TimeoutError:
@@ -204,6 +205,17 @@ class ResumingStream:
             error=error,
             pick=pick_from_proto(response.pick) if response.HasField("pick") else None,
         )
+
+
+def _parsed(answer: bytes | None) -> Any:
+    if answer is None:
+        return None
+    try:
+        return detection_service_pb2.DetectStreamResponse.FromString(answer)
+    except DecodeError:
+        raise FoveaError(
+            "INTERNAL", "the server sent a DetectStreamResponse that cannot be read"
+        ) from None
 
 
 def _error_of_frame(proto: detection_service_pb2.FrameError, request_id: str) -> FoveaError:
