@@ -10,7 +10,8 @@
 namespace fovea::server {
 
 // INVALID_ARGUMENT where the bytes are no such message, or have more than 64 KiB beside images: it
-// is refused before it takes memory.
+// is refused before it takes memory. The message is empty then: half of one may hold text that is
+// no UTF-8, and whatever that is put into can be read by nobody.
 template <typename Message>
 grpc::Status Parse(grpc::ByteBuffer* bytes, Message* message) {
   constexpr std::size_t kMostBesideData = 64 << 10;
@@ -20,6 +21,7 @@ grpc::Status Parse(grpc::ByteBuffer* bytes, Message* message) {
             "the " + name + " has more than 65536 bytes beside its images"};
   }
   if (grpc::SerializationTraits<Message>::Deserialize(bytes, message).ok()) return {};
+  message->Clear();
   return {grpc::StatusCode::INVALID_ARGUMENT, "the message is not a " + name};
 }
 

@@ -269,8 +269,10 @@ void StreamCall::Compute() {
   if (status.ok() && request.has_options()) {
     options_ = request.options().SerializeAsString();
   } else {
-    if (received.options) options_ = std::move(*received.options);
-    request.mutable_options()->ParseFromString(options_);
+    v1::DetectOptions& options = *request.mutable_options();
+    const bool has_others = received.options && options.ParseFromString(*received.options);
+    if (has_others) options_ = std::move(*received.options);
+    if (!has_others) options.ParseFromString(options_);
   }
   const FrameRequest frame{.frame = request.has_frame() ? &request.frame() : nullptr,
                            .options = &request.options(),
