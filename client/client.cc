@@ -196,7 +196,7 @@ std::unique_ptr<DetectStream> Client::OpenStream(std::chrono::milliseconds timeo
   if (!home) {
     throw RpcError({grpc::StatusCode::UNAVAILABLE, problem}, std::nullopt, call.request_id);
   }
-  return std::make_unique<DetectStream>(*home->stub, options_, timeout, call);
+  return std::make_unique<DetectStream>(*home->channel, options_, timeout, call);
 }
 
 std::unique_ptr<ResumingStream> Client::OpenResumingStream(std::chrono::milliseconds timeout,

@@ -3,15 +3,20 @@
 #include <utility>
 
 #include "client/channel.h"
+#include "client/read_bytes.h"
 #include "client/retry.h"
 
 namespace fovea::client {
 
-DetectStream::DetectStream(v1::DetectionService::Stub& stub, const ClientOptions& options,
+DetectStream::DetectStream(grpc::Channel& channel, const ClientOptions& options,
                            std::chrono::milliseconds timeout, CallOptions call)
     : call_(std::move(call)) {
+  using Factory =
+      grpc::internal::ClientReaderWriterFactory<v1::DetectStreamRequest, grpc::ByteBuffer>;
+  using grpc::internal::RpcMethod;
+  const RpcMethod method("/fovea.v1.DetectionService/DetectStream", RpcMethod::BIDI_STREAMING);
   PrepareCall(options, timeout, &context_, call_);
-  stream_ = stub.DetectStream(&context_);
+  stream_.reset(Factory::Create(&channel, method, &context_));
 }
 
 DetectStream::~DetectStream() {
@@ -29,8 +34,12 @@ void DetectStream::DoneSending() {
 void DetectStream::Cancel() { context_.TryCancel(); }
 
 std::optional<v1::DetectStreamResponse> DetectStream::Receive() {
-  v1::DetectStreamResponse response;
-  if (!finished_ && stream_->Read(&response)) return response;
+  grpc::ByteBuffer bytes;
+  if (!finished_ && stream_->Read(&bytes)) {
+    v1::DetectStreamResponse response;
+    if (ParseBytes(&bytes, &response)) return response;
+    finished_ = EndUnread<v1::DetectStreamResponse>(stream_.get(), &context_);
+  }
   if (!finished_) finished_ = stream_->Finish();
   if (!finished_->ok()) throw ErrorOf(*finished_, context_, call_);
   return std::nullopt;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <grpcpp/channel.h>
 #include <grpcpp/client_context.h>
+#include <grpcpp/support/byte_buffer.h>
 #include <grpcpp/support/sync_stream.h>
 
 #include <chrono>
@@ -19,7 +21,7 @@ namespace fovea::client {
 // objects for this robot, and answers bring the newest mark (DetectStreamResponse.pick).
 class DetectStream {
  public:
-  DetectStream(v1::DetectionService::Stub& stub, const ClientOptions& options,
+  DetectStream(grpc::Channel& channel, const ClientOptions& options,
                std::chrono::milliseconds timeout, CallOptions call = {});
   // Cancels what has no answer yet.
   ~DetectStream();
@@ -41,14 +43,14 @@ class DetectStream {
   const grpc::ClientContext& context() const { return context_; }
 
   // The next answer in order, which may be a FrameError. Empty at the end, after DoneSending().
-  // Throws RpcError where the stream broke or ran out of time.
+  // Throws RpcError where the stream broke or ran out of time, INTERNAL where an answer could not
+  // be read.
   std::optional<v1::DetectStreamResponse> Receive();
 
  private:
   const CallOptions call_;
   grpc::ClientContext context_;
-  std::unique_ptr<grpc::ClientReaderWriter<v1::DetectStreamRequest, v1::DetectStreamResponse>>
-      stream_;
+  std::unique_ptr<grpc::ClientReaderWriter<v1::DetectStreamRequest, grpc::ByteBuffer>> stream_;
   bool done_ = false;  // of the sending thread
   std::optional<grpc::Status> finished_;
 };

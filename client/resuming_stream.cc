@@ -173,7 +173,7 @@ bool ResumingStream::IsConnected(const Server& server) const {
 
 std::shared_ptr<DetectStream> ResumingStream::Open() {
   return std::make_shared<DetectStream>(
-      *server_->stub, options_,
+      *server_->channel, options_,
       std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - Clock::now()), call_);
 }
 

@@ -1,15 +1,20 @@
 #include "client/observer/watch_stream.h"
 
 #include <grpcpp/client_context.h>
+#include <grpcpp/support/byte_buffer.h>
+#include <grpcpp/support/sync_stream.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <memory>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 #include "client/observer/ending_threads.h"
+#include "client/read_bytes.h"
 #include "fovea/v1/observation_service.grpc.pb.h"
 
 namespace fovea::observer {
@@ -48,7 +53,7 @@ class WatchStream::Watching {
 
  private:
   void Pause(const std::stop_token& stop, std::chrono::milliseconds wait);
-  bool Watch(const std::stop_token& stop);  // whether anything came
+  bool Watch(const std::stop_token& stop);  // whether anything came, all of which could be read
   template <typename Function, typename... Arguments>
   void Tell(const Function& function, Arguments&&... arguments);
 
@@ -109,14 +114,21 @@ void WatchStream::Watching::Pause(const std::stop_token& stop, std::chrono::mill
 }
 
 bool WatchStream::Watching::Watch(const std::stop_token& stop) {
-  const auto stub = v1::ObservationService::NewStub(link_.channel);
+  using grpc::internal::RpcMethod;
+  const RpcMethod method("/fovea.v1.ObservationService/Watch", RpcMethod::SERVER_STREAMING);
   grpc::ClientContext context;
   context.AddMetadata("authorization", "Bearer " + token_);
   const std::stop_callback cancel(stop, [&] { context.TryCancel(); });
-  const auto reader = stub->Watch(&context, request_);
+  const std::unique_ptr<grpc::ClientReader<grpc::ByteBuffer>> reader(
+      grpc::internal::ClientReaderFactory<grpc::ByteBuffer>::Create(link_.channel.get(), method,
+                                                                    &context, request_));
   bool came = false;
-  for (v1::WatchResponse response; reader->Read(&response); response.Clear()) {
-    if (response.has_observer()) {
+  std::optional<grpc::Status> unread;
+  for (grpc::ByteBuffer bytes; !unread && reader->Read(&bytes);) {
+    v1::WatchResponse response;
+    if (!client::ParseBytes(&bytes, &response)) {
+      unread = client::EndUnread<v1::WatchResponse>(reader.get(), &context);
+    } else if (response.has_observer()) {
       came = true;
       link_.outage->OnBack(link_.address);
       Tell(listener_.on_observer, response.observer());
@@ -125,8 +137,8 @@ bool WatchStream::Watching::Watch(const std::stop_token& stop) {
       Tell(listener_.on_frame, std::move(response));
     }
   }
-  const grpc::Status status = reader->Finish();
-  if (status.error_code() == grpc::StatusCode::UNAVAILABLE) {
+  const grpc::Status status = unread ? *unread : reader->Finish();
+  if (unread || status.error_code() == grpc::StatusCode::UNAVAILABLE) {
     link_.outage->OnAway(link_.address, status.error_message());
   }
   LinkState state = StateOf(status);
@@ -134,7 +146,7 @@ bool WatchStream::Watching::Watch(const std::stop_token& stop) {
   // It ends the call of whoever has other rights now, too: the next answer says which.
   if (came && state.kind == LinkState::Kind::kRefused) state.kind = LinkState::Kind::kConnecting;
   if (!stop.stop_requested()) Tell(listener_.on_state, state);
-  return came;
+  return came && !unread;  // who sends such a message again is not asked all the time
 }
 
 }  // namespace fovea::observer

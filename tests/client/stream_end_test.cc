@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <string>
+#include <thread>
 
 #include "client/client.h"
 #include "tests/server/detectors.h"
@@ -94,6 +96,55 @@ TEST(StreamEnd, MayBeSaidTwice) {
   const testing::Loopback loopback(testing::FindOne);
   EndTwice(*loopback.client.OpenStream(kPatience));
   EndTwice(*loopback.client.OpenResumingStream(kPatience));
+}
+
+// Answers the first frame with what is no message, and leaves the call open.
+class AnswersNonsense final
+    : public v1::DetectionService::WithRawMethod_DetectStream<v1::DetectionService::Service> {
+ public:
+  AnswersNonsense() {
+    grpc::ServerBuilder builder;
+    builder.AddListeningPort("127.0.0.1:0", grpc::InsecureServerCredentials(), &port_);
+    builder.RegisterService(this);
+    queue_ = builder.AddCompletionQueue();
+    server_ = builder.BuildAndStart();
+    RequestDetectStream(&context_, &stream_, queue_.get(), queue_.get(), nullptr);
+    thread_ = std::jthread([this] { Run(); });
+  }
+
+  ~AnswersNonsense() override {
+    server_->Shutdown(std::chrono::system_clock::now());
+    queue_->Shutdown();
+  }
+
+  Client MakeClient() const {
+    return Client("127.0.0.1:" + std::to_string(port_), testing::PatientOptions());
+  }
+
+ private:
+  void Run() {
+    void* tag = nullptr;
+    bool ok = false;
+    if (!queue_->Next(&tag, &ok) || !ok) return;
+    const grpc::Slice slice("\xFF\xFF");
+    stream_.Write(grpc::ByteBuffer(&slice, 1), nullptr);
+    while (queue_->Next(&tag, &ok)) continue;
+  }
+
+  int port_ = 0;
+  grpc::ServerContext context_;
+  grpc::ServerAsyncReaderWriter<grpc::ByteBuffer, grpc::ByteBuffer> stream_{&context_};
+  std::unique_ptr<grpc::ServerCompletionQueue> queue_;
+  std::unique_ptr<grpc::Server> server_;
+  std::jthread thread_;
+};
+
+TEST(StreamEnd, IsSaidOfAnAnswerThatCannotBeRead) {
+  const AnswersNonsense server;
+  const auto stream = server.MakeClient().OpenStream(kPatience);
+  const grpc::Status status = testing::StatusOf([&] { stream->Receive(); });
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::INTERNAL);
+  EXPECT_EQ(status.error_message(), "the server sent a DetectStreamResponse that cannot be read");
 }
 
 }  // namespace
