@@ -32,7 +32,7 @@ std::optional<Detail> Find(const grpc::Status& status) {
 }
 
 bool IsOfRequest(std::string_view path) {
-  for (const std::string_view part : {"frame", "options"}) {
+  for (const std::string_view part : {"frame", "options", "robot", "pick"}) {
     if (path == part || (path.starts_with(part) && path[part.size()] == '.')) return true;
   }
   return false;
@@ -52,10 +52,15 @@ grpc::Status InvalidArgument(const FieldError& error) {
   return Detailed(grpc::StatusCode::INVALID_ARGUMENT, error.what(), detail);
 }
 
-grpc::Status ResourceExhausted(const std::string& text, std::chrono::milliseconds retry_after) {
+grpc::Status WithRetryInfo(grpc::StatusCode code, const std::string& text,
+                           std::chrono::milliseconds retry_after) {
   google::rpc::RetryInfo detail;
   *detail.mutable_retry_delay() = TimeUtil::MillisecondsToDuration(retry_after.count());
-  return Detailed(grpc::StatusCode::RESOURCE_EXHAUSTED, text, detail);
+  return Detailed(code, text, detail);
+}
+
+grpc::Status ResourceExhausted(const std::string& text, std::chrono::milliseconds retry_after) {
+  return WithRetryInfo(grpc::StatusCode::RESOURCE_EXHAUSTED, text, retry_after);
 }
 
 std::string FieldOf(const grpc::Status& status) {

@@ -16,10 +16,12 @@ namespace fovea::server {
 // "frame.depth.data".
 grpc::Status InvalidArgument(const FieldError& error);
 
-// RESOURCE_EXHAUSTED with a RetryInfo.
+// With a RetryInfo.
+grpc::Status WithRetryInfo(grpc::StatusCode code, const std::string& text,
+                           std::chrono::milliseconds retry_after);
 grpc::Status ResourceExhausted(const std::string& text, std::chrono::milliseconds retry_after);
 
-// What those two put in; empty where there is none.
+// What those put in; empty where there is none.
 std::string FieldOf(const grpc::Status& status);
 std::optional<std::chrono::milliseconds> RetryAfterOf(const grpc::Status& status);
 

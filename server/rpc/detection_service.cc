@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "server/connections/call_account.h"
+#include "server/rpc/call_names.h"
 #include "server/rpc/late_reading.h"
 #include "server/status.h"
 #include "server/watching/statistics.h"
@@ -45,6 +46,7 @@ void DetectionService::Answer(int method, std::function<Response()> answer) {
   const auto if_admitted = [this, answer = std::move(answer)](grpc::ServerContext* context,
                                                               LateStream<Response>* /*stream*/,
                                                               Response* response) {
+    context->AddTrailingMetadata(kRequestIdKey, RequestId(context->client_metadata()));
     gate_keeper_.Admit(*context);
     CallAccount account(connections_);
     account.Admit(context->peer());

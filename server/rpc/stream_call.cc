@@ -1,13 +1,12 @@
 #include "server/rpc/stream_call.h"
 
-#include <google/protobuf/util/time_util.h>
-
 #include <random>
 #include <utility>
 
 #include "server/error_details.h"
 #include "server/rpc/option_bytes.h"
 #include "server/rpc/parse.h"
+#include "server/rpc/stream_answer.h"
 #include "server/status.h"
 #include "server/until_it_works.h"
 #include "server/watching/request_log.h"
@@ -21,22 +20,6 @@ grpc::ByteBuffer BytesOf(const Message& message) {
   bool own_buffer = false;
   grpc::SerializationTraits<Message>::Serialize(message, &bytes, &own_buffer);
   return bytes;
-}
-
-grpc::Status StatusOfNoRoom() {
-  return ResourceExhausted(
-      "more frames wait in streams than there is room for (--max-receiving-mib)",
-      std::chrono::seconds(1));
-}
-
-void SetError(const grpc::Status& status, v1::DetectStreamResponse* response) {
-  response->mutable_error()->set_code(status.error_code());
-  response->mutable_error()->set_message(status.error_message());
-  response->mutable_error()->set_field(FieldOf(status));
-  if (const auto retry_after = RetryAfterOf(status)) {
-    *response->mutable_error()->mutable_retry_after() =
-        google::protobuf::util::TimeUtil::MillisecondsToDuration(retry_after->count());
-  }
 }
 
 }  // namespace
@@ -200,8 +183,7 @@ void StreamCall::Proceed() {
     Refuse(*barred_, NameOf(barred_->error_code()));
   } else if (is_old_ && !no_more_) {
     AddRetryAfter(std::chrono::milliseconds(0), &context_);
-    Finish({grpc::StatusCode::UNAVAILABLE,
-            "the stream has reached its greatest age; open another one"});
+    Finish(StatusOfGreatAge());
   } else if (newest_.waits()) {
     TakeTurn();
   } else if (no_more_) {

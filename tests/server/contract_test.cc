@@ -135,6 +135,44 @@ TEST(Contract, RefusalsSayWhenToReturn) {
   EXPECT_GT(delay.seconds() * 1'000'000'000 + delay.nanos(), 0);
 }
 
+TEST(Contract, OldStreamsSayThatAnotherOneIsToBeOpenedAtOnce) {
+  server::ServerOptions options = LoopbackOptions();
+  options.max_connection_age_s = 1;
+  const Loopback loopback(FindOne, options);
+  const auto stub = v1::DetectionService::NewStub(
+      grpc::CreateChannel(loopback.server.Address(), grpc::InsecureChannelCredentials()));
+  grpc::ClientContext context;
+  const auto stream = stub->DetectStream(&context);
+  v1::DetectStreamResponse response;
+  EXPECT_FALSE(stream->Read(&response));
+  const grpc::Status status = stream->Finish();
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::UNAVAILABLE);
+  EXPECT_EQ(DetailOf<google::rpc::RetryInfo>(status).retry_delay().ByteSizeLong(), 0U);
+  EXPECT_EQ(context.GetServerTrailingMetadata().count("retry-after-ms"), 1U);
+}
+
+template <typename Call>
+std::string RequestIdOf(Call call) {
+  grpc::ClientContext context;
+  context.AddMetadata("fovea-request-id", "mine");
+  EXPECT_TRUE(call(&context).ok());
+  const auto& metadata = context.GetServerTrailingMetadata();
+  const auto found = metadata.find("fovea-request-id");
+  return found == metadata.end() ? "" : std::string(found->second.data(), found->second.size());
+}
+
+TEST(Contract, EveryCallGivesItsRequestIdBack) {
+  const Loopback loopback(FindOne);
+  const auto stub = v1::DetectionService::NewStub(
+      grpc::CreateChannel(loopback.server.Address(), grpc::InsecureChannelCredentials()));
+  v1::GetServerInfoResponse info;
+  EXPECT_EQ(RequestIdOf([&](auto* c) { return stub->GetServerInfo(c, {}, &info); }), "mine");
+  v1::GetStatisticsResponse statistics;
+  EXPECT_EQ(RequestIdOf([&](auto* c) { return stub->GetStatistics(c, {}, &statistics); }), "mine");
+  v1::ListOptionsResponse list;
+  EXPECT_EQ(RequestIdOf([&](auto* c) { return stub->ListOptions(c, {}, &list); }), "mine");
+}
+
 TEST(Contract, DetailsAreReadBack) {
   const grpc::Status full = server::ResourceExhausted("full", std::chrono::milliseconds(1234));
   EXPECT_EQ(server::RetryAfterOf(full), std::chrono::milliseconds(1234));

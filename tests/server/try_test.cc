@@ -7,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include "server/error_details.h"
 #include "tests/server/detectors.h"
 #include "tests/server/metric_value.h"
 #include "tests/server/observers.h"
@@ -89,6 +90,7 @@ TEST_F(ObserversTry, AreToldOfMistakesAsRobotsAre) {
     change(request);
     const grpc::Status status = TryAs(loopback.server.Address(), "all-of-it", request).status;
     EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
+    EXPECT_NE(server::FieldOf(status), "") << "programs are told the field";
     return status.error_message();
   };
   EXPECT_THAT(
