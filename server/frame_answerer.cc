@@ -44,6 +44,17 @@ void UndistortRegion(const Lens& lens, RegionOptions& region) {
   region.height_px = ideal.height;
 }
 
+// Whose caller has left or was left by a server that stops: the call knows.
+grpc::Status StatusOfException(const Caller& caller) {
+  try {
+    throw;
+  } catch (const Cancelled&) {
+    return caller.StatusOfGone();
+  } catch (...) {
+    return StatusOfCurrentException(/*deadline_passed=*/false);
+  }
+}
+
 double Milliseconds(Clock::duration duration) {
   return std::chrono::duration<double, std::milli>(duration).count();
 }
@@ -81,7 +92,7 @@ grpc::Status FrameAnswerer::Answer(const FrameRequest& request, const Caller& ca
     *answer = ToProto(detections, trace, *request.frame, *request.options);
     answer->set_grippers_source(grippers_.SourceFor(caller.robot(), request.options->grasps()));
   } catch (...) {
-    status = StatusOfCurrentException(caller.DeadlinePassed());
+    status = StatusOfException(caller);
     detections = {};
     detections.stage_times = times;
   }

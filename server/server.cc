@@ -276,13 +276,14 @@ void Server::Stop(int timeout_s) {
   door_.Close();
   live_calls_.Stop();
   // Begun at once, since it has callers turn elsewhere with what they ask next (GOAWAY); last thing
-  // where there are no threads to be had.
+  // where there are no threads to be had. Its own end is later than ours, which says who it was.
   const auto shutdown = std::async(std::launch::async | std::launch::deferred,
                                    [&, end = std::chrono::system_clock::now() + patience +
-                                             kLastWords] { server_->Shutdown(end); });
+                                             2 * kLastWords] { server_->Shutdown(end); });
   live_calls_.WaitUntilIdle(std::chrono::steady_clock::now() + patience);
   // What is left then is late, has just been refused, or only watches the health.
   if (shutdown.wait_for(kLastWords) == std::future_status::timeout) {
+    live_calls_.GiveUp();
     grpc_server_cancel_all_calls(server_->c_server());
   }
   shutdown.wait();

@@ -61,8 +61,22 @@ grpc::Status StatusOfStopping() {
   return {grpc::StatusCode::UNAVAILABLE, "the server is stopping"};
 }
 
+grpc::Status StatusOfGivenUp() {
+  return {grpc::StatusCode::UNAVAILABLE,
+          "the server has stopped before the answer (--drain-timeout-s)"};
+}
+
 grpc::Status StatusOfSlowness() {
   return {grpc::StatusCode::CANCELLED, "the message did not come in time (--max-transfer-s)"};
+}
+
+grpc::Status StatusOfUntakenAnswer() {
+  return {grpc::StatusCode::CANCELLED, "the answer was not taken in time (--max-transfer-s)"};
+}
+
+grpc::Status StatusOfUnsentAnswer() {
+  return {grpc::StatusCode::CANCELLED,
+          "the answer was not taken, and too many wait (--max-unsent-mib)"};
 }
 
 void AddRetryAfter(std::chrono::milliseconds wait, grpc::ServerContext* context) {

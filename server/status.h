@@ -20,8 +20,15 @@ grpc::Status StatusOfGoneCaller(bool deadline_passed);
 
 grpc::Status StatusOfStopping();
 
+// Of one that the server cancels, having waited for it for long enough.
+grpc::Status StatusOfGivenUp();
+
 // Of a call whose message did not come in time.
 grpc::Status StatusOfSlowness();
+
+// Of a call whose answer was not taken in time, or took room that others need.
+grpc::Status StatusOfUntakenAnswer();
+grpc::Status StatusOfUnsentAnswer();
 
 // Tells the caller when to try again: the trailing metadata `retry-after-ms`, and
 // `grpc-retry-pushback-ms`, which gRPC's own retries heed.

@@ -9,8 +9,9 @@
 
 namespace fovea::server {
 
-Caller::Caller(grpc::ServerContext* context, ConnectionTable& connections)
-    : context_(context), connections_(connections), account_(connections) {
+Caller::Caller(grpc::ServerContext* context, ConnectionTable& connections,
+               const LiveCalls& live_calls)
+    : context_(context), connections_(connections), live_calls_(live_calls), account_(connections) {
   context_->AsyncNotifyWhenDone(&done_);
 }
 
@@ -55,6 +56,10 @@ bool Caller::DeadlinePassed() const {
   return std::chrono::system_clock::now() >= context_->deadline();
 }
 
-grpc::Status Caller::StatusOfGone() const { return StatusOfGoneCaller(DeadlinePassed()); }
+grpc::Status Caller::StatusOfGone() const {
+  const bool deadline_passed = DeadlinePassed();
+  if (!deadline_passed && live_calls_.given_up()) return StatusOfGivenUp();
+  return StatusOfGoneCaller(deadline_passed);
+}
 
 }  // namespace fovea::server

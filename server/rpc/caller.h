@@ -13,6 +13,7 @@
 #include "server/connections/call_account.h"
 #include "server/connections/connection_table.h"
 #include "server/rpc/event_loop.h"
+#include "server/rpc/live_calls.h"
 #include "server/scheduling/robot_id.h"
 #include "server/tracing/trace_context.h"
 
@@ -21,7 +22,7 @@ namespace fovea::server {
 class Caller {
  public:
   // Before the call is asked for: gRPC wants to know by then that it shall tell of its end.
-  Caller(grpc::ServerContext* context, ConnectionTable& connections);
+  Caller(grpc::ServerContext* context, ConnectionTable& connections, const LiveCalls& live_calls);
 
   // The call has begun. `on_gone` is called on the event loop's thread if the caller leaves or its
   // deadline passes before the answer; it is kept until the call's end and no longer.
@@ -70,7 +71,7 @@ class Caller {
   bool IsGone() const { return gone_ || DeadlinePassed(); }
   bool DeadlinePassed() const;
 
-  // CANCELLED or DEADLINE_EXCEEDED.
+  // CANCELLED or DEADLINE_EXCEEDED; UNAVAILABLE where the server has given up its calls.
   grpc::Status StatusOfGone() const;
 
  private:
@@ -86,6 +87,7 @@ class Caller {
   std::optional<TraceContext> trace_;
   bool comes_only_if_room_ = false;
   ConnectionTable& connections_;
+  const LiveCalls& live_calls_;
   CallAccount account_;
 };
 

@@ -2,6 +2,7 @@
 
 #include "server/error_details.h"
 #include "server/rpc/parse.h"
+#include "server/rpc/untaken_answer.h"
 #include "server/status.h"
 #include "server/until_it_works.h"
 
@@ -33,7 +34,7 @@ void DetectCall::Accept(const CallEnvironment& environment) {
 DetectCall::DetectCall(const CallEnvironment& environment)
     : environment_(environment),
       token_(environment.live_calls.Enter()),
-      caller_(&context_, environment.connections),
+      caller_(&context_, environment.connections, environment.live_calls),
       transfer_(&context_, environment.queue, environment.max_transfer, environment.unsent) {}
 
 void DetectCall::Proceed(const std::function<void()>& step) {
@@ -78,7 +79,8 @@ void DetectCall::OnRead(bool ok) {
   upload_.reset();
   transfer_.End();
   if (!ok) {
-    Refuse(transfer_.passed() ? StatusOfSlowness() : StatusOfHalfMessage(caller_.StatusOfGone()));
+    const auto cancelled = transfer_.why_cancelled();
+    Refuse(cancelled ? *cancelled : StatusOfHalfMessage(caller_.StatusOfGone()));
     return;
   }
   caller_.OnLastMessage(bytes_.Length());
@@ -114,8 +116,10 @@ void DetectCall::Deliver() {
   environment_.metrics.OnSent(size);
   if (const auto wait = RetryAfterOf(status_)) AddRetryAfter(*wait, &context_);
   transfer_.BeginAnswer(shared_from_this(), size);
-  stream_.Finish(response_, status_,
-                 Then([self = shared_from_this()](bool) { self->transfer_.End(); }));
+  stream_.Finish(response_, status_, Then([self = shared_from_this()](bool) {
+                   self->transfer_.End();
+                   NoteUntakenAnswer(self->transfer_, self->caller_, self->environment_.metrics);
+                 }));
   response_ = {};  // gRPC has it in bytes
 }
 

@@ -64,7 +64,7 @@ grpc::Status Read(LateStream<Response>* stream, const std::shared_ptr<TransferLi
   limit->Begin(limit);
   const bool came = stream->Read(&bytes);
   limit->End();
-  if (limit->passed()) return StatusOfSlowness();
+  if (const auto why = limit->why_cancelled()) return *why;
   if (!came) return {grpc::StatusCode::INVALID_ARGUMENT, "the call has no message"};
   account->OnLastMessage(bytes.Length());
   return Parse(&bytes, request);

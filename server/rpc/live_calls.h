@@ -1,6 +1,7 @@
 // The calls that are under way, so that the server can end them and wait for the last.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -28,6 +29,9 @@ class LiveCalls {
 
   // No more calls begin.
   void Stop();
+  // Those that are left are about to be cancelled.
+  void GiveUp() { given_up_ = true; }
+  bool given_up() const { return given_up_; }
   // Until no call is left that has begun, or the time has come.
   void WaitUntilIdle(std::chrono::steady_clock::time_point deadline);
   void WaitUntilNone();
@@ -37,6 +41,7 @@ class LiveCalls {
   std::condition_variable changed_;
   int num_entered_ = 0;
   bool stopping_ = false;
+  std::atomic<bool> given_up_ = false;
   std::uint64_t last_id_ = 0;
 
   struct Begun {

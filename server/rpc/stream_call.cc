@@ -7,6 +7,7 @@
 #include "server/rpc/option_bytes.h"
 #include "server/rpc/parse.h"
 #include "server/rpc/stream_answer.h"
+#include "server/rpc/untaken_answer.h"
 #include "server/status.h"
 #include "server/until_it_works.h"
 #include "server/watching/request_log.h"
@@ -37,7 +38,7 @@ void StreamCall::Accept(const CallEnvironment& environment) {
 StreamCall::StreamCall(const CallEnvironment& environment)
     : environment_(environment),
       token_(environment.live_calls.Enter()),
-      caller_(&context_, environment.connections),
+      caller_(&context_, environment.connections, environment.live_calls),
       transfer_(&context_, environment.queue, environment.max_transfer, environment.unsent),
       newest_(environment.frame_room) {}
 
@@ -146,6 +147,7 @@ void StreamCall::OnWritten(bool ok) {
   const std::lock_guard lock(mutex_);
   busy_ = false;
   broken_ = !ok;
+  if (broken_) NoteUntakenAnswer(transfer_, caller_, environment_.metrics);
   Proceed();
 }
 
@@ -176,7 +178,7 @@ void StreamCall::CheckAccess() {
 void StreamCall::Proceed() {
   if (finished_ || busy_) return;
   if (broken_ || caller_.IsGone()) {
-    Finish(caller_.StatusOfGone());
+    Finish(StatusOfGone());
   } else if (ending_) {
     Finish(StatusOfStopping());
   } else if (barred_) {
@@ -189,6 +191,11 @@ void StreamCall::Proceed() {
   } else if (no_more_) {
     Finish(grpc::Status::OK);
   }
+}
+
+grpc::Status StreamCall::StatusOfGone() const {
+  if (const auto cancelled = transfer_.why_cancelled()) return *cancelled;
+  return caller_.StatusOfGone();
 }
 
 void StreamCall::TakeTurn() {

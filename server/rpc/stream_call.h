@@ -45,9 +45,10 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   void DeliverOrEnd();
   void Deliver();
   void ComputeOrSayWhyNot();
-  void Compute();   // the newest frame into response_
-  void Proceed();   // whatever comes next; mutex_ is held
-  void TakeTurn();  // mutex_ is held
+  void Compute();                     // the newest frame into response_
+  void Proceed();                     // whatever comes next; mutex_ is held
+  void TakeTurn();                    // mutex_ is held
+  grpc::Status StatusOfGone() const;  // whoever has ended it
   void Finish(const grpc::Status& status);
 
   const CallEnvironment& environment_;

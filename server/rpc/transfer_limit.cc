@@ -1,17 +1,20 @@
 #include "server/rpc/transfer_limit.h"
 
 #include "server/rpc/event_loop.h"
+#include "server/status.h"
 
 namespace fovea::server {
 
-void TransferLimit::Begin(const std::shared_ptr<void>& call) { SetAlarm(NextTransfer(), call); }
+void TransferLimit::Begin(const std::shared_ptr<void>& call) {
+  SetAlarm(NextTransfer(), call, StatusOfSlowness());
+}
 
 void TransferLimit::BeginAnswer(const std::shared_ptr<void>& call, std::size_t bytes) {
   const std::uint64_t transfer = NextTransfer();
   answer_ = unsent_.Add(bytes, [this, transfer, weak = std::weak_ptr(call)] {
-    if (const auto alive = weak.lock()) Cancel(transfer, /*passed=*/false);
+    if (const auto alive = weak.lock()) Cancel(transfer, StatusOfUnsentAnswer());
   });
-  SetAlarm(transfer, call);
+  SetAlarm(transfer, call, StatusOfUntakenAnswer());
 }
 
 std::uint64_t TransferLimit::NextTransfer() {
@@ -20,19 +23,20 @@ std::uint64_t TransferLimit::NextTransfer() {
   return ++transfer_;
 }
 
-void TransferLimit::SetAlarm(std::uint64_t transfer, const std::shared_ptr<void>& call) {
+void TransferLimit::SetAlarm(std::uint64_t transfer, const std::shared_ptr<void>& call,
+                             const grpc::Status& why) {
   // A new one for each, since one that was cancelled may not be set again before it has said so.
   alarm_ = std::make_unique<grpc::Alarm>();
   alarm_->Set(queue_, std::chrono::system_clock::now() + limit_,
-              Then([this, transfer, call](bool passed) {
-                if (passed) Cancel(transfer, passed);
+              Then([this, transfer, call, why](bool passed) {
+                if (passed) Cancel(transfer, why);
               }));
 }
 
-void TransferLimit::Cancel(std::uint64_t transfer, bool passed) {
+void TransferLimit::Cancel(std::uint64_t transfer, const grpc::Status& why) {
   const std::lock_guard lock(mutex_);
   if (!running_ || transfer != transfer_) return;
-  passed_ = passed_ || passed;
+  if (!why_cancelled_) why_cancelled_ = why;
   context_->TryCancel();
 }
 

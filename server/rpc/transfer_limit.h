@@ -3,12 +3,14 @@
 #include <grpcpp/alarm.h>
 #include <grpcpp/completion_queue.h>
 #include <grpcpp/server_context.h>
+#include <grpcpp/support/status.h>
 
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 #include "server/rpc/unsent_answers.h"
 
@@ -41,16 +43,16 @@ class TransferLimit {
   // its way.
   void End();
 
-  // Whether the time has passed, and the call was cancelled.
-  bool passed() const {
+  // Where it has cancelled the call: why.
+  std::optional<grpc::Status> why_cancelled() const {
     const std::lock_guard lock(mutex_);
-    return passed_;
+    return why_cancelled_;
   }
 
  private:
   std::uint64_t NextTransfer();
-  void SetAlarm(std::uint64_t transfer, const std::shared_ptr<void>& call);
-  void Cancel(std::uint64_t transfer, bool passed);
+  void SetAlarm(std::uint64_t transfer, const std::shared_ptr<void>& call, const grpc::Status& why);
+  void Cancel(std::uint64_t transfer, const grpc::Status& why);
 
   grpc::ServerContext* const context_;
   grpc::CompletionQueue* const queue_;
@@ -59,7 +61,7 @@ class TransferLimit {
   mutable std::mutex mutex_;
   std::uint64_t transfer_ = 0;  // each has a number
   bool running_ = false;        // that one
-  bool passed_ = false;
+  std::optional<grpc::Status> why_cancelled_;
   std::unique_ptr<grpc::Alarm> alarm_;
   UnsentAnswers::Token answer_;
 };

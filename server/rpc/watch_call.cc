@@ -8,6 +8,7 @@
 #include "server/rpc/parse.h"
 #include "server/status.h"
 #include "server/until_it_works.h"
+#include "server/watching/request_log.h"
 
 namespace fovea::server {
 namespace {
@@ -50,7 +51,7 @@ void WatchCall::Accept(const ObservationEnvironment& environment) {
 WatchCall::WatchCall(const ObservationEnvironment& environment)
     : environment_(environment),
       token_(environment.live_calls.Enter()),
-      caller_(&context_, environment.connections),
+      caller_(&context_, environment.connections, environment.live_calls),
       transfer_(&context_, environment.queue, environment.max_transfer, environment.unsent) {}
 
 WatchCall::~WatchCall() = default;
@@ -139,7 +140,9 @@ void WatchCall::OnWritten(bool ok) {
     busy_ = false;
     if (ok) return Proceed();
   }
-  End(caller_.StatusOfGone());
+  const auto cancelled = transfer_.why_cancelled();
+  if (cancelled) LogUntakenAnswer(caller_.request_id(), caller_.robot(), *cancelled);
+  End(cancelled ? *cancelled : caller_.StatusOfGone());
 }
 
 void WatchCall::Proceed() {

@@ -52,6 +52,9 @@ Metrics::Metrics(std::chrono::nanoseconds gone_after)
       objects_(Counter(registry_, "fovea_objects_total", "Objects detected")),
       bytes_received_(Counter(registry_, "fovea_received_bytes_total", "Size of all requests")),
       bytes_sent_(Counter(registry_, "fovea_sent_bytes_total", "Size of all answers")),
+      untaken_(Counter(registry_, "fovea_untaken_answers_total",
+                       "Answers that were not taken in time, or while too many waited, which ended "
+                       "their calls")),
       streams_(Gauge(registry_, "fovea_streams", "Streams that are open")),
       turning_away_(Histogram(registry_, "fovea_refusal_seconds",
                               "Time from the arrival of a call that found no room until its "
@@ -128,6 +131,8 @@ void Metrics::OnTurnedAway(std::chrono::nanoseconds took) {
 }
 
 void Metrics::OnSent(std::size_t bytes) { bytes_sent_.Increment(static_cast<double>(bytes)); }
+
+void Metrics::OnUntaken() { untaken_.Increment(); }
 
 void Metrics::OnStreams(int change) { streams_.Increment(change); }
 

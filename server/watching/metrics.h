@@ -47,6 +47,8 @@ class Metrics : public prometheus::Collectable {
   // A call that found no room, `took` after it came.
   void OnTurnedAway(std::chrono::nanoseconds took);
   void OnSent(std::size_t bytes);
+  // An answer that its caller did not take, which ended the call.
+  void OnUntaken();
   void OnStreams(int change);
 
   std::vector<prometheus::MetricFamily> Collect() const override;
@@ -68,6 +70,7 @@ class Metrics : public prometheus::Collectable {
   prometheus::Counter& objects_;
   prometheus::Counter& bytes_received_;
   prometheus::Counter& bytes_sent_;
+  prometheus::Counter& untaken_;
   prometheus::Gauge& streams_;
   prometheus::Histogram& turning_away_;
   prometheus::Histogram& answer_times_;

@@ -66,6 +66,14 @@ void LogSlow(const FrameRecord& record) {
   LogFault(line, "slow " + code, record.robot);
 }
 
+void LogEnd(const std::string& event, const std::string& request_id, const std::string& robot,
+            const grpc::Status& status) {
+  const std::string code = NameOf(status.error_code());
+  LogRecord line(event);
+  line.Text("request", request_id).Text("robot", robot).Word("code", code);
+  LogFault(line.Text("error", status.error_message()), event + " " + code, robot);
+}
+
 }  // namespace
 
 void LogFrame(const FrameRecord& record, std::chrono::milliseconds slow) {
@@ -83,10 +91,12 @@ void LogFrame(const FrameRecord& record, std::chrono::milliseconds slow) {
 
 void LogRefusedStream(const std::string& request_id, const std::string& robot,
                       const grpc::Status& status) {
-  const std::string code = NameOf(status.error_code());
-  LogRecord line("stream");
-  line.Text("request", request_id).Text("robot", robot).Word("code", code);
-  LogFault(line.Text("error", status.error_message()), "stream " + code, robot);
+  LogEnd("stream", request_id, robot, status);
+}
+
+void LogUntakenAnswer(const std::string& request_id, const std::string& robot,
+                      const grpc::Status& status) {
+  LogEnd("answer", request_id, robot, status);
 }
 
 }  // namespace fovea::server

@@ -34,4 +34,8 @@ void LogFrame(const FrameRecord& record, std::chrono::milliseconds slow);
 void LogRefusedStream(const std::string& request_id, const std::string& robot,
                       const grpc::Status& status);
 
+// The same for an answer that was ready, and whose caller did not take it.
+void LogUntakenAnswer(const std::string& request_id, const std::string& robot,
+                      const grpc::Status& status);
+
 }  // namespace fovea::server

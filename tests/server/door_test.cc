@@ -21,6 +21,7 @@
 #include "server/connections/self_check.h"
 #include "server/connections/socket_address.h"
 #include "tests/server/bare_connection.h"
+#include "tests/server/captured_log.h"
 #include "tests/server/detectors.h"
 #include "tests/server/frames.h"
 #include "tests/server/loopback.h"
@@ -32,6 +33,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
+using ::testing::Not;
 
 std::vector<BareConnection> Connect(const std::string& address, int number) {
   std::vector<BareConnection> connections;
@@ -196,6 +198,7 @@ TEST(Transfer, OfAMessageThatDoesNotComeEndsTheCall) {
 TEST(Transfer, OfAnAnswerThatNobodyTakesEndsTheStream) {
   server::ServerOptions options = LoopbackOptions();
   options.max_transfer_s = 1;
+  const CapturedLog log;
   const Loopback loopback(FindOne, options);
   const auto stream = loopback.client.OpenStream(kPatience);
   v1::DetectStreamRequest request;
@@ -205,6 +208,48 @@ TEST(Transfer, OfAnAnswerThatNobodyTakesEndsTheStream) {
   }
   EXPECT_THROW(while (stream->Receive()){}, client::RpcError);
   AwaitMetric(*loopback.server.metrics(), "fovea_streams", 0);
+  EXPECT_EQ(MetricValue(*loopback.server.metrics(), "fovea_untaken_answers_total"), 1);
+  EXPECT_THAT(log.text(), HasSubstr("the answer was not taken in time (--max-transfer-s)"));
+  EXPECT_THAT(log.text(), Not(HasSubstr("the caller left")));
+}
+
+// The frame's own line says that it was answered.
+TEST(Transfer, OfAnAnswerThatNobodyTakesIsLogged) {
+  server::ServerOptions options = LoopbackOptions();
+  options.max_transfer_s = 1;
+  const CapturedLog log;
+  const Loopback loopback(
+      [](const auto&... arguments) {
+        Detections much = FindOne(arguments...);
+        much.objects.front().cloud.resize(1'000'000);
+        return much;
+      },
+      options);
+  v1::DetectRequest request = TestRequest();
+  request.mutable_options()->set_return_clouds(true);
+  grpc::GenericStub generic(
+      grpc::CreateChannel(loopback.server.Address(), grpc::InsecureChannelCredentials()));
+  grpc::ClientContext context;
+  grpc::CompletionQueue queue;
+  const auto call = generic.PrepareCall(&context, "/fovea.v1.DetectionService/Detect", &queue);
+  const auto wait = [&] {
+    void* tag = nullptr;
+    bool ok = false;
+    return queue.Next(&tag, &ok) && ok;
+  };
+  call->StartCall(nullptr);
+  EXPECT_TRUE(wait());
+  const grpc::Slice slice(request.SerializeAsString());
+  call->WriteLast(grpc::ByteBuffer(&slice, 1), {}, nullptr);
+  EXPECT_TRUE(wait());
+  log.Await("answer request=");  // it is not read
+  EXPECT_THAT(log.text(), HasSubstr("code=OK"));
+  EXPECT_THAT(log.text(), HasSubstr("the answer was not taken in time (--max-transfer-s)"));
+  AwaitMetric(*loopback.server.metrics(), "fovea_untaken_answers_total", 1);
+  context.TryCancel();
+  grpc::Status status;
+  call->Finish(&status, nullptr);
+  wait();
 }
 
 TEST(SelfCheck, IsAnsweredThroughTheDoorAlsoWhereNoPlaceIsLeftAndTlsIsAskedFor) {

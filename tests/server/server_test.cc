@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "grpc/health/v1/health.grpc.pb.h"
+#include "tests/server/captured_log.h"
 #include "tests/server/detectors.h"
 #include "tests/server/frames.h"
 #include "tests/server/loopback.h"
@@ -206,8 +207,14 @@ TEST(Server, CancelsWhatOutlastsTheDrain) {
   auto status = std::async(
       std::launch::async, [&] { return StatusOf([&] { loopback.client.Detect(TestRequest()); }); });
   detector.started.get_future().wait();
+  const CapturedLog log;
   loopback.server.Drain();
   EXPECT_FALSE(status.get().ok());
+  EXPECT_THAT(log.text(), HasSubstr("code=UNAVAILABLE"));
+  EXPECT_THAT(log.text(),
+              HasSubstr("the server has stopped before the answer (--drain-timeout-s)"));
+  EXPECT_EQ(MetricValue(*loopback.server.metrics(), "fovea_frames_answered_total", "UNAVAILABLE"),
+            1);
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ TEST_F(TransferLimitTest, AnAlarmThatComesAfterTheEndLeavesTheCallAlone) {
     context_.reset();
     AlarmComes();
   }
-  EXPECT_FALSE(limit_->passed());
+  EXPECT_FALSE(limit_->why_cancelled());
 }
 
 TEST_F(TransferLimitTest, AnAnswerThatIsSentIsNotCancelledForOthers) {
@@ -62,7 +62,7 @@ TEST_F(TransferLimitTest, AnAnswerThatIsSentIsNotCancelledForOthers) {
   context_.reset();
   const auto other = unsent_.Add(60, [] {});
   EXPECT_TRUE(AlarmComes());
-  EXPECT_FALSE(limit_->passed());
+  EXPECT_FALSE(limit_->why_cancelled());
 }
 
 }  // namespace
