@@ -95,7 +95,7 @@ v1::LensDistortion MakeLensDistortion(const std::string& model,
     distortion.set_model(v1::DISTORTION_MODEL_BROWN_CONRADY);
   } else if (model == "equidistant") {
     distortion.set_model(v1::DISTORTION_MODEL_KANNALA_BRANDT);
-  } else {
+  } else if (!model.empty() || !coefficients.empty()) {  // else a camera_info that says nothing
     throw std::invalid_argument("distortion model \"" + model +
                                 "\" is not plumb_bob, rational_polynomial or equidistant");
   }

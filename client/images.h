@@ -35,8 +35,8 @@ v1::CameraIntrinsics MakeIntrinsics(double fx, double fy, double cx, double cy);
 
 // For CameraIntrinsics.distortion, by the names and numbers of ROS's camera_info, in OpenCV's
 // order: "plumb_bob" (k1, k2, p1, p2, k3), "rational_polynomial" (and k4, k5, k6) or "equidistant"
-// (k1 to k4 of a fisheye). Throws std::invalid_argument for another name; the server checks the
-// rest.
+// (k1 to k4 of a fisheye). Without coefficients nothing is distorted, and the name may be empty.
+// Throws std::invalid_argument for another name; the server checks the rest.
 v1::LensDistortion MakeLensDistortion(const std::string& model,
                                       const std::vector<double>& coefficients);
 

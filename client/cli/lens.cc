@@ -15,6 +15,9 @@ cv::Mat CoefficientsOf(const v1::LensDistortion& distortion) {
   return cv::Mat(std::vector<double>(numbers.begin(), numbers.end()), true);
 }
 
+// As servers see it: without coefficients nothing is distorted.
+bool IsDistorted(const v1::CameraIntrinsics& k) { return k.distortion().coefficients_size() > 0; }
+
 bool IsFisheye(const v1::LensDistortion& distortion) {
   return distortion.model() == v1::DISTORTION_MODEL_KANNALA_BRANDT;
 }
@@ -47,7 +50,7 @@ std::vector<cv::Point2d> PixelsOf(const std::vector<cv::Vec3d>& points,
   for (const cv::Vec3d& p : points) {
     pixels.emplace_back(k.fx() * p[0] / p[2] + k.cx(), k.fy() * p[1] / p[2] + k.cy());
   }
-  if (!k.has_distortion()) return pixels;
+  if (!IsDistorted(k)) return pixels;
   const std::vector<cv::Point2d> bent = Bent(points, k);
   const cv::Rect2d known = Surroundings(size);
   for (std::size_t i = 0; i < pixels.size(); ++i) {
@@ -60,12 +63,12 @@ cv::Mat RaysOf(const v1::CameraIntrinsics& k, const cv::Size& size) {
   cv::Mat rays(size, CV_64FC2);
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) {
-      rays.at<cv::Vec2d>(y, x) = k.has_distortion()
+      rays.at<cv::Vec2d>(y, x) = IsDistorted(k)
                                      ? cv::Vec2d(x, y)
                                      : cv::Vec2d((x - k.cx()) / k.fx(), (y - k.cy()) / k.fy());
     }
   }
-  if (!k.has_distortion() || rays.empty()) return rays;
+  if (!IsDistorted(k) || rays.empty()) return rays;
   const cv::Mat pixels = rays.reshape(2, 1), coefficients = CoefficientsOf(k.distortion());
   cv::Mat straight;
   if (IsFisheye(k.distortion())) {

@@ -66,7 +66,8 @@ CameraIntrinsics FromProto(const v1::CameraIntrinsics& intrinsics, const std::st
 
 std::optional<Lens> LensFromProto(const v1::CameraIntrinsics& intrinsics, const cv::Size& size,
                                   const std::string& path) {
-  if (!intrinsics.has_distortion()) return std::nullopt;
+  // A camera_info without coefficients is of images that need none, whatever its model.
+  if (intrinsics.distortion().coefficients().empty()) return std::nullopt;
   const std::string own = path + ".distortion";
   const LensDistortion distortion = FromProto(intrinsics.distortion(), own);
   if (IsNone(distortion)) return std::nullopt;

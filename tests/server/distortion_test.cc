@@ -118,16 +118,20 @@ TEST(Distortion, ObjectsAreWhereTheyAreAndMasksWhereTheyWereSent) {
   }
 }
 
-TEST(Distortion, AllZeroIsNone) {
+TEST(Distortion, WithoutCoefficientsOrAllZeroIsNone) {
   v1::DetectRequest request = TestRequest();
   Loopback loopback(FindOne);
   v1::Detections without = loopback.client.Detect(request).detections();
-  *request.mutable_frame()->mutable_intrinsics()->mutable_distortion() =
-      client::MakeLensDistortion("plumb_bob", {0, 0, 0, 0, 0});
-  v1::Detections with = loopback.client.Detect(request).detections();
   without.clear_stage_times();
-  with.clear_stage_times();
-  EXPECT_EQ(with.SerializeAsString(), without.SerializeAsString());
+  for (const v1::LensDistortion& none :
+       {client::MakeLensDistortion("plumb_bob", {0, 0, 0, 0, 0}),
+        client::MakeLensDistortion("plumb_bob", {}), client::MakeLensDistortion("equidistant", {}),
+        client::MakeLensDistortion("", {}), v1::LensDistortion()}) {
+    *request.mutable_frame()->mutable_intrinsics()->mutable_distortion() = none;
+    v1::Detections with = loopback.client.Detect(request).detections();
+    with.clear_stage_times();
+    EXPECT_EQ(with.SerializeAsString(), without.SerializeAsString()) << none.ShortDebugString();
+  }
 }
 
 // Of a barrel what is left of the middle comes from farther left.
@@ -201,6 +205,7 @@ TEST(Distortion, WhatIsNoLensIsRefusedByItsField) {
   v1::DetectRequest unspecified = request({0, 0, 0, 0});
   unspecified.mutable_frame()->mutable_intrinsics()->mutable_distortion()->clear_model();
   ExpectRefused(unspecified, "frame.intrinsics.distortion.model: ", "BROWN_CONRADY");
+  EXPECT_THROW(client::MakeLensDistortion("", {0.1, 0, 0, 0}), std::invalid_argument);
 }
 
 TEST(Distortion, OfADepthCameraIsTakenOutBeforeItIsRegistered) {

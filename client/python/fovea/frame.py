@@ -32,20 +32,21 @@ class LensDistortion:
     """How a lens bends rays, by the names and numbers of ROS's camera_info, in OpenCV's order.
 
     model: "plumb_bob" (k1, k2, p1, p2, k3), "rational_polynomial" (and k4, k5, k6) or "equidistant"
-        (k1 to k4 of a fisheye).
+        (k1 to k4 of a fisheye). Without coefficients nothing is distorted, and it may be empty.
     """
 
     model: str
     coefficients: npt.ArrayLike  # also of the shape 1xN or Nx1, as OpenCV has them
 
     def to_proto(self, field: str = _INTRINSICS) -> frame_pb2.LensDistortion:
-        if text(self.model, f"{field}.distortion.model") not in _MODELS:
-            known = ", ".join(_MODELS)
-            raise InvalidArgument(
-                f"{field}.distortion.model", f"{self.model!r} is not one of {known}"
-            )
+        model = text(self.model, f"{field}.distortion.model")
         values = row_of_numbers(self.coefficients, f"{field}.distortion.coefficients")
-        return frame_pb2.LensDistortion(model=_MODELS[self.model], coefficients=values.tolist())
+        if not model and values.size == 0:  # a camera_info that says nothing
+            return frame_pb2.LensDistortion()
+        if model not in _MODELS:
+            known = ", ".join(_MODELS)
+            raise InvalidArgument(f"{field}.distortion.model", f"{model!r} is not one of {known}")
+        return frame_pb2.LensDistortion(model=_MODELS[model], coefficients=values.tolist())
 
 
 @dataclass(frozen=True)

@@ -56,6 +56,17 @@ TEST(Lens, RaysMeetTheirPixels) {
   }
 }
 
+TEST(Lens, IsAPinholeWithoutCoefficients) {
+  const std::vector<cv::Vec3d> point{{0.1, 0.2, 1}};
+  for (const char* model : {"plumb_bob", "equidistant"}) {
+    const v1::CameraIntrinsics k = Camera(model, {});
+    const cv::Point2d pixel = PixelsOf(point, k, kSize).front();
+    EXPECT_NEAR(pixel.x, 130 * 0.1 + 81.5, 1e-9) << model;
+    EXPECT_NEAR(pixel.y, 131 * 0.2 + 58.25, 1e-9) << model;
+    EXPECT_NEAR(RaysOf(k, kSize).at<cv::Vec2d>(0, 0)[0], -81.5 / 130, 1e-9) << model;
+  }
+}
+
 TEST(Lens, IsAPinholeFarBesideTheImage) {
   const v1::CameraIntrinsics& k = kCameras.front();
   const cv::Point2d pixel = PixelsOf({{5, 0, 1}}, k, kSize).front();

@@ -76,3 +76,8 @@ def test_takes_lens_coefficients_in_the_shapes_that_opencv_has(shape: tuple[int,
     coefficients = np.arange(5.0).reshape(shape)
     lens = LensDistortion("plumb_bob", coefficients)
     assert lens.to_proto().coefficients == [0, 1, 2, 3, 4]
+
+
+@pytest.mark.parametrize("model", ["plumb_bob", "equidistant", ""])
+def test_takes_lenses_without_coefficients(model: str) -> None:
+    assert not LensDistortion(model, []).to_proto().coefficients
