@@ -13,27 +13,6 @@ namespace {
 
 constexpr std::size_t kMaxBytes = 300;
 
-// How many bytes the valid UTF-8 character at the start takes; 0 = there is none. As Unicode has it
-// (table 3-7): neither longer than needed, nor surrogates, nor beyond U+10FFFF.
-std::size_t LengthOfCharacter(std::string_view text) {
-  const auto byte = [&](std::size_t i) {
-    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
-  };
-  const auto follows = [&](std::size_t i) { return byte(i) >= 0x80 && byte(i) <= 0xBF; };
-  const unsigned int first = byte(0), second = byte(1);
-  if (first < 0x80) return 1;
-  if (first >= 0xC2 && first <= 0xDF) return follows(1) ? 2 : 0;
-  if (first >= 0xE0 && first <= 0xEF) {
-    const bool good = (first != 0xE0 || second >= 0xA0) && (first != 0xED || second <= 0x9F);
-    return good && follows(1) && follows(2) ? 3 : 0;
-  }
-  if (first >= 0xF0 && first <= 0xF4) {
-    const bool good = (first != 0xF0 || second >= 0x90) && (first != 0xF4 || second <= 0x8F);
-    return good && follows(1) && follows(2) && follows(3) ? 4 : 0;
-  }
-  return 0;
-}
-
 // Controls of C0 and C1, line and paragraph separators, and what turns the direction of writing.
 bool IsHarmless(std::string_view character) {
   if (character.size() == 1) {
@@ -52,6 +31,26 @@ bool IsHarmless(std::string_view character) {
 }
 
 }  // namespace
+
+// As Unicode has it (table 3-7): neither longer than needed, nor surrogates, nor beyond U+10FFFF.
+std::size_t LengthOfCharacter(std::string_view text) {
+  const auto byte = [&](std::size_t i) {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
+  };
+  const auto follows = [&](std::size_t i) { return byte(i) >= 0x80 && byte(i) <= 0xBF; };
+  const unsigned int first = byte(0), second = byte(1);
+  if (first < 0x80) return 1;
+  if (first >= 0xC2 && first <= 0xDF) return follows(1) ? 2 : 0;
+  if (first >= 0xE0 && first <= 0xEF) {
+    const bool good = (first != 0xE0 || second >= 0xA0) && (first != 0xED || second <= 0x9F);
+    return good && follows(1) && follows(2) ? 3 : 0;
+  }
+  if (first >= 0xF0 && first <= 0xF4) {
+    const bool good = (first != 0xF0 || second >= 0x90) && (first != 0xF4 || second <= 0x8F);
+    return good && follows(1) && follows(2) && follows(3) ? 4 : 0;
+  }
+  return 0;
+}
 
 std::string Harmless(std::string_view text) {
   std::string result;

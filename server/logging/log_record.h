@@ -46,6 +46,10 @@ class LogRecord {
   std::vector<Member> members_;
 };
 
+// How many bytes the valid UTF-8 character at the start takes; 0 = there is none. `text` is not
+// empty.
+std::size_t LengthOfCharacter(std::string_view text);
+
 // The same for any text: valid UTF-8 without control characters, quotation marks and backslashes,
 // each of which becomes a question mark.
 std::string Harmless(std::string_view text);

@@ -1,8 +1,11 @@
 #include "server/watching/robot_metrics.h"
 
-#include <algorithm>
+#include <spdlog/fmt/fmt.h>
+
+#include <string_view>
 #include <utility>
 
+#include "server/logging/log_record.h"
 #include "server/watching/metric_kinds.h"
 
 namespace fovea::server {
@@ -16,11 +19,22 @@ const prometheus::Histogram::BucketBoundaries& RobotBuckets() {
   return buckets;
 }
 
-// Names from certificates may hold anything, labels are UTF-8.
-std::string Printable(std::string name) {
-  std::ranges::replace_if(
-      name, [](char c) { return c < ' ' || c > '~'; }, '?');
-  return name;
+// Labels are UTF-8, names from certificates may hold anything: bytes that are none, and control
+// characters, become "\xE9", so that names that differ in them stay apart.
+std::string Printable(std::string_view name) {
+  std::string printable;
+  while (!name.empty()) {
+    const std::size_t length = LengthOfCharacter(name);
+    const auto first = static_cast<unsigned char>(name.front());
+    if (length == 0 || first < ' ' || first == 0x7F) {
+      printable += fmt::format("\\x{:02X}", first);
+      name.remove_prefix(1);
+    } else {
+      printable += name.substr(0, length);
+      name.remove_prefix(length);
+    }
+  }
+  return printable;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // What metrics count, after real calls.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <prometheus/text_serializer.h>
 #include <sys/resource.h>
 
 #include <chrono>
@@ -18,7 +19,9 @@ namespace fovea::testing {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::UnorderedElementsAre;
 
 std::string LabelOf(const prometheus::ClientMetric& metric, const std::string& name) {
   for (const auto& label : metric.label) {
@@ -79,10 +82,21 @@ TEST(Metrics, TellRobotsApart) {
   EXPECT_THAT(Robots(metrics, "fovea_robot_frames_answered_total"), ElementsAre("a", "b"));
 }
 
-TEST(Metrics, HoldLabelsThatAreText) {
+TEST(Metrics, TellRobotsApartWhateverTheirNamesAreMadeOf) {
   server::Metrics metrics;
-  metrics.OnReceived("caf\xE9\n");
-  EXPECT_THAT(Robots(metrics, "fovea_robot_frames_received_total"), ElementsAre("caf??"));
+  for (const char* name : {"küche", "kuche", "厨房", "浴室", "caf\xE9\n", "caf\xE8\n"}) {
+    metrics.OnReceived(name);
+  }
+  EXPECT_THAT(
+      Robots(metrics, "fovea_robot_frames_received_total"),
+      UnorderedElementsAre("küche", "kuche", "厨房", "浴室", "caf\\xE9\\x0A", "caf\\xE8\\x0A"));
+}
+
+TEST(Metrics, HoldNamesAsTheTextFormatAsks) {
+  server::Metrics metrics;
+  metrics.OnReceived("a\"ü\\");
+  EXPECT_THAT(prometheus::TextSerializer().Serialize(metrics.Collect()),
+              HasSubstr(R"(fovea_robot_frames_received_total{robot="a\"ü\\"} 1)"));
 }
 
 TEST(Metrics, ReadWhatOthersCount) {
