@@ -195,7 +195,7 @@ void Show(const std::string& key, const Settings& settings) {
   if (found == settings.end()) {
     throw std::invalid_argument("--show: \"" + key + "\" is no key; --help lists the flags");
   }
-  std::cout << found->second << '\n';
+  std::cout << ForPeople(found->first, found->second) << '\n';
 }
 
 void CheckFiles(const ServerOptions& options) {

@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include "server/http/http_url.h"
 #include "server/logging/log_record.h"
 
 namespace fovea::server {
@@ -25,10 +26,14 @@ std::vector<std::string> ChangedKeys(const Settings& before, const Settings& aft
   return changed;
 }
 
+std::string ForPeople(const std::string& key, const std::string& value) {
+  return key == "trace-endpoint" ? WithoutSecrets(value) : value;
+}
+
 void LogSettings(const Settings& settings) {
   LogRecord record("configuration");
   for (const auto& [key, value] : settings) {
-    if (!value.empty()) record.Text(key, value);
+    if (!value.empty()) record.Text(key, ForPeople(key, value));
   }
   record.Log(spdlog::level::info);
 }

@@ -16,6 +16,9 @@ Settings SettingsOf(const CLI::App& app);
 // In the order of the names.
 std::vector<std::string> ChangedKeys(const Settings& before, const Settings& after);
 
+// The value as logs and terminals may have it: without the query of a URL, which may hold a key.
+std::string ForPeople(const std::string& key, const std::string& value);
+
 // One line in the log.
 void LogSettings(const Settings& settings);
 

@@ -10,9 +10,20 @@ std::string HttpUrl::Authority() const {
   return (is_ipv6 ? "[" + host + "]" : host) + (port == "80" ? "" : ":" + port);
 }
 
+std::string WithoutSecrets(const std::string& url) {
+  const std::size_t query = url.find('?');
+  const std::string shown = query == std::string::npos ? url : url.substr(0, query) + "?...";
+  const std::size_t scheme = shown.find("//");
+  const std::size_t host = scheme == std::string::npos ? 0 : scheme + 2;
+  const std::size_t host_end = std::min(shown.find_first_of("/?", host), shown.size());
+  const std::size_t at = shown.substr(0, host_end).rfind('@');
+  if (at == std::string::npos || at < host) return shown;
+  return shown.substr(0, host) + "..." + shown.substr(at);
+}
+
 HttpUrl ParseHttpUrl(const char* flag, const std::string& text) {
   const auto fail = [&] {
-    throw std::invalid_argument(std::string(flag) + ": \"" + text +
+    throw std::invalid_argument(std::string(flag) + ": \"" + WithoutSecrets(text) +
                                 "\" is not http://HOST[:PORT][/PATH][?QUERY]");
   };
   const std::string scheme = "http://";

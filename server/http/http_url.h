@@ -13,6 +13,10 @@ struct HttpUrl {
   std::string Authority() const;
 };
 
+// Where the text has a query, or a user with a password, "..." is in its place: for logs and
+// errors.
+std::string WithoutSecrets(const std::string& url);
+
 // "http://HOST[:PORT][/PATH][?QUERY]". Throws std::invalid_argument that starts with `flag`.
 HttpUrl ParseHttpUrl(const char* flag, const std::string& text);
 

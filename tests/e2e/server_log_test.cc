@@ -102,13 +102,16 @@ TEST(ServerLog, ClosedStreamsAreNoConnections) {
 }
 
 TEST(ServerLog, BeginsWithVersionAndConfiguration) {
-  ServerProcess server({"--max-streams", "17"});
+  ServerProcess server(
+      {"--max-streams", "17", "--trace-endpoint", "http://127.0.0.1:1/v1/traces?key=secret"});
   const std::string log = Stop(server.process()).err;
   EXPECT_THAT(log, MatchesRegex("20[0-9-]+T[0-9:.]+[+-][0-9]+:[0-9]+ info fovea-server [0-9]+.*"));
   EXPECT_THAT(log, HasSubstr("info configuration "));
   EXPECT_THAT(log, HasSubstr(" listen=\"" + server.address() + "\""));
   EXPECT_THAT(log, HasSubstr(" max-streams=\"17\""));
   EXPECT_THAT(log, HasSubstr(" slow-ms=\"2000\""));
+  EXPECT_THAT(log, HasSubstr(" trace-endpoint=\"http://127.0.0.1:1/v1/traces?...\""));
+  EXPECT_THAT(log, Not(HasSubstr("secret")));
 }
 
 TEST(ServerLog, IsJsonWhereAskedFor) {

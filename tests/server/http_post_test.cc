@@ -76,13 +76,26 @@ TEST(HttpUrl, HasHostPortAndPath) {
   EXPECT_EQ(parts("http://h?x"), "h 80 /?x");
   EXPECT_EQ(parts("http://h:1?x/y"), "h 1 /?x/y");
   EXPECT_EQ(parts("http://h/a?b@c"), "h 80 /a?b@c");
-  for (const char* bad :
-       {"collector:4318", "https://collector", "http://", "http://:80/", "http://a:/",
-        "http://a:99999", "http://a:b", "http://a b/", "http://[]", "http://[::1", "http://[::1]x",
-        "http://?x", "http://me@a", "http://a#b"}) {
+  for (const char* bad : {"collector:4318", "https://collector", "http://", "http://:80/",
+                          "http://a:/", "http://a:99999", "http://a:b", "http://a b/", "http://[]",
+                          "http://[::1", "http://[::1]x", "http://a#b"}) {
     EXPECT_THAT([&] { server::ParseHttpUrl("--flag", bad); },
                 ThrowsMessage<std::invalid_argument>(HasSubstr("--flag: \"" + std::string(bad))))
         << bad;
+  }
+}
+
+TEST(HttpUrl, IsNamedWithoutItsSecrets) {
+  EXPECT_EQ(server::WithoutSecrets("http://h:1/a/b"), "http://h:1/a/b");
+  EXPECT_EQ(server::WithoutSecrets("http://h/a?key=b@c/d?e"), "http://h/a?...");
+  EXPECT_EQ(server::WithoutSecrets("http://me:secret@h/a@b"), "http://...@h/a@b");
+  EXPECT_EQ(server::WithoutSecrets("me:secret@h"), "...@h");
+  const std::vector<std::pair<std::string, std::string>> cases{{"http://?x", "http://?..."},
+                                                               {"http://me@a", "http://...@a"}};
+  for (const auto& [bad, shown] : cases) {
+    EXPECT_THAT(
+        [&] { server::ParseHttpUrl("--flag", bad); },
+        ThrowsMessage<std::invalid_argument>(StartsWith("--flag: \"" + shown + "\" is not")));
   }
 }
 
