@@ -12,6 +12,7 @@
 #include "server/access/gate_keeper.h"
 #include "server/access/observer_gate.h"
 #include "server/config_file.h"
+#include "server/number_ranges.h"
 #include "server/option_table.h"
 
 namespace fovea::server {
@@ -171,6 +172,17 @@ void AddFlags(CLI::App& app, ServerOptions& options) {
       ->capture_default_str();
 }
 
+// CLI11 itself names neither range nor constraint.
+void RequireNumbers(CLI::App& app) {
+  for (CLI::Option* option : app.get_options([](CLI::Option*) { return true; })) {
+    const auto problem_of = [flag = option->get_name()](const std::string& value) {
+      const std::string why = WhyNoNumber(flag, value);
+      return why.empty() ? why : "\"" + value + "\" " + why;
+    };
+    option->check(CLI::Validator(problem_of, ""));
+  }
+}
+
 // What is answered instead of serving.
 struct Questions {
   bool list_options = false, check_config = false;
@@ -218,6 +230,7 @@ std::optional<ServerOptions> ParseCommandLine(int argc, char** argv, Settings* s
   ServerOptions options;
   AddFlags(app, options);
   flags::RequirePlainValues(app);
+  RequireNumbers(app);
   app.set_config("--config", "",
                  "File with any of these flags, one KEY = VALUE a line; flags given here win")
       ->each([](const std::string& path) { RequireReadable("--config", path); });

@@ -10,6 +10,7 @@
 #include "flags/suggestion.h"
 #include "server/byte_order_mark.h"
 #include "server/config_lines.h"
+#include "server/number_ranges.h"
 
 namespace fovea::server {
 namespace {
@@ -78,6 +79,10 @@ std::string ConfigFile::Problem(const CLI::Option* option, const CLI::ConfigItem
   if (is_flag && item.inputs != std::vector<std::string>{"true"} &&
       item.inputs != std::vector<std::string>{"false"}) {
     return "must be true or false";
+  }
+  for (const std::string& input : item.inputs) {
+    const std::string why = input.empty() ? "" : WhyNoNumber("--" + key, input);
+    if (!why.empty()) return why + ": \"" + input + "\"";
   }
   return {};
 }

@@ -7,22 +7,16 @@
 #include <thread>
 
 #include "flags/listen_address.h"
+#include "server/connections/socket_address.h"
 #include "server/conversion/option_policy.h"
 #include "server/conversion/robot_grippers.h"
 #include "server/http/http_url.h"
+#include "server/number_ranges.h"
 
 namespace fovea::server {
 namespace {
 
 constexpr std::string_view kUnix = "unix:";
-
-void RequireRange(const char* flag, std::int64_t value, std::int64_t minimum,
-                  std::int64_t maximum) {
-  if (value >= minimum && value <= maximum) return;
-  throw std::invalid_argument(std::string(flag) + ": " + std::to_string(value) +
-                              " is not between " + std::to_string(minimum) + " and " +
-                              std::to_string(maximum));
-}
 
 void RequireListen(const std::vector<std::string>& listen) {
   if (listen.empty()) throw std::invalid_argument("--listen: needs an address");
@@ -31,6 +25,8 @@ void RequireListen(const std::vector<std::string>& listen) {
       flags::RequireListenAddress("--listen", address);
     } else if (!PathOfUnix(address).starts_with('/')) {
       throw std::invalid_argument("--listen: \"" + address + "\" is not unix:/PATH");
+    } else {
+      UnixSocketAddress(PathOfUnix(address));
     }
   }
 }
@@ -89,31 +85,8 @@ void Validate(const ServerOptions& options) {
     flags::RequireListenAddress("--metrics-listen", options.metrics_listen);
   }
   RequireProtection(options);
-  RequireRange("--tls-reload-s", options.tls_reload_s, 1, 86'400);
-  RequireRange("--max-streams", options.max_streams, 1, 10'000);
-  RequireRange("--max-streams-per-robot", options.max_streams_per_robot, 1, 10'000);
-  RequireRange("--max-streams-per-host", options.max_streams_per_host, 0, 10'000);
-  RequireRange("--max-connections", options.max_connections, 1, 100'000);
-  RequireRange("--max-connections-per-host", options.max_connections_per_host, 0, 100'000);
-  RequireRange("--max-receiving-mib", options.max_receiving_mib, 16, 65'536);
-  RequireRange("--max-unsent-mib", options.max_unsent_mib, 16, 65'536);
-  RequireRange("--max-transfer-s", options.max_transfer_s, 1, 3600);
-  RequireRange("--self-check-s", options.self_check_s, 0, 3600);
-  RequireRange("--max-idle-s", options.max_idle_s, 1, 86'400);
-  RequireRange("--max-connection-age-s", options.max_connection_age_s, 0, 86'400);
-  RequireRange("--max-message-mib", options.max_message_mib, 1, 1024);
-  RequireRange("--max-pixels", options.max_pixels, 1, 100'000'000);
-  RequireRange("--compute-threads", options.compute_threads, 0, 1024);
-  RequireRange("--threads-per-frame", options.threads_per_frame, 0, 1024);
-  RequireRange("--compute-nice", options.compute_nice, 0, 19);
-  RequireRange("--max-waiting", options.max_waiting, -1, 10'000);
-  RequireRange("--max-per-robot", options.max_per_robot, 0, 10'000);
-  RequireRange("--max-running-per-robot", options.max_running_per_robot, 0, 1024);
-  RequireRange("--max-compute-ms", options.max_compute_ms, 0, 3'600'000);
-  RequireRange("--hold-s", options.hold_s, 0, 3600);
-  RequireRange("--drain-timeout-s", options.drain_timeout_s, 0, 3600);
+  RequireRanges(options);
   RequireTracing(options);
-  RequireRange("--slow-ms", options.slow_ms, 0, 3'600'000);
   const OptionPolicy policy(options.client_options, options.fixed_options);
   const RobotGrippers grippers(options.grippers);
   RequireLogLevel(options.log_level);

@@ -47,18 +47,29 @@ std::vector<RevocationList> RevocationListsOf(const std::string& pem) {
   return ReadAll<X509_CRL>(pem, PEM_read_bio_X509_CRL, X509_CRL_free, "revocation list");
 }
 
+bool IsEncryptedKey(const std::string& key_pem) {
+  // As PKCS #8 has it, and as keys of one kind did before.
+  return key_pem.find("-----BEGIN ENCRYPTED PRIVATE KEY-----") != std::string::npos ||
+         key_pem.find("Proc-Type: 4,ENCRYPTED") != std::string::npos;
+}
+
 bool IsKeyOf(const std::string& key_pem, const std::vector<Certificate>& chain) {
   char no_password[] = "";  // else OpenSSL asks the terminal for one
   const std::unique_ptr<EVP_PKEY, decltype(&EVP_PKEY_free)> key(
       PEM_read_bio_PrivateKey(Reader(key_pem).get(), nullptr, nullptr, no_password), EVP_PKEY_free);
-  const std::unique_ptr<SSL_CTX, decltype(&SSL_CTX_free)> context(SSL_CTX_new(TLS_server_method()),
-                                                                  SSL_CTX_free);
-  const bool fits = key != nullptr &&
-                    SSL_CTX_use_certificate(context.get(), chain.front().get()) == 1 &&
-                    SSL_CTX_use_PrivateKey(context.get(), key.get()) == 1 &&
-                    SSL_CTX_check_private_key(context.get()) == 1;
+  const bool fits = key != nullptr && X509_check_private_key(chain.front().get(), key.get()) == 1;
   ERR_clear_error();
   return fits;
+}
+
+std::string WhyNoServerOf(const Certificate& certificate) {
+  const std::unique_ptr<SSL_CTX, decltype(&SSL_CTX_free)> context(SSL_CTX_new(TLS_server_method()),
+                                                                  SSL_CTX_free);
+  ERR_clear_error();
+  if (SSL_CTX_use_certificate(context.get(), certificate.get()) == 1) return {};
+  const char* const reason = ERR_reason_error_string(ERR_peek_last_error());
+  ERR_clear_error();
+  return reason != nullptr ? reason : "OpenSSL does not say why";
 }
 
 std::chrono::sys_seconds TimeOf(const ASN1_TIME& time) {

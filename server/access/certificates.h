@@ -19,9 +19,14 @@ using RevocationList = std::shared_ptr<X509_CRL>;
 std::vector<Certificate> CertificatesOf(const std::string& pem);
 std::vector<RevocationList> RevocationListsOf(const std::string& pem);
 
-// Whether the text holds, unencrypted, the key of the first of these certificates, and a server can
-// be made of both.
+// Whether the text holds a key in PEM that needs a password.
+bool IsEncryptedKey(const std::string& key_pem);
+
+// Whether the text holds, unencrypted, the key of the first of these certificates.
 bool IsKeyOf(const std::string& key_pem, const std::vector<Certificate>& chain);
+
+// Why OpenSSL makes no server of this certificate ("ee key too small"); empty where it does.
+std::string WhyNoServerOf(const Certificate& certificate);
 
 // In whole seconds, since times beyond 2262 do not fit the nanoseconds of a time_point.
 std::chrono::sys_seconds StartOf(const X509& certificate);

@@ -70,10 +70,10 @@ void ObserverTable::Add(const std::string& line) {
   std::string name, hash, rights, robots, expires, rest;
   if (!(words >> name) || name.front() == '#') return;
   words >> hash >> rights >> robots >> expires >> rest;
+  RequireTokenName("the name", name);
+  hash = ParseHash(hash, line);
   RequireField(rest.empty(), "the sixth word",
                "is too much; a line is NAME SHA256 RIGHTS ROBOTS [EXPIRES]");
-  RequireTokenName("the name", name);
-  RequireHash(hash);
   ObserverEntry entry{.name = name, .rights = ParseRights(rights), .robots = ParsePatterns(robots)};
   if (!expires.empty()) entry.expires = ParseExpiry(expires);
   entries_.Add(hash, std::move(entry), "observer");

@@ -58,6 +58,13 @@ TlsFiles ReadTlsFiles(const ServerOptions& options) {
   const auto chain =
       Parsed("--tls-cert", options.tls_cert, [&] { return CertificatesOf(files.certificate); });
   files.leaf = chain.front();
+  RequireField(!IsEncryptedKey(files.key), "--tls-key",
+               options.tls_key +
+                   " needs a password, which nobody gives the server: store the key "
+                   "without (openssl pkey -in KEY -out KEY_WITHOUT)");
+  const std::string why_not = WhyNoServerOf(files.leaf);
+  RequireField(why_not.empty(), "--tls-cert",
+               options.tls_cert + " is too weak, or nothing for servers: " + why_not);
   RequireField(IsKeyOf(files.key, chain), "--tls-key",
                options.tls_key + " does not hold the key, in PEM, of " + options.tls_cert);
   if (options.tls_client_ca.empty()) return files;

@@ -28,7 +28,7 @@ void ForEachTokenLine(const std::string& flag, const std::string& path,
 template <typename Entry>
 class TokenEntries {
  public:
-  // `hash`: as RequireHash wants it. Throws std::invalid_argument for one that is there already;
+  // `hash`: as ParseHash returns it. Throws std::invalid_argument for one that is there already;
   // `whose`: "robot".
   void Add(const std::string& hash, Entry entry, const std::string& whose) {
     RequireField(by_hash_.emplace(hash, std::move(entry)).second, "the token",

@@ -5,7 +5,11 @@
 #include <spdlog/fmt/fmt.h>
 #include <strings.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
+#include <iterator>
+#include <sstream>
 
 #include "server/access/unauthenticated.h"
 #include "server/conversion/field_error.h"
@@ -14,6 +18,16 @@ namespace fovea::server {
 namespace {
 
 constexpr std::size_t kHashDigits = 64;
+
+bool IsHash(const std::string& word) {
+  return word.size() == kHashDigits &&
+         word.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos;
+}
+
+std::string InSmallLetters(std::string hash) {
+  std::ranges::transform(hash, hash.begin(), [](unsigned char c) { return std::tolower(c); });
+  return hash;
+}
 
 }  // namespace
 
@@ -26,12 +40,16 @@ std::string HashOfToken(std::string_view token) {
   return digits;
 }
 
-void RequireHash(const std::string& text) {
-  const bool is_hash =
-      text.size() == kHashDigits && text.find_first_not_of("0123456789abcdef") == std::string::npos;
-  RequireField(is_hash, "the hash",
-               "is not a SHA-256 in 64 hexadecimal digits; it has " + std::to_string(text.size()) +
-                   " characters");
+std::string ParseHash(const std::string& word, const std::string& line) {
+  if (IsHash(word)) return InSmallLetters(word);
+  std::istringstream words(line);
+  const bool is_later = std::any_of(std::istream_iterator<std::string>(words), {},
+                                    [](auto& each) { return IsHash(each); });
+  RequireField(!is_later, "the name", "has a blank; it must be one word");
+  const bool right_size = word.size() == kHashDigits;
+  FailField("the hash", "is not a SHA-256 in 64 hexadecimal digits; it has " +
+                            (right_size ? "other characters, too"
+                                        : std::to_string(word.size()) + " characters"));
 }
 
 std::chrono::sys_seconds ParseExpiry(const std::string& text) {

@@ -18,9 +18,9 @@ void TokenTable::Add(const std::string& line) {
   std::string robot, hash, expires, rest;
   if (!(words >> robot) || robot.front() == '#') return;
   words >> hash >> expires >> rest;
-  RequireField(rest.empty(), "the fourth word", "is too much; a line is ROBOT SHA256 [EXPIRES]");
   RequireTokenName("the robot's name", robot);
-  RequireHash(hash);
+  hash = ParseHash(hash, line);
+  RequireField(rest.empty(), "the fourth word", "is too much; a line is ROBOT SHA256 [EXPIRES]");
   Entry entry{.robot = robot};
   if (!expires.empty()) entry.expires = ParseExpiry(expires);
   entries_.Add(hash, std::move(entry), "robot");

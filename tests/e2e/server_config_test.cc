@@ -41,7 +41,14 @@ TEST(ServerConfig, ChecksItsConfiguration) {
 
   const std::vector<std::pair<std::string, std::string>> cases{
       {"max-pixels = 0\n", "--max-pixels: 0 is not between 1 and 100000000"},
-      {"max-pixels = many\n", "max-pixels"},
+      {"max-pixels = many\n",
+       ":1: \"max-pixels\" is not a whole number between 1 and 100000000: \"many\""},
+      {"\nmax-pixels = 99999999999999999999\n",
+       ":2: \"max-pixels\" is not a whole number between 1"},
+      {"max-streams = 99999999999\n", "is not a whole number between 1 and 10000: \"99999999999\""},
+      {"max-streams = 1.5\n", "is not a whole number between 1 and 10000: \"1.5\""},
+      {"trace-share = half\n", ":1: \"trace-share\" is not a number between 0 and 1: \"half\""},
+      {"listen = \"unix:/" + std::string(200, 'x') + "\"\n", "has a path of more than 107 bytes"},
       {"max-compute-ms = \"\"\n", "--max-compute-ms: is empty"},
       {"tokens = \"\"\n", "--tokens: is empty"},
       {"max-message-mib = 010\n", "--max-message-mib: \"010\" begins with a zero"},
@@ -115,6 +122,9 @@ TEST(ServerConfig, ShowsWhatAFlagHasWithItsFile) {
   EXPECT_EQ(shown("insecure").out, "false\n");
   EXPECT_EQ(shown("tokens").out, "\n");
   EXPECT_EQ(shown("tokens").exit_code, 0);
+  const Finished traced = Execute({FOVEA_SERVER, "--trace-endpoint", "http://a:4318/v1?key=secret",
+                                   "--show", "trace-endpoint"});
+  EXPECT_EQ(traced.out, "http://a:4318/v1?...\n");
 }
 
 }  // namespace

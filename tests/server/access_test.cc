@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <string>
 
 #include "server/access/token_table.h"
@@ -110,6 +112,19 @@ TEST_F(Tls, RefusesFilesThatCannotBeUsed) {
   const std::string other_key = folder_.Write("other.pem", authority_.Issue("other").key);
   EXPECT_THAT(error_of([&](auto& o) { o.tls_key = other_key; }),
               StartsWith("--tls-key: " + other_key + " does not hold the key"));
+  const PemPair locked = authority_.IssueWithPassword("locked");
+  EXPECT_THAT(error_of([&](auto& o) {
+                o.tls_cert = folder_.Write("locked.pem", locked.certificate);
+                o.tls_key = folder_.Write("locked.key", locked.key);
+              }),
+              StartsWith("--tls-key: " + folder_.At("locked.key") + " needs a password"));
+  const PemPair weak = authority_.IssueWithShortKey("weak");
+  EXPECT_THAT(error_of([&](auto& o) {
+                o.tls_cert = folder_.Write("weak.pem", weak.certificate);
+                o.tls_key = folder_.Write("weak.key", weak.key);
+              }),
+              StartsWith("--tls-cert: " + folder_.At("weak.pem") +
+                         " is too weak, or nothing for servers: ee key too small"));
   EXPECT_THAT(error_of([](auto& o) { o.tls_key = "/"; }),
               StartsWith("--tls-key: cannot read /: Is a directory"));
   EXPECT_THAT(error_of([](auto& o) { o.tls_client_ca = "/nowhere"; }),
@@ -248,11 +263,28 @@ TEST_F(Tokens, AreNotRepeatedWhereTheyStandInPlaceOfTheirHash) {
   }
 }
 
+TEST_F(Tokens, HashesMayHaveCapitals) {
+  std::string hash = HashOf("let-me-in");
+  std::ranges::transform(hash, hash.begin(), [](unsigned char c) { return std::toupper(c); });
+  const auto table = server::TokenTable::FromFile(folder_.Write("capitals", "kitchen " + hash));
+  EXPECT_EQ(table.EntryOf("let-me-in", {}).robot, "kitchen");
+  EXPECT_THAT(
+      [&] {
+        server::TokenTable::FromFile(
+            folder_.Write("twice", "kitchen " + hash + "\nhall " + HashOf("let-me-in")));
+      },
+      ThrowsMessage<std::invalid_argument>(HasSubstr(":2: the token: is there twice")));
+}
+
 TEST_F(Tokens, FileMistakesAreNamed) {
   const std::string good = HashOf("let-me-in");
   const std::vector<std::pair<std::string, std::string>> cases{
       {"kitchen", ":1: the hash: is not a SHA-256"},
       {"# fine\nkitchen abc", ":2: the hash: is not a SHA-256"},
+      {"kitchen " + std::string(64, 'g'),
+       ":1: the hash: is not a SHA-256 in 64 hexadecimal digits; it has other characters, too"},
+      {"my robot " + good, ":1: the name: has a blank; it must be one word"},
+      {"my old robot " + good + " 2999-01-31T12:00:00Z", ":1: the name: has a blank"},
       {"kitchen " + good + " tomorrow", ":1: when it expires: is not a time"},
       {"kitchen " + good + " 2999-01-31T12:00:00Z more", ":1: the fourth word: is too much"},
       {"kitchen " + good + "\nhall " + good, ":2: the token: is there twice"},

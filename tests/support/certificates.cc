@@ -3,6 +3,7 @@
 #include <openssl/ec.h>
 #include <openssl/evp.h>
 #include <openssl/pem.h>
+#include <openssl/rsa.h>
 #include <openssl/x509v3.h>
 
 #include <algorithm>
@@ -51,6 +52,11 @@ std::string PemOfCertificate(X509* certificate) {
   return PemOf([=](BIO* out) { PEM_write_bio_X509(out, certificate); });
 }
 
+std::string PemOfKey(EVP_PKEY* key) {
+  return PemOf(
+      [=](BIO* out) { PEM_write_bio_PrivateKey(out, key, nullptr, nullptr, 0, nullptr, nullptr); });
+}
+
 }  // namespace
 
 Authority::Authority(long lifetime_s)
@@ -63,15 +69,30 @@ Authority::Authority(long lifetime_s)
 
 std::string Authority::Certificate() const { return PemOfCertificate(certificate_.get()); }
 
-PemPair Authority::Issue(const std::string& name, long start_s) const {
-  const Key key = NewKey();
-  const auto certificate = NewCertificate(name, key.get());
+std::string Authority::CertificateFor(const std::string& name, EVP_PKEY* key, long start_s) const {
+  const auto certificate = NewCertificate(name, key);
   X509_gmtime_adj(X509_getm_notBefore(certificate.get()), start_s);
   X509_set_issuer_name(certificate.get(), X509_get_subject_name(certificate_.get()));
   AddExtension(certificate.get(), NID_subject_alt_name, "DNS:" + name + ",IP:127.0.0.1");
   X509_sign(certificate.get(), key_.get(), EVP_sha256());
-  return {PemOfCertificate(certificate.get()), PemOf([&](BIO* out) {
-            PEM_write_bio_PrivateKey(out, key.get(), nullptr, nullptr, 0, nullptr, nullptr);
+  return PemOfCertificate(certificate.get());
+}
+
+PemPair Authority::Issue(const std::string& name, long start_s) const {
+  const Key key = NewKey();
+  return {CertificateFor(name, key.get(), start_s), PemOfKey(key.get())};
+}
+
+PemPair Authority::IssueWithShortKey(const std::string& name) const {
+  const Key key(EVP_RSA_gen(512U), EVP_PKEY_free);
+  return {CertificateFor(name, key.get(), -60), PemOfKey(key.get())};
+}
+
+PemPair Authority::IssueWithPassword(const std::string& name) const {
+  const Key key = NewKey();
+  return {CertificateFor(name, key.get(), -60), PemOf([&](BIO* out) {
+            PEM_write_bio_PKCS8PrivateKey(out, key.get(), EVP_aes_256_cbc(), "secret", 6, nullptr,
+                                          nullptr);
           })};
 }
 

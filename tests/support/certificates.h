@@ -25,10 +25,15 @@ class Authority {
   // For the given name, which is also its DNS name, and for 127.0.0.1; good from so many seconds
   // from now on.
   PemPair Issue(const std::string& name, long start_s = -60) const;
+  // The same with a key of RSA that is too short for TLS, or one that needs a password.
+  PemPair IssueWithShortKey(const std::string& name) const;
+  PemPair IssueWithPassword(const std::string& name) const;
   // The list of these certificates as revoked, whose next issue is due after so many seconds.
   std::string Revoke(const std::vector<std::string>& certificates, long due_s = 3600) const;
 
  private:
+  std::string CertificateFor(const std::string& name, evp_pkey_st* key, long start_s) const;
+
   std::shared_ptr<evp_pkey_st> key_;
   std::shared_ptr<x509_st> certificate_;
 };
