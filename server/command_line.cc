@@ -49,8 +49,8 @@ void AddConnectionFlags(CLI::App& app, ServerOptions& options) {
       ->capture_default_str();
   app.add_option("--max-receiving-mib", options.max_receiving_mib,
                  "What may have come of all messages that are not whole yet, and what may wait of "
-                 "frames in streams, 16 to 65536 MiB each; connections that hold most are ended, "
-                 "frames without room refused")
+                 "frames in streams, 16 to 65536 MiB each, six messages of --max-message-mib at "
+                 "least; connections that hold most are ended, frames without room refused")
       ->capture_default_str();
   app.add_option("--max-unsent-mib", options.max_unsent_mib,
                  "What may wait of answers that their callers have not taken yet, 16 to 65536 MiB; "

@@ -9,6 +9,15 @@
 #include "server/connections/door.h"
 
 namespace fovea::server {
+namespace {
+
+// The door looks every 100 ms while little is on its way, later where processors are short: a link
+// of 10 Gbit/s brings 125 MB meanwhile. Connections and calls themselves take some, too.
+constexpr std::size_t kBetweenLooks = std::size_t{256} << 20;
+
+std::size_t BytesOfMiB(int mib) { return static_cast<std::size_t>(mib) << 20; }
+
+}  // namespace
 
 SchedulerLimits SchedulerLimitsOf(const ServerOptions& options) {
   const int num_threads = NumComputeThreads(options);
@@ -38,10 +47,17 @@ ConnectionLimits ConnectionLimitsOf(const ServerOptions& options) {
   const int per_host = options.max_connections_per_host;
   return {.max_connections = max,
           .max_per_host = per_host > 0 ? std::min(per_host, max) : std::max(1, max / 2),
-          .max_receiving = (static_cast<std::size_t>(options.max_receiving_mib) << 20) / 4 * 3,
+          .max_receiving = BytesOfMiB(options.max_receiving_mib) / 4 * 3,
           .account = {.max_owed = std::max<std::size_t>(
                           64 << 20, static_cast<std::size_t>(options.max_message_mib) << 21),
                       .max_transfer = std::chrono::seconds(options.max_transfer_s)}};
+}
+
+std::size_t GrpcQuotaOf(const ServerOptions& options) {
+  const SchedulerLimits limits = SchedulerLimitsOf(options);
+  const auto calls = static_cast<std::size_t>(limits.num_threads + limits.max_waiting);
+  const std::size_t in_part = BytesOfMiB(options.max_receiving_mib), in_streams = in_part;
+  return in_part + in_streams + calls * BytesOfMiB(options.max_message_mib) + kBetweenLooks;
 }
 
 StreamLimits StreamLimitsOf(const ServerOptions& options) {

@@ -86,10 +86,8 @@ void ConfigureChannel(const ServerOptions& options, grpc::ServerBuilder* builder
   builder->SetCompressionAlgorithmSupportStatus(GRPC_COMPRESS_DEFLATE, false);
   // A call that is not read takes in this much and no more; one that is, its message.
   builder->AddChannelArgument(GRPC_ARG_HTTP2_BDP_PROBE, 0);
-  // Beyond it gRPC reads slowly and gives up calls, whosever they are: connections are ended
-  // before.
   grpc::ResourceQuota quota("fovea");
-  quota.Resize(static_cast<std::size_t>(options.max_receiving_mib) << 20);
+  quota.Resize(GrpcQuotaOf(options));
   quota.SetMaxThreads(kMaxThreads);
   builder->SetResourceQuota(quota);
   // Clients may ping an idle connection this often without being cut off.

@@ -18,6 +18,9 @@ namespace {
 
 constexpr std::string_view kUnix = "unix:";
 
+// Of the largest: four that come at once end no connection, however little the server may hold.
+constexpr int kLeastMessages = 6;
+
 void RequireListen(const std::vector<std::string>& listen) {
   if (listen.empty()) throw std::invalid_argument("--listen: needs an address");
   for (const std::string& address : listen) {
@@ -64,6 +67,15 @@ void RequireTracing(const ServerOptions& options) {
                               " is not between 0 and 1");
 }
 
+void RequireRoomForMessages(const ServerOptions& options) {
+  const int least = kLeastMessages * options.max_message_mib;
+  if (options.max_receiving_mib >= least) return;
+  throw std::invalid_argument("--max-receiving-mib: " + std::to_string(options.max_receiving_mib) +
+                              " is less than six messages of --max-message-mib (" +
+                              std::to_string(options.max_message_mib) + "), which are " +
+                              std::to_string(least) + "; raise it, or lower --max-message-mib");
+}
+
 void RequireLogLevel(const std::string& level) {
   constexpr std::array<std::string_view, 6> kLevels{"trace", "debug", "info",
                                                     "warn",  "error", "off"};
@@ -86,6 +98,7 @@ void Validate(const ServerOptions& options) {
   }
   RequireProtection(options);
   RequireRanges(options);
+  RequireRoomForMessages(options);
   RequireTracing(options);
   const OptionPolicy policy(options.client_options, options.fixed_options);
   const RobotGrippers grippers(options.grippers);

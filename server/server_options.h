@@ -32,8 +32,8 @@ struct ServerOptions {
   // Connections that are open at once, 1 … 100000; fewer where the limit of open files asks for it,
   // two of which each takes. Of one host, 0 … 100000; 0 = half of them.
   int max_connections = 1024, max_connections_per_host = 0;
-  // What of all messages that are not whole yet may have come, and what of frames may wait in
-  // streams, 16 … 65536 MiB each.
+  // What of all messages that are not whole yet may have come, and of frames may wait in streams,
+  // 16 … 65536 MiB each, and six messages of max_message_mib at least.
   int max_receiving_mib = 512;
   // What of all answers may wait for their callers to take them, 16 … 65536 MiB.
   int max_unsent_mib = 256;

@@ -49,6 +49,9 @@ TEST(ServerConfig, ChecksItsConfiguration) {
       {"max-streams = 1.5\n", "is not a whole number between 1 and 10000: \"1.5\""},
       {"trace-share = half\n", ":1: \"trace-share\" is not a number between 0 and 1: \"half\""},
       {"listen = \"unix:/" + std::string(200, 'x') + "\"\n", "has a path of more than 107 bytes"},
+      {"max-receiving-mib = 64\n",
+       "--max-receiving-mib: 64 is less than six messages of "
+       "--max-message-mib (24)"},
       {"max-compute-ms = \"\"\n", "--max-compute-ms: is empty"},
       {"tokens = \"\"\n", "--tokens: is empty"},
       {"max-message-mib = 010\n", "--max-message-mib: \"010\" begins with a zero"},

@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "client/images.h"
 #include "tests/server/detectors.h"
 #include "tests/server/frames.h"
 #include "tests/server/loopback.h"
@@ -19,9 +20,12 @@
 namespace fovea::testing {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::SizeIs;
 using ::testing::UnorderedElementsAre;
 
 server::ServerOptions OneThread(int max_waiting, int max_per_robot) {
@@ -45,7 +49,9 @@ struct Call {
     context.set_deadline(std::chrono::system_clock::now() + kPatience);
   }
 
-  grpc::Status Run() { return stub->Detect(&context, TestRequest(), &response); }
+  grpc::Status Run(const v1::DetectRequest& request = TestRequest()) {
+    return stub->Detect(&context, request, &response);
+  }
 
   std::string Trailer(const std::string& key) const {
     const auto found = context.GetServerTrailingMetadata().find(key);
@@ -64,10 +70,10 @@ class Crowd {
   explicit Crowd(Loopback& loopback) : loopback_(loopback) {}
 
   // Returns once the call waits in the server's queue.
-  void Join(const std::string& robot) {
+  void Join(const std::string& robot, const v1::DetectRequest& request = TestRequest()) {
     calls_.push_back(std::make_unique<Call>(loopback_, robot));
-    threads_.emplace_back([this, robot, call = calls_.back().get()] {
-      const bool ok = call->Run().ok();
+    threads_.emplace_back([this, robot, request, call = calls_.back().get()] {
+      const bool ok = call->Run(request).ok();
       const std::lock_guard lock(mutex_);
       answered_.push_back(ok ? robot : "no " + robot);
     });
@@ -238,6 +244,34 @@ TEST(Scheduling, DropsFromTheQueueWhatIsTooLate) {
       StatusOf([&] { held.loopback.client.Detect(TestRequest(), std::chrono::milliseconds(100)); });
   EXPECT_EQ(status.error_code(), grpc::StatusCode::DEADLINE_EXCEEDED);
   AwaitWaiting(held.loopback, 0);
+}
+
+// 22 MB, the largest by default.
+v1::DetectRequest LargeRequest() {
+  constexpr int kLargeWidth = 2048, kLargeHeight = 1536;
+  const std::vector<float> depth_m(std::size_t{kLargeWidth} * kLargeHeight, 1);
+  v1::DetectRequest request = TestRequest();
+  v1::Frame& frame = *request.mutable_frame();
+  *frame.mutable_color() = ColorMessage(
+      v1::COLOR_ENCODING_RGB8, std::string(3 * depth_m.size(), 'x'), kLargeWidth, kLargeHeight);
+  *frame.mutable_depth() = client::MakeDepthImage(depth_m.data(), kLargeWidth, kLargeHeight);
+  *frame.mutable_intrinsics() =
+      client::MakeIntrinsics(kLargeWidth, kLargeWidth, kLargeWidth / 2.0, kLargeHeight / 2.0);
+  return request;
+}
+
+// More than all calls and streams may send in part: gRPC, had it no more, would give up any.
+TEST(Scheduling, LargeFramesThatWaitEndNoCalls) {
+  constexpr int kCalls = 8;
+  server::ServerOptions options = OneThread(kCalls, kCalls + 1);
+  options.max_receiving_mib = 6 * options.max_message_mib;
+  Held held(options);
+  Crowd crowd(held.loopback);
+  const v1::DetectRequest large = LargeRequest();
+  for (int i = 0; i < kCalls; ++i) crowd.Join("large", large);
+  held.gate.Let(kCalls + 1);
+  EXPECT_THAT(crowd.Answered(), AllOf(SizeIs(kCalls), Each("large")));
+  EXPECT_TRUE(held.first.get().ok());
 }
 
 TEST(Scheduling, SurvivesAStormOfDeadlines) {

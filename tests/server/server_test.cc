@@ -42,6 +42,15 @@ TEST(ServerOptions, NameFlagValueAndConstraint) {
             "--max-message-mib: 0 is not between 1 and 1024");
   EXPECT_EQ(error_of([](auto& o) { o.max_pixels = -1; }),
             "--max-pixels: -1 is not between 1 and 100000000");
+  EXPECT_EQ(error_of([](auto& o) { o.max_receiving_mib = 143; }),
+            "--max-receiving-mib: 143 is less than six messages of --max-message-mib (24), which "
+            "are 144; raise it, or lower --max-message-mib");
+  EXPECT_EQ(error_of([](auto& o) { o.max_receiving_mib = 144; }), "valid");
+  EXPECT_EQ(error_of([](auto& o) {
+              o.max_receiving_mib = 16;
+              o.max_message_mib = 2;
+            }),
+            "valid");
   EXPECT_THAT(error_of([](auto& o) { o.log_level = "loud"; }), HasSubstr("\"loud\" is not one"));
   for (const char* listen : {"", "50051", ":50051", "host:", "host:x", "host:-1", "host:65536"}) {
     EXPECT_THAT(error_of([&](auto& o) { o.listen = {listen}; }), HasSubstr("--listen: ")) << listen;

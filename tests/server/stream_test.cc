@@ -112,7 +112,7 @@ TEST(DetectStream, SaysWhereThereIsNoRoomForAFrame) {
   Gate gate;
   server::ServerOptions options = LoopbackOptions();
   options.compute_threads = 1;
-  options.max_receiving_mib = 64;
+  options.max_receiving_mib = 144;
   Loopback loopback(std::ref(gate), options);
   const server::Metrics& metrics = *loopback.server.metrics();
   const auto greedy = loopback.client.OpenStream(kPatience);
@@ -126,7 +126,7 @@ TEST(DetectStream, SaysWhereThereIsNoRoomForAFrame) {
   const auto other = loopback.client.OpenStream(kPatience);
   v1::DetectStreamRequest refused = FrameNamed("2");
   refused.mutable_options()->set_return_masks(true);
-  refused.mutable_frame()->mutable_color()->set_data(std::string(11 << 20, 'x'));
+  refused.mutable_frame()->mutable_color()->set_data(std::string(22 << 20, 'x'));
   ASSERT_TRUE(other->Send(refused));
   AwaitMetric(metrics, "fovea_frames_received_total", 3);
   gate.Let(2);
