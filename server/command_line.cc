@@ -60,8 +60,10 @@ void AddConnectionFlags(CLI::App& app, ServerOptions& options) {
                  "How long a message may take to come, and an answer to be taken, 1 to 3600 "
                  "seconds")
       ->capture_default_str();
-  app.add_option("--max-idle-s", options.max_idle_s,
-                 "A connection without a call is closed after this, 1 to 86400 seconds")
+  app.add_option(
+         "--max-idle-s", options.max_idle_s,
+         "A connection without a call is closed after this, at the latest after twice that, "
+         "1 to 86400 seconds")
       ->capture_default_str();
   app.add_option("--max-connection-age-s", options.max_connection_age_s,
                  "Clients are asked for a new connection after this, and streams end after the "

@@ -42,8 +42,8 @@ struct ServerOptions {
   // How often the server asks itself for its health through its own door, 0 … 3600 s; 0 = never,
   // unless systemd's watchdog asks. It ends when it does not answer itself three times in a row.
   int self_check_s = 10;
-  // A connection without a call is closed after this, 1 … 86400 s: gRPC 1.51 does not bound them,
-  // and a client that was destroyed while it connected keeps its connection.
+  // A connection without a call is closed after once to twice this, 1 … 86400 s: gRPC 1.51 does not
+  // bound them, and a client that was destroyed while it connected keeps its connection.
   int max_idle_s = 300;
   // After this the caller of a connection is asked to open another one, and a stream is ended after
   // the answer it is at, 0 … 86400 s; 0 = never. So that what stands in front, or the client, can
