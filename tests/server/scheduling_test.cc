@@ -69,7 +69,7 @@ class Crowd {
  public:
   explicit Crowd(Loopback& loopback) : loopback_(loopback) {}
 
-  // Returns once the call waits in the server's queue.
+  // Returns once the call waits in the server's queue, or has ended where it should not.
   void Join(const std::string& robot, const v1::DetectRequest& request = TestRequest()) {
     calls_.push_back(std::make_unique<Call>(loopback_, robot));
     threads_.emplace_back([this, robot, request, call = calls_.back().get()] {
@@ -77,7 +77,7 @@ class Crowd {
       const std::lock_guard lock(mutex_);
       answered_.push_back(ok ? robot : "no " + robot);
     });
-    AwaitWaiting(loopback_, static_cast<double>(calls_.size()));
+    while (NumWaiting() + NumAnswered() < calls_.size()) std::this_thread::yield();
   }
 
   void LeaveLast() { calls_.back()->context.TryCancel(); }
@@ -88,6 +88,15 @@ class Crowd {
   }
 
  private:
+  std::size_t NumWaiting() const {
+    return static_cast<std::size_t>(
+        MetricValue(*loopback_.server.metrics(), "fovea_frames_waiting"));
+  }
+  std::size_t NumAnswered() {
+    const std::lock_guard lock(mutex_);
+    return answered_.size();
+  }
+
   Loopback& loopback_;
   std::vector<std::unique_ptr<Call>> calls_;
   std::mutex mutex_;
