@@ -163,7 +163,8 @@ void AnswerRobot(const RgbdFrame& frame, const ObjectSurroundings& around,
   if (options.place) {
     clock.Begin("places");
     result.free_places =
-        FindFreePlaces(around.points, around.supports, result.objects, *options.place);
+        FindFreePlaces({frame, around.points, result.labels}, around.supports, result.objects,
+                       *options.place, options.paper ? options.paper->support : options.support);
   }
   const PlanningOptions& planning = options.planning;
   if (planning.collision_primitives || planning.height_map) {

@@ -94,14 +94,16 @@ void Take(const Best& best, const cv::Size2f& rectangle, cv::Mat& free) {
 
 }  // namespace
 
-std::vector<FreePlace> FindFreePlaces(const cv::Mat& points, const std::vector<Support>& supports,
+std::vector<FreePlace> FindFreePlaces(const ViewedScene& scene,
+                                      const std::vector<Support>& supports,
                                       const std::vector<DetectedObject>& objects,
-                                      const PlaceOptions& options, float tolerance_m) {
+                                      const PlaceOptions& options,
+                                      const SupportOptions& support_options) {
   std::vector<FreePlace> places;
   const float around = 2 * options.margin_m;
   for (const Support& support : supports) {
-    const SupportGrid grid(points, support, objects, options.size_m.z() + options.margin_m,
-                           tolerance_m);
+    const SupportGrid grid(scene, support, objects, options.size_m.z() + options.margin_m,
+                           support_options);
     cv::Mat free = grid.free().clone();
     const cv::Size2f rectangle(
         static_cast<float>(Cells(options.size_m.x() + around, grid.cell_m())),

@@ -4,6 +4,7 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
+#include "core/relations/support_view.h"
 #include "core/scene/support_surface.h"
 #include "core/types/detections.h"
 #include "core/types/place.h"
@@ -11,13 +12,18 @@
 namespace fovea {
 
 // The places with most room first; they do not overlap. A place is free where the support was seen
-// to be empty: what is hidden, or no point fell on, is not free, and nothing may stand within the
-// height of what shall be put down. Boxes of objects count whole, with what is hidden of them.
+// to be empty: what is hidden, or gave no depth, is not free, and nothing may stand within the
+// height of what shall be put down. Of objects all pixels and their boxes count, however low, with
+// what is hidden of them. What is no object may be overlooked up to 2 cm², and as far as it is as
+// low as the support scatters.
 //
-// `points`: CV_32FC3, NaN = none; `tolerance_m`: points this close to a support lie on it. Looked
-// at in cells of 1 cm (larger ones where a support is longer than 4 m) and 4 directions. Some ms.
-std::vector<FreePlace> FindFreePlaces(const cv::Mat& points, const std::vector<Support>& supports,
+// `objects`: that with label k at k - 1; `support_options`: by which the supports were found.
+// Looked at in cells of 1 cm (larger ones where a support is longer than 4 m) and 4 directions.
+// Some ms.
+std::vector<FreePlace> FindFreePlaces(const ViewedScene& scene,
+                                      const std::vector<Support>& supports,
                                       const std::vector<DetectedObject>& objects,
-                                      const PlaceOptions& options, float tolerance_m = 0.015F);
+                                      const PlaceOptions& options,
+                                      const SupportOptions& support_options);
 
 }  // namespace fovea

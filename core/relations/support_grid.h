@@ -5,6 +5,7 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
+#include "core/relations/support_view.h"
 #include "core/scene/support_surface.h"
 #include "core/types/detections.h"
 #include "core/types/level_axes.h"
@@ -13,10 +14,14 @@ namespace fovea {
 
 class SupportGrid {
  public:
-  // What rises above the support by more than `tolerance_m` and less than `height_m` stands in the
-  // way. `points`: CV_32FC3, NaN = none.
-  SupportGrid(const cv::Mat& points, const Support& support,
-              const std::vector<DetectedObject>& objects, float height_m, float tolerance_m);
+  // What stands on the support and begins less than `height_m` above it is in the way. A cell is
+  // free where most of the pixels that look there saw the support. What lies between the pixels is
+  // as what is around it, and so are one or two cells of which most pixels saw nothing: cameras
+  // miss single pixels everywhere. `objects`: that with label k at k - 1; `options`: by which the
+  // support was found.
+  SupportGrid(const ViewedScene& scene, const Support& support,
+              const std::vector<DetectedObject>& objects, float height_m,
+              const SupportOptions& options);
 
   const cv::Mat& free() const { return free_; }  // CV_8UC1, 255 where it is; at least 1x1
   float cell_m() const { return cell_m_; }
@@ -26,7 +31,10 @@ class SupportGrid {
   Eigen::Vector3f PointAt(const cv::Point2f& cell) const;
 
  private:
+  void FreeWhatIsSeen(const SupportView& view, const CameraIntrinsics& intrinsics);
+  Eigen::Matrix3f CellsOfPixels(const CameraIntrinsics& intrinsics) const;
   cv::Point2f CellOf(const Eigen::Vector3f& point) const;
+  void BlockPoint(const Eigen::Vector3f& point);
   void BlockBox(const OrientedBox& box);
 
   SupportSurface surface_;

@@ -3,35 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
-#include <opencv2/core.hpp>
+
+#include "tests/core/relations/table.h"
 
 namespace fovea {
 namespace {
-
-constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-
-// A camera 1 m above a table of 1 m by 0.6 m, looking straight down: a pixel is 2 mm.
-struct Table {
-  cv::Mat points{480, 640, CV_32FC3, cv::Scalar::all(kNone)};
-  std::vector<Support> supports{{{-Eigen::Vector3f::UnitZ(), 1, 1000}, Footprint(), 1}};
-
-  Table() { Put({-0.5F, -0.3F}, {0.5F, 0.3F}, 0); }
-  void Put(const Eigen::Vector2f& low, const Eigen::Vector2f& high, float height_m) {
-    for (int row = 0; row < points.rows; ++row) {
-      for (int col = 0; col < points.cols; ++col) {
-        const Eigen::Vector2f at(0.002F * static_cast<float>(col - 320),
-                                 0.002F * static_cast<float>(row - 240));
-        if ((at - low).minCoeff() < 0 || (high - at).minCoeff() < 0) continue;
-        points.at<cv::Vec3f>(row, col) = {at.x(), at.y(), 1 - height_m};
-      }
-    }
-  }
-  std::vector<FreePlace> Places(const PlaceOptions& options,
-                                const std::vector<DetectedObject>& objects = {}) const {
-    return FindFreePlaces(points, supports, objects, options);
-  }
-};
 
 // Half of what a box covers along x and y of the camera.
 Eigen::Vector2f Reach(const OrientedBox& box) {
@@ -85,10 +61,7 @@ TEST(FindFreePlaces, WhatIsHiddenIsNotFreeAndWhatIsHigherIsNotInTheWay) {
 
 TEST(FindFreePlaces, OfThingsTheHiddenPartTakesRoomToo) {
   Table table;
-  DetectedObject object;
-  object.box.center = {0.25F, 0, 0.95F};
-  object.box.rotation << 1, 0, 0, 0, -1, 0, 0, 0, -1;
-  object.box.size_m = {0.5F, 0.6F, 0.1F};
+  const DetectedObject object = Thing({0.25F, 0}, {0.5F, 0.6F, 0.1F});
   const auto places = table.Places({.size_m = {0.1F, 0.1F, 0.1F}}, {object});
   ASSERT_FALSE(places.empty());
   for (const FreePlace& place : places) EXPECT_LT(place.box.center.x() + 0.05F, 0);
@@ -164,17 +137,10 @@ TEST(FindFreePlaces, ClearanceCountsFromTheThing) {
   EXPECT_TRUE(with(0.21F).empty());
 }
 
-// A point every 24 mm: two cells of 1 cm in three have none.
-TEST(FindFreePlaces, WhatIsSampledThinlyIsFreeBetweenItsPoints) {
-  Table thin;
-  for (int row = 0; row < thin.points.rows; ++row) {
-    for (int col = 0; col < thin.points.cols; ++col) {
-      if (row % 12 != 0 || col % 12 != 0)
-        thin.points.at<cv::Vec3f>(row, col) = cv::Vec3f::all(kNone);
-    }
-  }
+// Two cells of 1 cm in three have no pixel.
+TEST(FindFreePlaces, BetweenPixelsOfACameraThatSeesThinlyIsAsFreeAsAround) {
   const PlaceOptions options{.size_m = {0.3F, 0.2F, 0.1F}, .max_places = 1};
-  const auto places = thin.Places(options);
+  const auto places = Table(40).Places(options);
   ASSERT_EQ(places.size(), 1U);
   EXPECT_NEAR(places[0].clearance_m, Table().Places(options).at(0).clearance_m, 0.03F);
 }
@@ -190,7 +156,9 @@ TEST(FindFreePlaces, OnANarrowShelfStandsWhatFitsWithItsMargins) {
 
 TEST(FindFreePlaces, OfWhatIsTooLargeThereIsNone) {
   EXPECT_TRUE(Table().Places({.size_m = {0.9F, 0.7F, 0.1F}}).empty());
-  EXPECT_TRUE(FindFreePlaces(Table().points, {}, {}, {.size_m = {0.1F, 0.1F, 0.1F}}).empty());
+  Table without_support;
+  without_support.supports.clear();
+  EXPECT_TRUE(without_support.Places({.size_m = {0.1F, 0.1F, 0.1F}}).empty());
 }
 
 }  // namespace
