@@ -56,7 +56,7 @@ int main(int argc, char** argv) try {
         if (Chance(grasp, tried) > Chance(best, tried)) best = grasp;
       }
     }
-    const bool is_worth_it = Chance(best, tried) > 0.05;
+    const bool is_worth_it = Chance(best, tried) > 0.01;
     Tell(is_worth_it ? "grasp" : "left",
          is_worth_it ? static_cast<const google::protobuf::Message&>(best) : found);
     tried.push_back(best);

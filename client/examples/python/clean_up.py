@@ -14,7 +14,7 @@ import numpy as np
 
 import fovea
 
-LEAST = 0.05  # likely to hold; it can try again
+LEAST = 0.01  # likely to hold; it has time, and can try again
 HANDS = [
     fovea.Gripper("jaw", max_opening_m=0.14, max_grasps=20, min_probability=LEAST),
     fovea.Gripper("cup", suction_diameter_m=0.03, max_grasps=20, min_probability=LEAST),

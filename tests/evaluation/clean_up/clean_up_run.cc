@@ -35,7 +35,7 @@ std::vector<Gripper> Hands() {
   cup.max_tilt_rad = 0.8F;
   for (Gripper* hand : {&fingers, &cup}) {
     hand->max_grasps = 20;
-    hand->min_probability = 0.05F;
+    hand->min_probability = 0.01F;
   }
   return {fingers, cup};
 }
