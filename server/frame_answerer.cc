@@ -51,7 +51,7 @@ grpc::Status StatusOfException(const Caller& caller) {
   } catch (const Cancelled&) {
     return caller.StatusOfGone();
   } catch (...) {
-    return StatusOfCurrentException(/*deadline_passed=*/false);
+    return StatusOfCurrentException();
   }
 }
 
@@ -115,7 +115,7 @@ grpc::Status FrameAnswerer::Try(const FrameRequest& request, const Asker& asker,
     answer->set_grippers_source(grippers_.SourceFor(asker.robot, request.options->grasps()));
     return {};
   } catch (...) {
-    return StatusOfCurrentException(/*deadline_passed=*/false);
+    return StatusOfCurrentException();
   }
 }
 

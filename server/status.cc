@@ -22,7 +22,7 @@ constexpr std::chrono::seconds kUntilThereIsMemory{1};  // others have theirs ba
 
 }  // namespace
 
-grpc::Status StatusOfCurrentException(bool deadline_passed) {
+grpc::Status StatusOfCurrentException() {
   try {
     throw;
   } catch (const FieldError& error) {
@@ -36,7 +36,7 @@ grpc::Status StatusOfCurrentException(bool deadline_passed) {
   } catch (const Overloaded& error) {
     return ResourceExhausted(error.what(), error.retry_after);
   } catch (const Cancelled&) {
-    return StatusOfGoneCaller(deadline_passed);
+    return StatusOfGoneCaller(/*deadline_passed=*/false);
   } catch (const ComputeLimitPassed& error) {
     return {grpc::StatusCode::RESOURCE_EXHAUSTED, error.what()};
   } catch (const std::bad_alloc&) {

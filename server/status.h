@@ -10,10 +10,10 @@ namespace fovea::server {
 // The one place where exceptions become statuses. Call it inside a catch block:
 // FieldError and TooComplex → INVALID_ARGUMENT, Unauthenticated → UNAUTHENTICATED,
 // PermissionDenied → PERMISSION_DENIED, Overloaded → RESOURCE_EXHAUSTED,
-// Cancelled → DEADLINE_EXCEEDED where `deadline_passed`, else CANCELLED, ComputeLimitPassed and
+// Cancelled → CANCELLED (a Caller knows who ended the call), ComputeLimitPassed and
 // std::bad_alloc → RESOURCE_EXHAUSTED, the latter to come back in a second; anything else →
 // INTERNAL with the text in the log only.
-grpc::Status StatusOfCurrentException(bool deadline_passed);
+grpc::Status StatusOfCurrentException();
 
 // Of a caller that left, or whose deadline passed.
 grpc::Status StatusOfGoneCaller(bool deadline_passed);

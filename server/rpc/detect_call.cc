@@ -42,9 +42,9 @@ void DetectCall::Proceed(const std::function<void()>& step) {
     step();
   } catch (const Overloaded& full) {
     AddRetryAfter(full.retry_after, &context_);
-    Refuse(StatusOfCurrentException(/*deadline_passed=*/false), full.reason);
+    Refuse(StatusOfCurrentException(), full.reason);
   } catch (...) {  // whatever it is, the caller gets a status
-    Refuse(StatusOfCurrentException(/*deadline_passed=*/false));
+    Refuse(StatusOfCurrentException());
   }
 }
 

@@ -49,9 +49,9 @@ grpc::internal::MethodHandler* LateReading(
       return status;
     } catch (const Overloaded& full) {
       AddRetryAfter(full.retry_after, context);
-      return StatusOfCurrentException(/*deadline_passed=*/false);
+      return StatusOfCurrentException();
     } catch (...) {  // whatever it is, the caller gets a status
-      return StatusOfCurrentException(/*deadline_passed=*/false);
+      return StatusOfCurrentException();
     }
   });
 }

@@ -57,9 +57,9 @@ void StreamCall::OnRequest() {
     Open();
   } catch (const Overloaded& full) {
     AddRetryAfter(full.retry_after, &context_);
-    Refuse(StatusOfCurrentException(/*deadline_passed=*/false), full.reason);
+    Refuse(StatusOfCurrentException(), full.reason);
   } catch (...) {
-    const grpc::Status status = StatusOfCurrentException(/*deadline_passed=*/false);
+    const grpc::Status status = StatusOfCurrentException();
     Refuse(status, NameOf(status.error_code()));
   }
 }
@@ -169,7 +169,7 @@ void StreamCall::CheckAccess() {
     caller_.Recheck(environment_.gate_keeper);
     return;
   } catch (...) {
-    barred_ = StatusOfCurrentException(/*deadline_passed=*/false);
+    barred_ = StatusOfCurrentException();
   }
   // A frame that is looked at is answered, one that waits is not.
   if (busy_ && environment_.scheduler.Withdraw(caller_.id(), ticket_)) busy_ = false;
@@ -236,7 +236,7 @@ void StreamCall::ComputeOrSayWhyNot() {
   try {
     Compute();
   } catch (...) {
-    SetError(StatusOfCurrentException(/*deadline_passed=*/false), &response_);
+    SetError(StatusOfCurrentException(), &response_);
   }
 }
 

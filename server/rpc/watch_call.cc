@@ -61,7 +61,7 @@ void WatchCall::OnRequest() {
   try {
     Open();
   } catch (...) {
-    End(StatusOfCurrentException(/*deadline_passed=*/false));
+    End(StatusOfCurrentException());
   }
 }
 
@@ -109,7 +109,7 @@ void WatchCall::Check() {
     if (IsSame(environment_.gate.Admit(context_), watcher_->wish.observer)) return;
     End({grpc::StatusCode::UNAUTHENTICATED, "the observer's rights have changed; watch anew"});
   } catch (...) {
-    End(StatusOfCurrentException(/*deadline_passed=*/false));
+    End(StatusOfCurrentException());
   }
 }
 
