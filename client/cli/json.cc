@@ -18,6 +18,33 @@ std::string ToJson(const google::protobuf::Message& message, JsonLayout layout,
   return json;
 }
 
+// With numbers and lists that are 0 or empty, "objects": [] and "y": 0 too.
+std::string WholeJson(const google::protobuf::Message& message, JsonLayout layout) {
+  google::protobuf::util::JsonPrintOptions options;
+  options.always_print_primitive_fields = true;
+  return ToJson(message, layout, options);
+}
+
+// Part by part: a Frame as a whole would have what is not said of it here, such as its images.
+std::string JsonOfSent(const v1::Frame& frame, JsonLayout layout) {
+  std::string parts;
+  const auto add = [&](const char* name, bool is_there, const google::protobuf::Message& part) {
+    if (!is_there) return;
+    parts += std::string(parts.empty() ? "\"" : ",\"") + name + "\":" + WholeJson(part, layout);
+  };
+  add("intrinsics", frame.has_intrinsics(), frame.intrinsics());
+  add("gravity", frame.has_gravity(), frame.gravity());
+  add("camera_pose", frame.has_camera_pose(), frame.camera_pose());
+  add("depth_intrinsics", frame.has_depth_intrinsics(), frame.depth_intrinsics());
+  add("color_from_depth", frame.has_color_from_depth(), frame.color_from_depth());
+  if (frame.depth().unit_m() != 0) {
+    v1::DepthImage unit;
+    unit.set_unit_m(frame.depth().unit_m());
+    parts += std::string(parts.empty() ? "" : ",") + "\"depth\":" + ToJson(unit, layout);
+  }
+  return "{" + parts + "}";
+}
+
 }  // namespace
 
 std::string ToJson(const google::protobuf::Message& message, JsonLayout layout) {
@@ -25,17 +52,8 @@ std::string ToJson(const google::protobuf::Message& message, JsonLayout layout) 
 }
 
 std::string ToJson(const v1::Detections& detections, const v1::Frame& frame, JsonLayout layout) {
-  v1::Frame sent;
-  if (frame.has_intrinsics()) *sent.mutable_intrinsics() = frame.intrinsics();
-  if (frame.has_gravity()) *sent.mutable_gravity() = frame.gravity();
-  if (frame.has_camera_pose()) *sent.mutable_camera_pose() = frame.camera_pose();
-  if (frame.has_depth_intrinsics()) *sent.mutable_depth_intrinsics() = frame.depth_intrinsics();
-  if (frame.has_color_from_depth()) *sent.mutable_color_from_depth() = frame.color_from_depth();
-  if (frame.depth().unit_m() != 0) sent.mutable_depth()->set_unit_m(frame.depth().unit_m());
-  google::protobuf::util::JsonPrintOptions options;
-  options.always_print_primitive_fields = true;  // "objects": [] and "y": 0 too
-  const std::string answer = ToJson(detections, layout, options);
-  const std::string head = "{\"frame\":" + ToJson(sent, layout);
+  const std::string answer = WholeJson(detections, layout);
+  const std::string head = "{\"frame\":" + JsonOfSent(frame, layout);
   // Both are objects; the answer's fields go on where the frame's ended.
   const std::size_t first = answer.find('"');
   return first == std::string::npos ? head + "}" : head + "," + answer.substr(1);

@@ -31,5 +31,23 @@ TEST(Json, HoldsWhatWasSentBesideTheAnswer) {
   EXPECT_EQ(ToJson(detections, frame, JsonLayout::kOneLine).find('\n'), std::string::npos);
 }
 
+TEST(Json, HasNumbersThatAre0OfWhatWasSentToo) {
+  v1::Frame frame;
+  frame.mutable_intrinsics()->set_fx(525);
+  frame.mutable_gravity()->set_y(1);
+  frame.mutable_camera_pose()->mutable_orientation()->set_w(1);
+  frame.mutable_camera_pose()->mutable_position();
+  for (const JsonLayout layout : {JsonLayout::kIndented, JsonLayout::kOneLine}) {
+    const auto sent = nlohmann::json::parse(ToJson({}, frame, layout))["frame"];
+    EXPECT_EQ(sent["gravity"], nlohmann::json({{"x", 0}, {"y", 1}, {"z", 0}}));
+    EXPECT_EQ(sent["camera_pose"]["position"], nlohmann::json({{"x", 0}, {"y", 0}, {"z", 0}}));
+    EXPECT_EQ(sent["camera_pose"]["orientation"]["x"], 0);
+    EXPECT_EQ(sent["intrinsics"]["cx"], 0);
+    EXPECT_FALSE(sent.contains("color"));
+    EXPECT_FALSE(sent.contains("depth"));
+    EXPECT_FALSE(sent.contains("id"));
+  }
+}
+
 }  // namespace
 }  // namespace fovea::cli
