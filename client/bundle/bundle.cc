@@ -193,6 +193,16 @@ std::optional<v1::Detections> Bundle::AnswerOf(const std::string& name) const {
   return Parsed<v1::Detections>(zip_, name + "_answer.pb");
 }
 
+std::optional<v1::FrameError> Bundle::ErrorOf(const std::string& name) const {
+  if (!zip_.Has(name + "_error.json")) return std::nullopt;
+  google::protobuf::util::JsonParseOptions options;
+  options.ignore_unknown_fields = true;  // of later versions
+  v1::FrameError error;
+  const auto status =
+      google::protobuf::util::JsonStringToMessage(zip_.Read(name + "_error.json"), &error, options);
+  return status.ok() ? std::optional(error) : std::nullopt;
+}
+
 std::string Bundle::ColorFileOf(const std::string& name) const {
   for (const char* ending : {"_color.png", "_color.jpg"}) {
     if (zip_.Has(name + ending)) return zip_.Read(name + ending);

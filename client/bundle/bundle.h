@@ -47,6 +47,9 @@ class Bundle {
   v1::DetectRequest RequestOf(const std::string& name) const;
   std::optional<v1::Detections> AnswerOf(const std::string& name) const;  // none: it was an error
 
+  // What it was refused with; none where there is no answer and nothing readable says why.
+  std::optional<v1::FrameError> ErrorOf(const std::string& name) const;
+
   // The bytes of readable images; throw std::invalid_argument where they could not be made.
   std::string ColorFileOf(const std::string& name) const;
   std::string DepthFileOf(const std::string& name) const;
