@@ -77,8 +77,14 @@ void RequirePrintable(const std::string& name, const std::string& text) {
   throw std::invalid_argument(name + ": \"" + text + "\" is not printable ASCII");
 }
 
+// What the server would refuse has no place in its log, and errors would say that it has.
 void Check(const CallOptions& call) {
+  constexpr std::size_t kLongestId = 64;
   RequirePrintable("request_id", call.request_id);
+  if (call.request_id.size() > kLongestId) {
+    throw std::invalid_argument("request_id: has " + std::to_string(call.request_id.size()) +
+                                " characters, more than " + std::to_string(kLongestId));
+  }
   RequirePrintable("traceparent", call.traceparent);
 }
 

@@ -41,7 +41,8 @@ class Client {
   v1::GetStatisticsResponse GetStatistics() const;
   v1::ListOptionsResponse ListOptions() const;
 
-  // `call` throws std::invalid_argument where it is not printable ASCII.
+  // `call` throws std::invalid_argument where it is not as CallOptions says. Without tracking,
+  // which needs a stream (OpenStream, OpenResumingStream).
   v1::DetectResponse Detect(const v1::DetectRequest& request, const CallOptions& call = {}) const;
   v1::DetectResponse Detect(const v1::DetectRequest& request, std::chrono::milliseconds timeout,
                             const CallOptions& call = {}) const;

@@ -46,7 +46,8 @@ struct ClientOptions {
   std::string robot = {};
 };
 
-// What finds a call again where others look. Of printable ASCII characters: others are refused.
+// What finds a call again where others look. Of printable ASCII characters: others, and ids that
+// are longer, are refused before anything is sent.
 struct CallOptions {
   // 1 to 64 characters, sent as `fovea-request-id`: what the server calls the request in its log;
   // empty = a number that the server makes up. Errors have either (RpcError::request_id).
