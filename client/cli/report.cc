@@ -90,7 +90,10 @@ std::string GravityLine(const v1::Gravity& gravity) {
 }
 
 std::string SupportLine(const v1::Detections& detections) {
-  if (!detections.has_support_surface()) return "no support surface was found\n";
+  if (!detections.has_support_surface()) {
+    const bool none_sought = detections.incomplete() && detections.diagnostics().num_points() == 0;
+    return none_sought ? "" : "no support surface was found\n";
+  }
   const v1::SupportSurface& support = detections.support_surface();
   // The camera is the origin, so the plane's offset is its height.
   return fmt::sprintf("support surface %.3f m below the camera, %llu points\n",

@@ -33,6 +33,16 @@ TEST(Report, SaysWhatTheServerDoes) {
   EXPECT_THAT(Report(silent, 5), Not(HasSubstr("note: ")));
 }
 
+TEST(Report, SaysNothingOfASupportThatNobodyLookedFor) {
+  constexpr const char* kNone = "no support surface was found\n";
+  v1::Detections detections = Found(0, false);
+  EXPECT_THAT(Report(detections, 5), HasSubstr(kNone));
+  detections.set_incomplete(true);
+  EXPECT_THAT(Report(detections, 5), Not(HasSubstr(kNone)));
+  detections.mutable_diagnostics()->set_num_points(1000);
+  EXPECT_THAT(Report(detections, 5), HasSubstr(kNone));
+}
+
 TEST(Report, TellsShapeSizeAndBestGraspOrWhyNone) {
   v1::Detections detections = Found(2, true);
   v1::Object& cup = *detections.mutable_objects(0);
