@@ -7,6 +7,9 @@
 namespace fovea::client {
 
 std::vector<std::uint8_t> DecodeMask(const v1::Mask& mask) {
+  if (mask.runs().empty()) {
+    throw std::invalid_argument("there is no mask: DetectOptions.return_masks asks for it");
+  }
   const std::uint64_t num_pixels = std::uint64_t{mask.bounds().width()} * mask.bounds().height();
   const std::uint64_t sum =
       std::accumulate(mask.runs().begin(), mask.runs().end(), std::uint64_t{0});

@@ -26,7 +26,12 @@ v1::Mask MaskOf(std::uint32_t width, std::uint32_t height, std::initializer_list
 TEST(DecodeMask, StartsWithBackground) {
   EXPECT_THAT(DecodeMask(MaskOf(3, 2, {1, 4, 1})), ElementsAre(0, 1, 1, 1, 1, 0));
   EXPECT_THAT(DecodeMask(MaskOf(2, 1, {0, 2})), ElementsAre(1, 1));
-  EXPECT_THAT(DecodeMask(MaskOf(0, 0, {})), ElementsAre());
+}
+
+TEST(DecodeMask, SaysHowToAskForAMaskThatIsNotThere) {
+  const auto decode = [] { DecodeMask(v1::Object().mask()); };
+  EXPECT_THAT(decode, ::testing::ThrowsMessage<std::invalid_argument>(
+                          "there is no mask: DetectOptions.return_masks asks for it"));
 }
 
 TEST(DecodeMask, RefusesRunsThatDoNotFit) {
