@@ -25,7 +25,8 @@ cli::GivenIntrinsics FromFile(const std::string& path) {
 }
 
 cli::GivenIntrinsics FromNumbers(const std::string& numbers) {
-  const auto k = cli::ParseNumbers(numbers, 4, "--intrinsics", "FX,FY,CX,CY");
+  const auto k =
+      cli::ParseNumbers(numbers, 4, "--intrinsics", "FX,FY,CX,CY; a file goes to --calibration");
   const v1::CameraIntrinsics values = client::MakeIntrinsics(k[0], k[1], k[2], k[3]);
   if (cli::IsCamera(cli::CalibrationOf(values, {}))) return {values, {}, {}};
   throw std::invalid_argument("--intrinsics: \"" + numbers +
