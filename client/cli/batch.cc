@@ -105,6 +105,18 @@ void AwaitServer(const Run& run) {
   run.is_there = true;
 }
 
+// More than the server takes would be refused, counted there and sent once more.
+std::size_t JobsOf(const Run& run) {
+  constexpr std::uint32_t kUsual = 4;
+  if (run.batch.jobs) return static_cast<std::size_t>(*run.batch.jobs);
+  try {
+    const std::uint32_t most = run.client.GetServerInfo().max_per_robot();
+    return most == 0 ? kUsual : std::min(most, kUsual);
+  } catch (const client::RpcError&) {
+    return kUsual;  // the frames tell what is wrong
+  }
+}
+
 v1::DetectResponse Ask(const Run& run, const v1::DetectRequest& request) {
   using std::chrono::steady_clock;
   const steady_clock::time_point end = steady_clock::now() + run.timeout;
@@ -140,7 +152,7 @@ void WriteFiles(Outputs outputs, const FrameFiles& files, const FrameSettings& s
 // What comes with a folder may be pipes, which would be waited for, and devices without an end.
 void RequireFiles(const FrameFiles& files) {
   for (const std::string& path : {files.color_path, files.depth_path}) {
-    if (!fs::exists(path)) throw std::runtime_error("no " + path);
+    if (!fs::exists(path)) throw std::runtime_error("no " + path + ", counts as failed");
     if (!fs::is_regular_file(path)) throw std::runtime_error(path + " is no regular file");
   }
 }
@@ -257,12 +269,12 @@ bool DetectFolder(const client::Client& client, const Batch& batch, FrameSetting
   const std::size_t num_before = LeaveOutDone(batch, &list.frames);
   const Run run{client, batch, std::move(settings), timeout, explain, false};
   if (!list.frames.empty()) AwaitServer(run);
+  const std::size_t jobs = list.frames.empty() ? 0 : JobsOf(run);
   Printer printer(list.frames.size(), batch.json_lines);
   std::deque<std::future<Outcome>> in_flight;
   std::size_t next = 0;
   for (const FrameFiles& files : list.frames) {
-    for (; next < list.frames.size() && in_flight.size() < static_cast<std::size_t>(batch.jobs);
-         ++next) {
+    for (; next < list.frames.size() && in_flight.size() < jobs; ++next) {
       in_flight.push_back(std::async(std::launch::async, DetectFrame, std::cref(run),
                                      std::cref(list.frames[next])));
     }

@@ -26,7 +26,7 @@ struct Batch {
   bool json_masks = true;
   bool sent_before = false;            // the frames of `list` were
   bool resume = false;                 // leave out frames whose files are there and not older
-  int jobs = 1;                        // frames in flight at once
+  std::optional<int> jobs;             // frames in flight at once; none = see DetectFolder
   std::optional<double> depth_unit_m;  // none = as the folder says, or such folders have it
 };
 
@@ -37,9 +37,10 @@ struct Batch {
 // there only if all are, fovea_request.json, what was asked, and fovea_input.json, of what. Results
 // are printed in the order of the frames. A frame that fails is named and the run goes on; others
 // are printed with what the server says about them. `explain` words a call that failed. A server
-// that is away is waited for before the first frame, as long as `timeout`. Returns whether none
-// failed; throws std::exception where there is nothing to do, no server, a mistake in what is asked
-// about all frames, or where --resume would mix answers to different requests.
+// that is away is waited for before the first frame, as long as `timeout`. Where `jobs` says
+// nothing, four frames are in flight at once, or as many as the server takes of one robot. Returns
+// whether none failed; throws std::exception where there is nothing to do, no server, a mistake in
+// what is asked about all frames, or where --resume would mix answers to different requests.
 bool DetectFolder(const client::Client& client, const Batch& batch, FrameSettings settings,
                   std::chrono::milliseconds timeout,
                   const std::function<std::string(const client::RpcError&)>& explain);

@@ -119,10 +119,12 @@ void AddFolderFlags(CLI::App& command, DetectFlags& flags) {
       "For NAME.png (labels), NAME.json and NAME_overlay.jpg, which are overwritten; made where "
       "it is missing; not the folder of --input")
       ->group(group);
-  of_input(command.add_option("--jobs", flags.jobs, "Frames in flight at once")
+  of_input(command
+               .add_option("--jobs", flags.jobs,
+                           "Frames in flight at once, 1 to 64; else 4, or as many as the server "
+                           "takes of one robot where that is less")
                ->type_name("N")
-               ->check(CLI::Range(1, 64))
-               ->capture_default_str());
+               ->check(CLI::Range(1, 64)));
   of_input(command.add_flag("--no-overlay", flags.no_overlay, "Write no NAME_overlay.jpg"));
   of_input(command.add_flag("--resume", flags.resume,
                             "Leave out frames whose files are there and not older"));

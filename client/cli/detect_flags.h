@@ -24,8 +24,8 @@ struct DetectFlags {
   std::optional<double> depth_unit_m;  // none: a millimetre, or what a folder of such frames has
   std::vector<std::string> show;
   bool no_masks = false, no_overlay = false, resume = false;
-  int jobs = 4;
-  Outputs outputs;  // of one frame
+  std::optional<int> jobs;  // none = as many as the server takes, up to 4
+  Outputs outputs;          // of one frame
 };
 
 void AddDetectFlags(CLI::App& command, DetectFlags& flags);

@@ -38,6 +38,28 @@ TEST_F(CliTest, RunsOverAFolderAndGoesOnAfterAFrameThatFailed) {
   EXPECT_FALSE(fs::exists(fs::path(At("out")) / "b.png"));
 }
 
+TEST_F(CliTest, SaysThatAFrameWithoutDepthCountsAsFailed) {
+  WriteFrame("b");
+  fs::remove(At("b_depth.png"));
+  const Finished finished = Detect({"--input", Folder(), "--output", At("out")});
+  EXPECT_EQ(finished.exit_code, 1);
+  EXPECT_THAT(finished.err, HasSubstr("fovea: b: no " + At("b_depth.png") + ", counts as failed"));
+  EXPECT_THAT(finished.out, HasSubstr("1 of 2 frames done"));
+}
+
+// What a server refuses counts there, and is sent once more.
+TEST_F(CliTest, SendsNoMoreFramesAtOnceThanTheServerTakes) {
+  for (const char* name : {"b", "c", "d", "e", "f", "g", "h"}) WriteFrame(name);
+  const ServerProcess narrow({"--compute-threads", "1", "--max-per-robot", "1"});
+  const Finished finished =
+      Execute({FOVEA_CLI, "detect", "--server", narrow.address(), "--intrinsics", "30,30,15.5,11.5",
+               "--input", Folder(), "--json", "-", "--no-masks"});
+  EXPECT_THAT(finished.err, HasSubstr("8 of 8 frames done"));
+  const Finished info = Execute({FOVEA_CLI, "info", "--server", narrow.address()});
+  EXPECT_EQ(nlohmann::json::parse(info.out).at("statistics").at("frames_answered"),
+            nlohmann::json({{"OK", "8"}}));
+}
+
 TEST_F(CliTest, ReadsNoPipesAndDevicesOfFolders) {
   fs::remove(At("a_color.png"));
   ASSERT_EQ(mkfifo(At("a_color.png").c_str(), S_IRUSR | S_IWUSR), 0);
