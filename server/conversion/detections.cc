@@ -4,6 +4,7 @@
 
 #include "server/build_info.h"
 #include "server/conversion/geometry.h"
+#include "server/conversion/grasp.h"
 #include "server/conversion/gripper.h"
 #include "server/conversion/mask.h"
 #include "server/conversion/object.h"
@@ -61,6 +62,16 @@ v1::Diagnostics DiagnosticsToProto(const Diagnostics& diagnostics) {
   return proto;
 }
 
+void AddGrippers(const Detections& detections, const v1::GraspOptions& asked,
+                 v1::Detections* proto) {
+  for (const Gripper& gripper : detections.grippers) {
+    const int i = proto->grippers_size();
+    *proto->add_grippers() =
+        ToProto(gripper, i < asked.grippers_size() ? asked.grippers(i) : v1::Gripper());
+  }
+}
+
+// After AddGrippers.
 void AddObjects(const Detections& detections, const v1::Frame& frame,
                 const v1::DetectOptions& options, v1::Detections* proto) {
   std::optional<Eigen::Isometry3d> reference_from_camera;
@@ -70,6 +81,10 @@ void AddObjects(const Detections& detections, const v1::Frame& frame,
   for (const DetectedObject& object : detections.objects) {
     v1::Object& added = *proto->add_objects();
     added = ToProto(object, frame.id(), reference_from_camera, detections.grippers);
+    for (v1::Grasp& grasp : *added.mutable_grasps()) {
+      const auto i = static_cast<int>(grasp.gripper_index());
+      if (i < proto->grippers_size()) KeepWithin(proto->grippers(i), &grasp);
+    }
     AddTrack(object, &added);
     if (options.return_masks()) {
       *added.mutable_mask() = MaskToProto(detections.labels, object.label, object.bounds_px);
@@ -118,8 +133,8 @@ v1::Detections ToProto(const Detections& detections, const Trace& trace, const v
   proto.set_server_version(Version());
   proto.set_server_build(Commit());
   proto.set_incomplete(detections.incomplete);
+  AddGrippers(detections, options.grasps(), &proto);
   AddObjects(detections, frame, options, &proto);
-  for (const Gripper& gripper : detections.grippers) *proto.add_grippers() = ToProto(gripper);
   for (const FreePlace& place : detections.free_places) *proto.add_free_places() = ToProto(place);
   for (const CollisionPrimitive& primitive : detections.support_collisions) {
     *proto.add_support_collisions() = ToProto(primitive);

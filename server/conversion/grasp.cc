@@ -1,5 +1,7 @@
 #include "server/conversion/grasp.h"
 
+#include <algorithm>
+
 #include "server/conversion/geometry.h"
 
 namespace fovea::server {
@@ -67,6 +69,17 @@ v1::Grasp ToProto(const Grasp& grasp, const std::string& gripper_name) {
   proto.set_usable_diameter_m(grasp.usable_diameter_m);
   proto.set_off_center_m(grasp.off_center_m);
   return proto;
+}
+
+void KeepWithin(const v1::Gripper& gripper, v1::Grasp* grasp) {
+  if (gripper.has_jaw()) {
+    const double most_m = gripper.jaw().max_opening_m();
+    grasp->set_opening_m(std::min(grasp->opening_m(), most_m));
+    grasp->set_pre_grasp_opening_m(std::min(grasp->pre_grasp_opening_m(), most_m));
+  } else {
+    const double least_m = gripper.suction().diameter_m();
+    grasp->set_usable_diameter_m(std::max(grasp->usable_diameter_m(), least_m));
+  }
 }
 
 v1::NoGrasp ToProto(const NoGrasp& none, const std::string& gripper_name) {

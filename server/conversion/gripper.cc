@@ -1,6 +1,8 @@
 #include "server/conversion/gripper.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -97,28 +99,46 @@ Gripper GripperFromProto(const v1::Gripper& proto, const std::string& path) {
   return gripper;
 }
 
+double Said(float held, double given) {
+  if (static_cast<float>(given) == held) return given;
+  std::array<char, 32> text;
+  const char* const end = std::to_chars(text.data(), text.data() + text.size(), held).ptr;
+  double said = held;
+  std::from_chars(text.data(), end, said);
+  return said;
+}
+
+v1::JawGripper JawToProto(const JawGripper& jaw, const v1::JawGripper& given) {
+  v1::JawGripper proto;
+  proto.set_max_opening_m(Said(jaw.max_opening_m, given.max_opening_m()));
+  proto.set_finger_length_m(Said(jaw.finger_length_m, given.finger_length_m()));
+  proto.set_finger_width_m(Said(jaw.finger_width_m, given.finger_width_m()));
+  proto.set_finger_thickness_m(Said(jaw.finger_thickness_m, given.finger_thickness_m()));
+  const Eigen::Vector3f palm = PalmOf(jaw);
+  proto.mutable_palm_size()->set_x(Said(palm.x(), given.palm_size().x()));
+  proto.mutable_palm_size()->set_y(Said(palm.y(), given.palm_size().y()));
+  proto.mutable_palm_size()->set_z(Said(palm.z(), given.palm_size().z()));
+  proto.set_friction(Said(jaw.friction, given.friction()));
+  return proto;
+}
+
 }  // namespace
 
-v1::Gripper ToProto(const Gripper& gripper) {
+v1::Gripper ToProto(const Gripper& gripper, const v1::Gripper& given) {
   v1::Gripper proto;
   proto.set_name(gripper.name);
   if (const auto* jaw = std::get_if<JawGripper>(&gripper.hand)) {
-    v1::JawGripper& hand = *proto.mutable_jaw();
-    hand.set_max_opening_m(jaw->max_opening_m);
-    hand.set_finger_length_m(jaw->finger_length_m);
-    hand.set_finger_width_m(jaw->finger_width_m);
-    hand.set_finger_thickness_m(jaw->finger_thickness_m);
-    *hand.mutable_palm_size() = ToProto(PalmOf(*jaw));
-    hand.set_friction(jaw->friction);
+    *proto.mutable_jaw() = JawToProto(*jaw, given.jaw());
   } else {
     const auto& cup = std::get<SuctionGripper>(gripper.hand);
-    proto.mutable_suction()->set_diameter_m(cup.diameter_m);
-    proto.mutable_suction()->set_max_curvature_per_m(cup.max_curvature_per_m);
+    proto.mutable_suction()->set_diameter_m(Said(cup.diameter_m, given.suction().diameter_m()));
+    proto.mutable_suction()->set_max_curvature_per_m(
+        Said(cup.max_curvature_per_m, given.suction().max_curvature_per_m()));
   }
   if (gripper.approach) *proto.mutable_approach() = ToProto(*gripper.approach);
-  proto.set_max_tilt_rad(gripper.max_tilt_rad);
+  proto.set_max_tilt_rad(gripper.max_tilt_rad);  // of pi / 2 the shortest number is beyond it
   proto.set_max_grasps(static_cast<std::uint32_t>(gripper.max_grasps));
-  proto.set_min_probability(gripper.min_probability);
+  proto.set_min_probability(Said(gripper.min_probability, given.min_probability()));
   return proto;
 }
 

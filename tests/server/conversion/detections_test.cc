@@ -6,6 +6,9 @@
 
 #include <string>
 #include <utility>
+#include <variant>
+
+#include "server/conversion/gripper.h"
 
 namespace fovea::testing {
 namespace {
@@ -150,6 +153,70 @@ TEST(Answers, SayWhyATrackIsHidden) {
     detections.tracking->hidden[0].reason = static_cast<HiddenReason>(reason);
     EXPECT_EQ(AnswerWith(detections).hidden_tracks(0).reason(), reason + 1);
   }
+}
+
+v1::Gripper JawOf(double opening_m) {
+  v1::Gripper gripper;
+  gripper.mutable_jaw()->set_max_opening_m(opening_m);
+  return gripper;
+}
+
+v1::Gripper CupOf(double diameter_m) {
+  v1::Gripper gripper;
+  gripper.mutable_suction()->set_diameter_m(diameter_m);
+  return gripper;
+}
+
+// Of one object with a grasp of each gripper that is as wide as that is, as the detector has it.
+v1::Detections AnswerToWidestGrasps(const v1::GraspOptions& asked) {
+  Detections detections;
+  detections.grippers = server::FromProto(asked);
+  detections.objects.resize(1);
+  for (std::size_t i = 0; i < detections.grippers.size(); ++i) {
+    Grasp grasp{.gripper = i};
+    const auto& hand = detections.grippers[i].hand;
+    if (const auto* jaw = std::get_if<JawGripper>(&hand)) {
+      grasp.opening_m = grasp.pre_grasp_opening_m = jaw->max_opening_m;
+    } else {
+      grasp.usable_diameter_m = std::get<SuctionGripper>(hand).diameter_m;
+    }
+    detections.objects[0].grasps.push_back(grasp);
+  }
+  v1::DetectOptions options;
+  *options.mutable_grasps() = asked;
+  return server::ToProto(detections, {}, v1::Frame(), options);
+}
+
+// Robots compare them with what they have sent, and refuse what lies beyond it by a rounding.
+TEST(Answers, KeepGraspsWithinTheGrippersAsTheyWereSent) {
+  v1::GraspOptions asked;
+  for (const double number : {0.085, 0.085 * 0.99, 0.1 + 0.2, 0.03, 0.07, 1e-4}) {
+    *asked.add_grippers() = JawOf(number);
+    if (asked.grippers_size() < 5) *asked.add_grippers() = CupOf(number);
+  }
+  const v1::Detections answer = AnswerToWidestGrasps(asked);
+  ASSERT_EQ(answer.objects(0).grasps_size(), asked.grippers_size());
+  for (int i = 0; i < asked.grippers_size(); ++i) {
+    const v1::Grasp& grasp = answer.objects(0).grasps(i);
+    const v1::Gripper &sent = asked.grippers(i), &said = answer.grippers(i);
+    if (sent.has_jaw()) {
+      const double most_m = sent.jaw().max_opening_m();
+      EXPECT_LE(grasp.opening_m(), most_m);
+      EXPECT_LE(grasp.pre_grasp_opening_m(), most_m);
+      EXPECT_NEAR(grasp.pre_grasp_opening_m(), most_m, 1e-7);
+      EXPECT_EQ(said.jaw().max_opening_m(), most_m);
+    } else {
+      EXPECT_GE(grasp.usable_diameter_m(), sent.suction().diameter_m());
+      EXPECT_NEAR(grasp.usable_diameter_m(), sent.suction().diameter_m(), 1e-7);
+      EXPECT_EQ(said.suction().diameter_m(), sent.suction().diameter_m());
+    }
+  }
+}
+
+TEST(Answers, KeepGraspsWithinTheGripperThatStandsIn) {
+  const v1::Detections answer = AnswerToWidestGrasps({});
+  EXPECT_EQ(answer.grippers(0).jaw().max_opening_m(), 0.085);
+  EXPECT_EQ(answer.objects(0).grasps(0).pre_grasp_opening_m(), 0.085);
 }
 
 TEST(Answers, SayHowTheCameraMoved) {
