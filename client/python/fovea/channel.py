@@ -17,6 +17,7 @@ _PEM = {
     "certificate_chain": b"CERTIFICATE",
     "private_key": b"PRIVATE KEY",
 }
+_LONGEST_ID = 64
 _open: weakref.WeakSet[grpc.Channel] = weakref.WeakSet()
 
 
@@ -108,7 +109,11 @@ def _token(token: Any) -> str:
 
 
 def metadata_of_call(request_id: str, traceparent: str) -> list[tuple[str, str]]:
-    """Raises InvalidArgument for what cannot travel in a header."""
+    """Raises InvalidArgument for what cannot travel in a header, and for ids that the server would
+    refuse: its log would not have them, and errors would say that it has."""
+    if isinstance(request_id, str) and len(request_id) > _LONGEST_ID:
+        problem = f"request_id has {len(request_id)} characters, more than {_LONGEST_ID}"
+        raise InvalidArgument("metadata fovea-request-id", problem)
     given = {"fovea-request-id": request_id, "traceparent": traceparent}
     return [(key, _printable(f"metadata {key}", text)) for key, text in given.items() if text]
 

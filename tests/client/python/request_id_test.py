@@ -75,5 +75,16 @@ def test_ids_that_cannot_travel_are_refused(client: fovea.Client, scene: Scene) 
         with pytest.raises(fovea.InvalidArgument) as caught:
             client.detect_frame(scene.frame(), **{name: "küche"})
         assert caught.value.field == f"metadata {field}"
-    with pytest.raises(fovea.InvalidArgument, match="metadata fovea-request-id: must be 1 to 64"):
+
+
+def test_ids_that_the_server_would_refuse_are_not_sent(client: fovea.Client, scene: Scene) -> None:
+    refused = (
+        "INVALID_ARGUMENT: metadata fovea-request-id: request_id has 65 characters, more than 64"
+    )
+    with pytest.raises(fovea.InvalidArgument) as caught:
         client.detect_frame(scene.frame(), request_id="x" * 65)
+    assert str(caught.value) == refused
+    with pytest.raises(fovea.InvalidArgument) as caught:
+        client.stream([scene.frame()], request_id="x" * 65)
+    assert str(caught.value) == refused
+    assert client.detect_frame(scene.frame(), request_id="x" * 64).objects
