@@ -17,7 +17,7 @@ import numpy.typing as npt
 from fovea.channel import make_metadata, metadata_of_call
 from fovea.checks import timeout_of_call, timeout_of_client
 from fovea.detections import Detections, detections_from_proto
-from fovea.errors import Cancelled, FoveaError, error_of_call
+from fovea.errors import Cancelled, FoveaError, InvalidArgument, error_of_call
 from fovea.explanations import of_server
 from fovea.frame import CameraIntrinsics, Frame
 from fovea.frame_feed import FrameFeed, Item
@@ -75,7 +75,8 @@ class Client:
         max_answer_mib: largest answer, 1 to 2047; the clouds of a 2048x1536 frame are 45 MiB.
         tls: encrypts where it is given.
         token: without TLS anybody on the way can read it. robot: the robot's name; empty = the
-            server goes by the token, the certificate or the host.
+            server goes by the token, the certificate or the host. Where a token or certificate says
+            whose it is, that counts, and a name given beside it is ignored.
         """
         self._timeout = timeout_of_client(timeout)
         self._retry = retry
@@ -175,6 +176,9 @@ class Client:
         request = detection_service_pb2.DetectRequest(
             frame=frame.to_proto(), options=options_to_proto(options)
         )
+        if request.options.tracking.enabled:
+            problem = "tracking needs a stream of frames; call Client.stream"
+            raise InvalidArgument("options.tracking.enabled", problem)
         response = self._call(lambda stub: stub.Detect, request, timeout, request_id, traceparent)
         return detections_from_proto(response.detections)
 

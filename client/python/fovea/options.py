@@ -69,7 +69,7 @@ class DetectOptions:
     # Detections.incomplete tells if that was not all. 0: as long as it takes. Not with
     # return_trace.
     time_budget: float = 0
-    # Only in streams: objects keep a track_id from frame to frame.
+    # Only in Client.stream: objects keep a track_id from frame to frame.
     tracking: bool = False
     # The tracks start anew with the first frame whose number here is another one than before.
     tracking_reset: int = 0

@@ -62,7 +62,7 @@ def test_tracks_start_anew_where_that_is_asked_for(client: fovea.Client, scene: 
 
 
 def test_a_single_call_has_no_frames_to_track(client: fovea.Client, scene: Scene) -> None:
-    with pytest.raises(fovea.InvalidArgument, match="DetectStream"):
+    with pytest.raises(fovea.InvalidArgument, match="call Client.stream"):
         client.detect_frame(scene.frame(), fovea.DetectOptions(tracking=True))
 
 
