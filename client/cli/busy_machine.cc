@@ -34,7 +34,8 @@ std::string NoteOfBusyMachine(const ProcessorWait& wait) {
   if (!wait.IsMuch()) return {};
   return fmt::format(
       "note: of {:.1f} s that frames took, the server waited {:.1f} s for a processor: other "
-      "programs of its machine use them; see \"A busy machine\" in docs/operations.md\n",
+      "programs of its machine, or more threads than it has processors, use them; see \"A busy "
+      "machine\" in docs/operations.md\n",
       wait.took_s, wait.waited_s);
 }
 

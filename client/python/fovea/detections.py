@@ -130,7 +130,8 @@ class Detections:
     gravity: Gravity
     support_surface: SupportSurface | None  # None where none was found
     # Milliseconds, in the order of the pipeline; "queue" and "decode" are the server's part;
-    # "processor_wait" is in the others: what other programs kept the server's processors from it.
+    # "processor_wait" is in the others: how long it waited for a processor that other
+    # threads or programs had.
     stage_times_ms: dict[str, float]
     diagnostics: Diagnostics
     # By name, "color" and "depth": HxW uint8, 255 = most salient of this frame.
