@@ -1,4 +1,5 @@
-# Manual pages from what the programs say with --help.
+# Manual pages from what the programs say with --help, and from man_pages/TARGET.h2m, which has their
+# exit status.
 find_program(HELP2MAN help2man REQUIRED)
 find_program(GZIP gzip REQUIRED)
 
@@ -6,6 +7,7 @@ find_program(GZIP gzip REQUIRED)
 function(fovea_man_page target page section component description)
   set(folder ${PROJECT_BINARY_DIR}/man)
   set(output ${folder}/${page}.${section}.gz)
+  set(more ${PROJECT_SOURCE_DIR}/cmake/man_pages/${target}.h2m)
   # Named as the page, which is what help2man calls the program.
   file(GENERATE OUTPUT ${folder}/${page}
        CONTENT "#!/bin/sh\nexec \"$<TARGET_FILE:${target}>\" ${ARGN} \"$@\"\n"
@@ -14,9 +16,9 @@ function(fovea_man_page target page section component description)
     OUTPUT ${output}
     COMMAND
       ${HELP2MAN} --no-info --section ${section} --name ${description} --version-string
-      ${PROJECT_VERSION} --output ${page}.${section} ./${page}
+      ${PROJECT_VERSION} --include ${more} --output ${page}.${section} ./${page}
     COMMAND ${GZIP} -9nf ${page}.${section}
-    DEPENDS ${target} ${folder}/${page}
+    DEPENDS ${target} ${folder}/${page} ${more}
     WORKING_DIRECTORY ${folder}
     COMMENT "Writing ${page}(${section})"
     VERBATIM)
