@@ -11,7 +11,8 @@
 
 int main(int argc, char** argv) {
   CLI::App app(
-      "Streams an RGB-D camera (OpenNI2) to a fovea server and shows the objects that it finds.",
+      "Streams an RGB-D camera (OpenNI2 or V4L2) to a fovea server and shows the objects that it "
+      "finds.",
       "fovea-capture");
   app.set_version_flag("--version", "fovea-capture " FOVEA_VERSION);
   app.require_subcommand(0, 1);
