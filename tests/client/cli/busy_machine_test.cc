@@ -23,6 +23,8 @@ v1::GetStatisticsResponse Statistics(int waited_s) {
 TEST(NoteOfBusyMachine, SaysWhatOthersTook) {
   EXPECT_THAT(NoteOfBusyMachine(Statistics(6)), HasSubstr("of 9.0 s that frames took, the server "
                                                           "waited 6.0 s for a processor"));
+  EXPECT_THAT(NoteOfBusyMachine(Statistics(6)),
+              HasSubstr("other programs of its machine, or more threads than it has processors"));
 }
 
 TEST(NoteOfBusyMachine, IsEmptyWhereItIsLittle) {
