@@ -15,6 +15,11 @@ constexpr float kChange = 25;                          // grey levels: beyond no
 constexpr double kMaxChanged = 0.1;                    // of the pixels: a hand or a passer-by
 constexpr double kFewestOfPixels = 0.2;                // that lie outside of objects
 constexpr double kMaxDeviation_px = kMaxShift_px / 3;  // of what is measured
+// Of the differences that no shift explains, in squares of grey levels: what noise leaves, and what
+// it is beside the gradients. Fine texture that has moved by more than a pixel is like other
+// texture: as far as any shift explains it there was none, and what is left is above the gradients'
+// squares.
+constexpr double kNoise = 4, kMaxOfGradients = 0.25;
 
 using Row = Eigen::Matrix<double, 6, 1>;
 
@@ -82,6 +87,8 @@ bool IsSameView(const SmallView& a, const SmallView& b) {
   const Row motion = solver.solve(equations.right);
   const double variance =
       std::max(1.0, (equations.squares - motion.dot(equations.right)) / equations.used);
+  const double gradients = equations.matrix.diagonal().head<2>().sum() / equations.used;
+  if (variance > std::max(kNoise, kMaxOfGradients * gradients)) return false;
   const Row deviation =
       (variance * solver.solve(Eigen::Matrix<double, 6, 6>::Identity()).diagonal())
           .cwiseMax(0)

@@ -29,6 +29,27 @@ TEST(IsSameView, KnowsNoiseAndExposureFromMotion) {
   EXPECT_FALSE(IsSameView(nothing, nothing)) << "that cannot be told without contrast";
 }
 
+// Tiles, gravel, a carpet: no shift of a fraction of a pixel explains what changed, so that none is
+// found, by thousands of pixels.
+TEST(IsSameView, IsNotAnotherPartOfAFineTexture) {
+  const auto seen = [](std::uint64_t texture, std::uint64_t noise, double contrast) {
+    View view(0, noise);
+    cv::RNG random(texture);
+    cv::Mat tiles(60, 80, CV_8UC1);
+    random.fill(tiles, cv::RNG::UNIFORM, 128 - contrast, 128 + contrast);
+    cv::resize(tiles, tiles, testing::kSize, 0, 0, cv::INTER_NEAREST);
+    cv::Mat change(testing::kSize, CV_8UC3);
+    cv::RNG(noise).fill(change, cv::RNG::NORMAL, 8, 3);
+    cv::cvtColor(tiles, view.frame.color_rgb, cv::COLOR_GRAY2RGB);
+    view.frame.color_rgb += change;
+    return SmallOf(view);
+  };
+  for (const double contrast : {6, 10, 15}) {
+    EXPECT_TRUE(IsSameView(seen(1, 1, contrast), seen(1, 2, contrast))) << contrast;
+    EXPECT_FALSE(IsSameView(seen(1, 1, contrast), seen(2, 2, contrast))) << contrast;
+  }
+}
+
 // 160 pixels wide at the image's own proportions it would have millions of rows.
 TEST(SmallView, IsSmallHoweverNarrowTheImage) {
   RgbdFrame ribbon;
