@@ -15,6 +15,8 @@ constexpr double kPoseError_m = 0.005;
 constexpr double kFar_m = 1;
 // Where nothing is known of a motion, it is within what a shaking hand does between two frames.
 constexpr double kUnknownError_m = 0.05;
+// So many frames that show nothing of it do not end a key frame.
+constexpr int kMostLost = 20;
 // Beyond that from its key frame, a camera sees less and less of the same.
 constexpr double kNear_m = 0.1, kNear_rad = 0.1;
 constexpr int kAmpleInliers = 60;
@@ -58,79 +60,100 @@ std::vector<PointPair> PairsOf(const Features& from, const Features& to,
   return pairs;
 }
 
-CameraPath::Place FromPoses(const Eigen::Isometry3d& last, const Eigen::Isometry3d& pose) {
-  CameraPath::Place place;
-  const Eigen::Isometry3d motion = MotionBetween(last, pose);
-  if (motion.translation().norm() > kFarthestPose_m) {
-    place.motion.source = CameraMotionSource::kUnknown;
-    place.error_m = kUnknownError_m;
-  } else {
-    place.motion = {CameraMotionSource::kGiven, motion};
-    // What is said to stand does: arms, and cameras on stands.
-    place.error_m = std::min(kPoseError_m, motion.translation().norm() + kFar_m * AngleOf(motion));
-  }
-  return place;
-}
-
 }  // namespace
 
 CameraPath::Place CameraPath::Add(const RgbdFrame& frame, const cv::Mat& labels,
                                   const std::optional<Eigen::Isometry3d>& pose) {
   const bool has_pose = pose && IsPlausible(*pose);
   Place place;
-  if (has_pose && (is_first_ || last_pose_)) {
+  if (has_pose && GoesOnByPoses()) {
+    place = FromPoses(*pose);
     key_.reset();
-    last_.reset();
-    if (last_pose_) place = FromPoses(*last_pose_, *pose);
-    place.world_from_camera = last_world_from_camera_ * place.motion.last_from_this;
+    beside_key_.reset();
+    num_lost_ = 0;
   } else {
     place = FromFrames(frame, labels);
-    place.motion.last_from_this = last_world_from_camera_.inverse() * place.world_from_camera;
+    if (!place.is_guess()) posed_.reset();
   }
   if (is_first_) place.motion.source = CameraMotionSource::kFirstFrame;
   is_first_ = false;
-  last_pose_ = has_pose ? pose : std::nullopt;
-  last_world_from_camera_ = place.world_from_camera;
+  if (has_pose) posed_ = {*pose, place.world_from_camera};
+  last_has_pose_ = has_pose;
+  last_ = place;
+  return place;
+}
+
+CameraPath::Place CameraPath::FromPoses(const Eigen::Isometry3d& pose) const {
+  if (!posed_) return {};
+  const Eigen::Isometry3d motion = MotionBetween(posed_->pose, pose);
+  if (motion.translation().norm() > kFarthestPose_m) return Guess();
+  Place place{{CameraMotionSource::kGiven, motion}, posed_->world_from_camera * motion};
+  // What is said to stand does: arms, and cameras on stands.
+  place.error_m = std::min(kPoseError_m, motion.translation().norm() + kFar_m * AngleOf(motion));
+  place.is_back = !last_has_pose_;
+  if (place.is_back) {
+    place.motion.last_from_this = last_.world_from_camera.inverse() * place.world_from_camera;
+  }
+  return place;
+}
+
+CameraPath::Place CameraPath::Guess() const {
+  // The step back from a guess holds what was wrong with it.
+  const bool goes_on = last_.motion.source == CameraMotionSource::kGiven && !last_.is_back;
+  Place place{{CameraMotionSource::kUnknown}, last_.world_from_camera, kUnknownError_m};
+  if (goes_on) {
+    place.motion.last_from_this = last_.motion.last_from_this;
+    place.world_from_camera = last_.world_from_camera * place.motion.last_from_this;
+  }
   return place;
 }
 
 CameraPath::Place CameraPath::FromFrames(const RgbdFrame& frame, const cv::Mat& labels) {
-  Place place{{CameraMotionSource::kUnknown}, last_world_from_camera_, kUnknownError_m};
-  View view{SmallViewOf(frame, labels), {}, frame.intrinsics, last_world_from_camera_};
+  Place place = Guess();
+  View view{SmallViewOf(frame, labels), {}, frame.intrinsics, {}};
   if (key_ && IsSameView(key_->small, view.small)) {
-    const bool was_there = !last_;
     place.motion.source =
-        was_there ? CameraMotionSource::kStanding : CameraMotionSource::kEstimated;
+        beside_key_ ? CameraMotionSource::kEstimated : CameraMotionSource::kStanding;
     place.world_from_camera = key_->world_from_camera;
     place.error_m = 0;
-    last_.reset();
-    return place;
-  }
-  view.features = FindFeatures(frame, labels);
-  int inliers = 0;
-  const int width_px = labels.cols;
-  const bool from_key = key_ && AddByFeatures(*key_, width_px, view, place, &inliers);
-  const bool found = from_key || (last_ && AddByFeatures(*last_, width_px, view, place, &inliers));
-  view.world_from_camera = place.world_from_camera;
-  const bool stands = last_ && IsSameView(last_->small, view.small);
-  const bool keep_key =
-      from_key && !stands && inliers >= kAmpleInliers &&
-      IsWithin(key_->world_from_camera.inverse() * view.world_from_camera, kNear_m, kNear_rad);
-  if (keep_key) {
-    last_ = std::move(view);
+    place.is_back = num_lost_ > 0;
+    beside_key_.reset();
+    num_lost_ = 0;
   } else {
-    key_ = std::move(view);
-    last_.reset();
+    view.features = FindFeatures(frame, labels);
+    LookAround(std::move(view), labels.cols, place);
   }
-  if (stands && !found) {
-    place.motion.source = CameraMotionSource::kStanding;
-    place.error_m = 0;
-  }
+  place.motion.last_from_this = last_.world_from_camera.inverse() * place.world_from_camera;
   return place;
 }
 
-bool CameraPath::AddByFeatures(const View& from, int width_px, View& view, Place& place,
-                               int* num_inliers) const {
+void CameraPath::LookAround(View view, int width_px, Place& place) {
+  int inliers = 0;
+  const bool from_key = key_ && AddByFeatures(*key_, width_px, view, place, &inliers);
+  if (!from_key && beside_key_) AddByFeatures(*beside_key_, width_px, view, place, &inliers);
+  const bool stands = beside_key_ && IsSameView(beside_key_->small, view.small);
+  if (stands && place.is_guess()) {
+    place.motion.source = CameraMotionSource::kStanding;
+    place.world_from_camera = last_.world_from_camera;
+    place.error_m = 0;
+  }
+  place.is_back = from_key && num_lost_ > 0;
+  view.world_from_camera = place.world_from_camera;
+  const bool is_lost = key_ && place.is_guess() && num_lost_ < kMostLost;
+  num_lost_ = is_lost ? num_lost_ + 1 : 0;
+  const bool keep_key =
+      from_key && !stands && inliers >= kAmpleInliers &&
+      IsWithin(key_->world_from_camera.inverse() * view.world_from_camera, kNear_m, kNear_rad);
+  if (is_lost || keep_key) {
+    beside_key_ = std::move(view);
+  } else {
+    key_ = std::move(view);
+    beside_key_.reset();
+  }
+}
+
+bool CameraPath::AddByFeatures(const View& from, int width_px, const View& view, Place& place,
+                               int* num_inliers) {
   const auto matches = MatchFeatures(from.features, view.features);
   for (const bool with_objects : {false, true}) {
     const auto pairs = PairsOf(from.features, view.features, matches, with_objects);

@@ -18,13 +18,22 @@ namespace fovea {
 // one. The key frame stays as long as the camera is near it, so that errors do not add up while it
 // stands or shakes. Holds two frames' features, some 200 KB; none of frames whose motion comes from
 // poses, or of a first one with a pose: if the next has none, its motion is unknown.
+//
+// What is unknown is guessed: after a motion that poses told as that was, else as standing. The key
+// frame and the last pose are kept meanwhile, so that a frame that shows nothing, or whose pose was
+// lost, changes nothing for those after it.
 class CameraPath {
  public:
   struct Place {
     CameraMotion motion;
     Eigen::Isometry3d world_from_camera = Eigen::Isometry3d::Identity();
-    // Standard deviation of where things are that stood still since the frame before.
+    // Standard deviation of where things are that stood still since the frame before; where that
+    // was a guess and this `is_back`, since the last one that was none.
     double error_m = 0;
+    // The frame before was a guess, and this one is known beside the last that was none.
+    bool is_back = false;
+
+    bool is_guess() const { return motion.source == CameraMotionSource::kUnknown; }
   };
 
   // `pose`: of the camera, in a frame of the robot's choice. The world is the first frame's camera.
@@ -40,14 +49,24 @@ class CameraPath {
     Eigen::Isometry3d world_from_camera = Eigen::Isometry3d::Identity();
   };
 
+  struct Posed {
+    Eigen::Isometry3d pose, world_from_camera;
+  };
+
+  bool GoesOnByPoses() const { return is_first_ || last_has_pose_ || (posed_ && last_.is_guess()); }
+  Place FromPoses(const Eigen::Isometry3d& pose) const;
   Place FromFrames(const RgbdFrame& frame, const cv::Mat& labels);
-  bool AddByFeatures(const View& from, int width_px, View& view, Place& place,
-                     int* num_inliers) const;
+  Place Guess() const;
+  void LookAround(View view, int width_px, Place& place);
+  static bool AddByFeatures(const View& from, int width_px, const View& view, Place& place,
+                            int* num_inliers);
 
   bool is_first_ = true;
-  Eigen::Isometry3d last_world_from_camera_ = Eigen::Isometry3d::Identity();
-  std::optional<Eigen::Isometry3d> last_pose_;
-  std::optional<View> key_, last_;  // last_: where that is not the key frame
+  Place last_;
+  bool last_has_pose_ = false;
+  std::optional<Posed> posed_;  // the last one with a pose, and no more than guesses since
+  std::optional<View> key_, beside_key_;  // beside_key_: the last frame, where that is not the key
+  int num_lost_ = 0;  // frames in turn that show nothing of the key frame or the one before
 };
 
 }  // namespace fovea

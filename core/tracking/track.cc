@@ -19,16 +19,19 @@ void Shift(Sighting& sighting, const Eigen::Vector3f& by) {
 
 }  // namespace
 
-Track::Track(std::uint64_t id, const Sighting& first, const std::optional<CaptureTime>& at)
+Track::Track(std::uint64_t id, const Sighting& first, const std::optional<CaptureTime>& at,
+             bool by_guess)
     : id_(id),
       first_seen_(at),
       last_seen_(at),
       expected_(first),
       steadied_(first.box),
-      place_(SpotOf(first)) {}
+      place_(SpotOf(first)),
+      is_by_guess_(by_guess) {}
 
 void Track::Advance(const Eigen::Isometry3f& this_from_last, double seconds, double adding_up_m) {
   expected_ = Moved(std::move(expected_), this_from_last);
+  if (before_guess_) before_guess_ = Moved(*std::move(before_guess_), this_from_last);
   steadied_.Transform(this_from_last);
   place_ = Moved(place_, this_from_last);
   place_.camera_variance_m2 += adding_up_m * adding_up_m;
@@ -41,11 +44,58 @@ void Track::Advance(const Eigen::Isometry3f& this_from_last, double seconds, dou
   constexpr double kLongestMotion_s = 0.5;
   if (seconds_hidden_ > kLongestMotion_s) filter_->Stop();
   filter_->Predict(seconds);
-  Shift(expected_, filter_->position() - before);
+  const Eigen::Vector3f step = filter_->position() - before;
+  Shift(expected_, step);
+  if (before_guess_) Shift(*before_guess_, step);
 }
 
 void Track::OnSeen(const Sighting& sighting, double camera_error_m,
                    const std::optional<CaptureTime>& at) {
+  if (begins_again_) {
+    BeginAgain(sighting);
+  } else {
+    Compare(sighting, camera_error_m);
+  }
+  Note(sighting, at);
+}
+
+void Track::OnSeenByGuess(const Sighting& sighting, const std::optional<CaptureTime>& at) {
+  if (!is_by_guess_) before_guess_ = expected_;
+  is_by_guess_ = true;
+  Note(sighting, at);
+}
+
+void Track::OnGuessEnded(bool is_back) {
+  if (is_back) {
+    begins_again_ = is_by_guess_ && !before_guess_;
+    if (before_guess_) expected_ = *std::move(before_guess_);
+  } else if (is_by_guess_) {
+    BeginAgain(expected_);
+  } else {
+    begins_again_ = true;
+  }
+  is_by_guess_ = false;
+  before_guess_.reset();
+}
+
+void Track::Note(const Sighting& sighting, const std::optional<CaptureTime>& at) {
+  expected_ = sighting;
+  last_seen_ = at;
+  ++times_seen_;
+  was_seen_ = true;
+  seconds_hidden_ = 0;
+}
+
+// As what stands: nothing is known of how it came there.
+void Track::BeginAgain(const Sighting& sighting) {
+  steadied_.StartAnew(sighting.box);
+  place_ = SpotOf(sighting);
+  filter_.reset();
+  left_out_ = false;
+  begins_again_ = false;
+}
+
+void Track::Compare(const Sighting& sighting, double camera_error_m) {
   const Spot spot = SpotOf(sighting);
   const Displacement by = Between(place_, spot, scatter_, camera_error_m);
   const bool is_off = IsOff(by), looks_alike = LooksAlike(place_, spot);
@@ -60,11 +110,6 @@ void Track::OnSeen(const Sighting& sighting, double camera_error_m,
     heading_ = by.of_center.normalized();
   }
   left_out_ = leave_out;
-  expected_ = sighting;
-  last_seen_ = at;
-  ++times_seen_;
-  was_seen_ = true;
-  seconds_hidden_ = 0;
 }
 
 // What moves is off by half of that, too, where it goes on the same way.
@@ -98,6 +143,7 @@ void Track::StartAnew(const Sighting& sighting, const Spot& spot, bool moves,
 }
 
 ObjectTrack Track::ToObjectTrack() const {
+  if (is_by_guess_) return {id_, first_seen_, times_seen_, expected_.box, 1, false};
   return {id_, first_seen_, times_seen_, steadied_.mean(), steadied_.count(), filter_.has_value()};
 }
 

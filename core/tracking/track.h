@@ -17,7 +17,9 @@ constexpr float kFastest_m_s = 1;  // that a hand moves things
 
 class Track {
  public:
-  Track(std::uint64_t id, const Sighting& first, const std::optional<CaptureTime>& at);
+  // `by_guess`: where the camera is in that frame is not known.
+  Track(std::uint64_t id, const Sighting& first, const std::optional<CaptureTime>& at,
+        bool by_guess = false);
 
   // The camera has moved, and so many seconds have passed. `adding_up_m`: what is not known of the
   // motion, where that adds up from frame to frame.
@@ -26,6 +28,12 @@ class Track {
   // the camera's motion since the frame before.
   void OnSeen(const Sighting& sighting, double camera_error_m,
               const std::optional<CaptureTime>& at);
+  // The same where the motion to that frame was guessed: it tells nothing of where the thing is
+  // beside where it was.
+  void OnSeenByGuess(const Sighting& sighting, const std::optional<CaptureTime>& at);
+  // The motion to the frame that was advanced to is known again: `is_back` beside the last one for
+  // which it was, else beside the last one.
+  void OnGuessEnded(bool is_back);
   void OnMissed() { was_seen_ = false; }
 
   std::uint64_t id() const { return id_; }
@@ -39,6 +47,9 @@ class Track {
   ObjectTrack ToObjectTrack() const;
 
  private:
+  void Note(const Sighting& sighting, const std::optional<CaptureTime>& at);
+  void BeginAgain(const Sighting& sighting);
+  void Compare(const Sighting& sighting, double camera_error_m);
   bool IsOff(const Displacement& by) const;
   void StandStill(const Sighting& sighting, const Spot& spot);
   void StartAnew(const Sighting& sighting, const Spot& spot, bool moves, double camera_error_m);
@@ -52,6 +63,9 @@ class Track {
   SteadiedBox steadied_;
   Spot place_;  // the mean of those that steadied_ is of
   Scatter scatter_;
+  bool is_by_guess_ = false;              // expected_, of a frame whose place is not known
+  std::optional<Sighting> before_guess_;  // what was expected_ then, if anything
+  bool begins_again_ = false;             // what it is the mean of is not where it should be
   bool left_out_ = false;                 // of steadied_, in the last frame that showed it
   std::optional<VelocityFilter> filter_;  // of what moves against the background
   Eigen::Vector3f heading_ = Eigen::Vector3f::Zero();  // its last step, of what moves

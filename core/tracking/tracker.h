@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/tracking/camera_motion.h"
+#include "core/tracking/frame_clock.h"
 #include "core/tracking/track.h"
 #include "core/types/detections.h"
 #include "core/types/rgbd_frame.h"
@@ -26,9 +27,9 @@ struct FrameContext {
 //
 // A new object has an id at once, and times_seen = 1 until a second frame confirms it; what is not
 // confirmed by the next frame is forgotten. Else it is kept, hidden, for kKeptHidden_s by the
-// frames' times; what was there in the last frame is looked for in the next one however much later
-// that is. Frames without time, or with one that is not after the last one's, count as
-// 1 / kFramesPerSecond.
+// frames' times (frame_clock.h); what was there in the last frame is looked for in the next one
+// however much later that is. Where the camera's motion is not known, boxes are those of the frame,
+// nothing is said to move or to be gone, and the means go on when it is known again.
 //
 // The same frames give the same tracks, bit for bit. Not thread-safe: one frame after the other.
 // Holds at most kMaxTracks tracks of some 3 KB; of more objects the least confident have none, and
@@ -36,7 +37,6 @@ struct FrameContext {
 class Tracker {
  public:
   static constexpr double kKeptHidden_s = 2;
-  static constexpr double kFramesPerSecond = 10;
   static constexpr std::size_t kMaxTracks = 128;
 
   // `epoch`: what Tracking::epoch says.
@@ -46,7 +46,6 @@ class Tracker {
   void Add(const RgbdFrame& frame, const FrameContext& context, Detections& detections);
 
  private:
-  double SecondsUntil(const std::optional<CaptureTime>& time);
   void Match(const std::vector<Sighting>& sightings, const CameraPath::Place& place,
              const RgbdFrame& frame, const FrameContext& context, Detections& detections);
   void Forget();
@@ -56,7 +55,8 @@ class Tracker {
   CameraPath path_;
   std::vector<Track> tracks_;  // by id
   std::uint64_t last_id_ = 0;
-  std::optional<CaptureTime> last_time_;
+  FrameClock clock_;
+  bool was_guess_ = false;  // where the camera was in the last frame
 };
 
 }  // namespace fovea

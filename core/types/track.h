@@ -38,7 +38,7 @@ enum class CameraMotionSource {
   kGiven,       // by the poses of both frames
   kEstimated,   // from the frames
   kStanding,    // the frames show that it has not moved
-  kUnknown,     // neither; taken for standing
+  kUnknown,     // neither; guessed
 };
 
 struct CameraMotion {

@@ -61,6 +61,33 @@ TEST(Tracker, TakesTheCamerasMotionOut) {
   }
 }
 
+// Five of a kind, a decimetre and a bit apart, and a camera that drives past by as much.
+TEST(Tracker, ALostPoseMixesNothingUp) {
+  Tracker tracker(1);
+  for (int i = 0; i < 6; ++i) {
+    View view(0.12 * i, i + 1);
+    for (int k = 0; k < 5; ++k) view.Add({0.12F * static_cast<float>(k), 0, 0.8F}, kRed, 0.08F);
+    const bool lost = i == 3;
+    const Detections seen = view.TrackBy(tracker, lost ? FrameContext{} : PosedAt(0.12 * i));
+    EXPECT_THAT(Ids(seen), ElementsAre(1, 2, 3, 4, 5)) << i;
+    EXPECT_EQ(seen.objects[4].track->steadied_over, lost ? 1U : i < 3 ? i + 1U : i) << i;
+    EXPECT_NEAR(seen.objects[4].track->steadied_box.center.x(), 0.48 - 0.12 * i, 0.002) << i;
+    for (const DetectedObject& object : seen.objects) EXPECT_FALSE(object.track->is_moving) << i;
+  }
+}
+
+// Somewhere else, nobody knows where, the wall is seen where it was.
+TEST(Tracker, NothingIsGoneWhereTheCameraIsNotKnown) {
+  for (const bool lost : {true, false}) {
+    Tracker tracker(1);
+    for (int i = 0; i < 2; ++i) View(0, i + 1).Add({0, 0, 0.8F}).TrackBy(tracker, PosedAt(0));
+    const Detections after = View(0, 3).TrackBy(tracker, lost ? FrameContext{} : PosedAt(0));
+    ASSERT_THAT(HiddenIds(after), ElementsAre(1));
+    EXPECT_EQ(after.tracking->hidden[0].reason,
+              lost ? HiddenReason::kNotDetected : HiddenReason::kGone);
+  }
+}
+
 TEST(Tracker, KeepsWhatIsHiddenForTwoSeconds) {
   for (const double hidden_s : {1.5, 2.5}) {
     Tracker tracker(1);
