@@ -62,6 +62,11 @@ std::vector<PointPair> PairsOf(const Features& from, const Features& to,
 
 }  // namespace
 
+double CameraPath::Place::ErrorAt_m(double distance_m) const {
+  const bool turns = motion.source == CameraMotionSource::kGiven;
+  return turns ? error_m * std::max(1.0, distance_m / kFar_m) : error_m;
+}
+
 CameraPath::Place CameraPath::Add(const RgbdFrame& frame, const cv::Mat& labels,
                                   const std::optional<Eigen::Isometry3d>& pose) {
   const bool has_pose = pose && IsPlausible(*pose);

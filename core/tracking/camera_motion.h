@@ -33,6 +33,9 @@ class CameraPath {
     // The frame before was a guess, and this one is known beside the last that was none.
     bool is_back = false;
 
+    // The same at that distance from the camera: poses err by turns, too, which move what is far
+    // farther. What frames tell errs by what they show.
+    double ErrorAt_m(double distance_m) const;
     bool is_guess() const { return motion.source == CameraMotionSource::kUnknown; }
   };
 

@@ -45,7 +45,8 @@ void Tracker::Match(const std::vector<Sighting>& sightings, const CameraPath::Pl
       if (place.is_guess()) {
         tracks_[t].OnSeenByGuess(sightings[i], context.captured_at);
       } else {
-        tracks_[t].OnSeen(sightings[i], place.error_m, context.captured_at);
+        const double error_m = place.ErrorAt_m(sightings[i].centroid.norm());
+        tracks_[t].OnSeen(sightings[i], error_m, context.captured_at);
       }
       detections.objects[i].track = tracks_[t].ToObjectTrack();
     } else {

@@ -61,6 +61,23 @@ TEST(Tracker, TakesTheCamerasMotionOut) {
   }
 }
 
+// By 25 mm, which is five times what poses err by at one metre.
+TEST(Tracker, WhatIsFarIsMovedFartherByWhatPosesErrBy) {
+  BoxUncertainty sure;
+  sure.pose_covariance.diagonal().setConstant(0.001F * 0.001F);
+  sure.size_sigma_m.setConstant(0.001F);
+  for (const float z_m : {0.9F, 2.5F}) {
+    Tracker tracker(1);
+    Detections last;
+    for (int i = 0; i < 3; ++i) {
+      View view(0.1 * i, i + 1);
+      view.Add({i == 2 ? 0.125F : 0.1F, 0, z_m}).detections.objects[0].uncertainty = sure;
+      last = view.TrackBy(tracker, PosedAt(0.1 * i));
+    }
+    EXPECT_EQ(last.objects[0].track->is_moving, z_m < 1) << z_m;
+  }
+}
+
 // Five of a kind, a decimetre and a bit apart, and a camera that drives past by as much.
 TEST(Tracker, ALostPoseMixesNothingUp) {
   Tracker tracker(1);
