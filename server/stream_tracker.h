@@ -14,7 +14,7 @@
 namespace fovea::server {
 
 // A stream's own, so that no robot's tracks depend on another's; it ends with the stream, and holds
-// less than a megabyte. Not thread-safe: a stream has one frame in work at any time, and the
+// some 1.3 MB at most. Not thread-safe: a stream has one frame in work at any time, and the
 // scheduler hands it from thread to thread.
 class StreamTracker {
  public:

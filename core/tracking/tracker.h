@@ -32,8 +32,9 @@ struct FrameContext {
 // nothing is said to move or to be gone, and the means go on when it is known again.
 //
 // The same frames give the same tracks, bit for bit. Not thread-safe: one frame after the other.
-// Holds at most kMaxTracks tracks of some 3 KB; of more objects the least confident have none, and
-// of more hidden ones those that were seen last stay. With poses or standing some 1 ms, else 15.
+// Holds at most kMaxTracks tracks of some 3 KB, or 7 in frames whose place is not known; of more
+// objects the least confident have none, and of more hidden ones those that were seen last stay.
+// With poses or standing some 1 ms, else 15.
 class Tracker {
  public:
   static constexpr double kKeptHidden_s = 2;
