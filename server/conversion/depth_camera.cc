@@ -2,6 +2,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "core/depth/depth_view.h"
 #include "core/depth/registration.h"
 #include "core/lens/undistortion.h"
 #include "server/conversion/field_error.h"
@@ -35,15 +36,21 @@ std::optional<DepthCamera> DepthCameraFromProto(const v1::Frame& frame) {
   return camera;
 }
 
-cv::Mat Register(const cv::Mat& depth_m, const DepthCamera& camera, const CameraIntrinsics& color,
-                 const cv::Size& color_size, std::vector<std::string>* messages) {
+RegisteredDepth Register(const cv::Mat& depth_m, const DepthCamera& camera,
+                         const CameraIntrinsics& color, const cv::Size& color_size,
+                         std::vector<std::string>* messages) {
   RequirePlausible(camera.intrinsics, depth_m.size(), kIntrinsics);
   const std::optional<Lens> lens = LensFromProto(camera.proto, depth_m.size(), kIntrinsics);
   const cv::Mat ideal_m = lens ? UndistortDepth(depth_m, *lens) : depth_m;
-  cv::Mat registered = InField(kPose, [&] {
+  RegisteredDepth registered;
+  registered.depth_m = InField(kPose, [&] {
     return RegisterDepth(ideal_m, camera.intrinsics, camera.color_from_depth, color, color_size);
   });
-  if (messages != nullptr && HasDepth(depth_m) && !HasDepth(registered)) {
+  registered.unseen = UnseenByDepthCamera(registered.depth_m, color,
+                                          {camera.intrinsics, camera.color_from_depth,
+                                           depth_m.size(), lens ? UnseenBy(*lens) : cv::Mat()});
+  if (cv::countNonZero(registered.unseen) == 0) registered.unseen.release();
+  if (messages != nullptr && HasDepth(depth_m) && !HasDepth(registered.depth_m)) {
     messages->emplace_back(
         "depth registered by color_from_depth covers 0 pixels of colour: check color_from_depth, "
         "depth_intrinsics and the depth unit");

@@ -22,10 +22,16 @@ struct DepthCamera {
 // where only one of the two that belong together is given.
 std::optional<DepthCamera> DepthCameraFromProto(const v1::Frame& frame);
 
-// Depth in pixels of colour, see core/depth/registration.h. Appends to `messages` that nothing of
-// what was measured lies in the colour image. Throws std::invalid_argument that starts with
-// "frame.color_from_depth: " or "frame.depth_intrinsics…: ".
-cv::Mat Register(const cv::Mat& depth_m, const DepthCamera& camera, const CameraIntrinsics& color,
-                 const cv::Size& color_size, std::vector<std::string>* messages);
+// Depth in pixels of colour.
+struct RegisteredDepth {
+  cv::Mat depth_m;  // as of core/depth/registration.h
+  cv::Mat unseen;   // as of core/depth/depth_view.h; empty where the depth camera sees all of it
+};
+
+// Appends to `messages` that nothing of what was measured lies in the colour image. Throws
+// std::invalid_argument that starts with "frame.color_from_depth: " or "frame.depth_intrinsics…: ".
+RegisteredDepth Register(const cv::Mat& depth_m, const DepthCamera& camera,
+                         const CameraIntrinsics& color, const cv::Size& color_size,
+                         std::vector<std::string>* messages);
 
 }  // namespace fovea::server

@@ -3,9 +3,10 @@
 #include <google/protobuf/util/time_util.h>
 
 #include <cmath>
+#include <limits>
 #include <opencv2/core.hpp>
+#include <utility>
 
-#include "core/depth/depth_view.h"
 #include "core/lens/undistortion.h"
 #include "server/conversion/depth_camera.h"
 #include "server/conversion/field_error.h"
@@ -92,20 +93,22 @@ RgbdFrame FromProto(const v1::Frame& frame, std::uint64_t max_pixels,
       LensFromProto(frame.intrinsics(), result.color_rgb.size(), "frame.intrinsics");
   result.depth_m = DepthFromProto(frame.depth(), max_pixels);
   if (depth_camera) {
-    const cv::Size depth_size = result.depth_m.size();
-    result.depth_m = Register(result.depth_m, *depth_camera, result.intrinsics,
-                              result.color_rgb.size(), messages);
-    result.unseen =
-        UnseenByDepthCamera(result.depth_m, result.intrinsics, depth_camera->color_from_depth,
-                            depth_camera->intrinsics, depth_size);
-    if (cv::countNonZero(result.unseen) == 0) result.unseen.release();
+    RegisteredDepth registered = Register(result.depth_m, *depth_camera, result.intrinsics,
+                                          result.color_rgb.size(), messages);
+    result.depth_m = std::move(registered.depth_m);
+    result.unseen = std::move(registered.unseen);
   }
   RequireSameSize(result.color_rgb, result.depth_m);
   if (of_color) {
     result.color_rgb = UndistortColor(result.color_rgb, *of_color);
     const cv::Mat unseen = UnseenBy(*of_color);
     result.unseen = result.unseen.empty() ? unseen : cv::Mat(result.unseen | unseen);
-    if (!depth_camera) result.depth_m = UndistortDepth(result.depth_m, *of_color);
+    if (depth_camera) {
+      // As if it had come registered: what colour does not show is not looked at.
+      result.depth_m.setTo(std::numeric_limits<float>::quiet_NaN(), unseen);
+    } else {
+      result.depth_m = UndistortDepth(result.depth_m, *of_color);
+    }
   }
   if (lens != nullptr) *lens = of_color;
   InField("frame", [&] { Validate(result); });

@@ -87,6 +87,30 @@ TEST(DepthCamera, OfALesserFieldOfViewSaysWhereItEnds) {
   EXPECT_TRUE(FrameOf(UnregisteredRequest()).unseen.empty());
 }
 
+// A cushion: what it shows of a pinhole camera's image ends before that does.
+TEST(DepthCamera, OfALensSaysWhereThatEnds) {
+  v1::DetectRequest request = UnregisteredRequest();
+  v1::Frame& frame = *request.mutable_frame();
+  const std::vector<float> meters(std::size_t{kWidth} * kHeight, 1.5F);
+  *frame.mutable_depth() = client::MakeDepthImage(meters.data(), kWidth, kHeight);
+  *frame.mutable_intrinsics() = client::MakeIntrinsics(20, 20, 15.5, 11.5);
+  *frame.mutable_depth_intrinsics() = frame.intrinsics();
+  const auto lens = client::MakeLensDistortion("plumb_bob", {0.15, 0, 0, 0});
+  *frame.mutable_depth_intrinsics()->mutable_distortion() = lens;
+  const RgbdFrame seen = FrameOf(request);
+  ASSERT_EQ(seen.unseen.size(), seen.depth_m.size());
+  // Of the corners it is not known: their rows and columns have no depth at all.
+  EXPECT_EQ(cv::countNonZero(seen.unseen == (seen.depth_m == seen.depth_m)), 4);
+  EXPECT_GT(cv::countNonZero(seen.unseen), 20);
+
+  // The same of colour, whose margin the depth camera sees.
+  frame.mutable_depth_intrinsics()->clear_distortion();
+  *frame.mutable_intrinsics()->mutable_distortion() = lens;
+  const RgbdFrame colored = FrameOf(request);
+  EXPECT_EQ(cv::countNonZero(colored.unseen != seen.unseen), 4);
+  EXPECT_EQ(cv::countNonZero(colored.unseen == (colored.depth_m == colored.depth_m)), 0);
+}
+
 TEST(DepthCamera, ServesFullHdColor) {
   const cv::Size size(1920, 1080);
   const cv::Mat color(size, CV_8UC3, cv::Scalar(90, 90, 90));
