@@ -82,46 +82,63 @@ CameraPath::Place CameraPath::Add(const RgbdFrame& frame, const cv::Mat& labels,
   }
   if (is_first_) place.motion.source = CameraMotionSource::kFirstFrame;
   is_first_ = false;
-  if (has_pose) posed_ = {*pose, place.world_from_camera};
+  if (has_pose) posed_ = {*pose, place.world_from_camera, place.stretch};
   last_has_pose_ = has_pose;
+  stretch_before_ = last_.stretch;
   last_ = place;
   return place;
 }
 
-CameraPath::Place CameraPath::FromPoses(const Eigen::Isometry3d& pose) const {
+CameraPath::Place CameraPath::TakeGuessForTrue() {
+  const std::uint64_t guessed = std::exchange(last_.stretch, stretch_before_);
+  for (std::optional<View>* view : {&key_, &beside_key_}) {
+    if (*view && (*view)->stretch == guessed) (*view)->stretch = last_.stretch;
+  }
+  if (posed_ && posed_->stretch == guessed) posed_->stretch = last_.stretch;
+  last_.motion.source = CameraMotionSource::kEstimated;
+  const bool stands = last_.motion.last_from_this.isApprox(Eigen::Isometry3d::Identity());
+  last_.error_m = stands ? 0 : kPoseError_m;
+  return last_;
+}
+
+CameraPath::Place CameraPath::FromPoses(const Eigen::Isometry3d& pose) {
   if (!posed_) return {};
   const Eigen::Isometry3d motion = MotionBetween(posed_->pose, pose);
   if (motion.translation().norm() > kFarthestPose_m) return Guess();
-  Place place{{CameraMotionSource::kGiven, motion}, posed_->world_from_camera * motion};
+  Place place{
+      {CameraMotionSource::kGiven, motion}, posed_->world_from_camera * motion, posed_->stretch};
   // What is said to stand does: arms, and cameras on stands.
   place.error_m = std::min(kPoseError_m, motion.translation().norm() + kFar_m * AngleOf(motion));
-  place.is_back = !last_has_pose_;
-  if (place.is_back) {
+  if (!last_has_pose_) {
     place.motion.last_from_this = last_.world_from_camera.inverse() * place.world_from_camera;
   }
   return place;
 }
 
-CameraPath::Place CameraPath::Guess() const {
-  // The step back from a guess holds what was wrong with it.
-  const bool goes_on = last_.motion.source == CameraMotionSource::kGiven && !last_.is_back;
-  Place place{{CameraMotionSource::kUnknown}, last_.world_from_camera, kUnknownError_m};
+CameraPath::Place CameraPath::Guess() {
+  Place place{
+      {CameraMotionSource::kUnknown}, last_.world_from_camera, ++num_stretches_, kUnknownError_m};
+  // The step to another stretch is none of the camera's, and a very long one is a mistake.
+  const Eigen::Isometry3d& step = last_.motion.last_from_this;
+  const bool goes_on = last_.motion.source == CameraMotionSource::kGiven &&
+                       last_.stretch == stretch_before_ &&
+                       IsWithin(step, kFarthest_m, kFarthest_rad);
   if (goes_on) {
-    place.motion.last_from_this = last_.motion.last_from_this;
-    place.world_from_camera = last_.world_from_camera * place.motion.last_from_this;
+    place.motion.last_from_this = step;
+    place.world_from_camera = last_.world_from_camera * step;
   }
   return place;
 }
 
 CameraPath::Place CameraPath::FromFrames(const RgbdFrame& frame, const cv::Mat& labels) {
   Place place = Guess();
-  View view{SmallViewOf(frame, labels), {}, frame.intrinsics, {}};
+  View view{SmallViewOf(frame, labels), {}, frame.intrinsics};
   if (key_ && IsSameView(key_->small, view.small)) {
     place.motion.source =
         beside_key_ ? CameraMotionSource::kEstimated : CameraMotionSource::kStanding;
     place.world_from_camera = key_->world_from_camera;
+    place.stretch = key_->stretch;
     place.error_m = 0;
-    place.is_back = num_lost_ > 0;
     beside_key_.reset();
     num_lost_ = 0;
   } else {
@@ -140,10 +157,11 @@ void CameraPath::LookAround(View view, int width_px, Place& place) {
   if (stands && place.is_guess()) {
     place.motion.source = CameraMotionSource::kStanding;
     place.world_from_camera = last_.world_from_camera;
+    place.stretch = last_.stretch;
     place.error_m = 0;
   }
-  place.is_back = from_key && num_lost_ > 0;
   view.world_from_camera = place.world_from_camera;
+  view.stretch = place.stretch;
   const bool is_lost = key_ && place.is_guess() && num_lost_ < kMostLost;
   num_lost_ = is_lost ? num_lost_ + 1 : 0;
   const bool keep_key =
@@ -166,6 +184,7 @@ bool CameraPath::AddByFeatures(const View& from, int width_px, const View& view,
     if (!motion || !IsWithin(motion->to_from_from, kFarthest_m, kFarthest_rad)) continue;
     place.motion.source = CameraMotionSource::kEstimated;
     place.world_from_camera = from.world_from_camera * motion->to_from_from.inverse();
+    place.stretch = from.stretch;
     place.error_m = motion->error_m;
     *num_inliers = motion->num_inliers;
     return true;

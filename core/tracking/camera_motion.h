@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstdint>
 #include <opencv2/core/mat.hpp>
 #include <optional>
 
@@ -27,22 +28,26 @@ class CameraPath {
   struct Place {
     CameraMotion motion;
     Eigen::Isometry3d world_from_camera = Eigen::Isometry3d::Identity();
-    // Standard deviation of where things are that stood still since the frame before; where that
-    // was a guess and this `is_back`, since the last one that was none.
+    // Frames with one number are known beside each other, others by a guess at best: a guess begins
+    // a new one, and what is known beside a frame before it goes back to that one's.
+    std::uint64_t stretch = 0;
+    // Standard deviation of where things are that stood still since the last frame of the stretch,
+    // or since the frame before where this is a guess.
     double error_m = 0;
-    // The frame before was a guess, and this one is known beside the last that was none.
-    bool is_back = false;
 
-    // The same at that distance from the camera: poses err by turns, too, which move what is far
+    bool is_guess() const { return motion.source == CameraMotionSource::kUnknown; }
+    // The error at that distance from the camera: poses err by turns, too, which move what is far
     // farther. What frames tell errs by what they show.
     double ErrorAt_m(double distance_m) const;
-    bool is_guess() const { return motion.source == CameraMotionSource::kUnknown; }
   };
 
   // `pose`: of the camera, in a frame of the robot's choice. The world is the first frame's camera.
   // With poses 0.1 ms, standing 1 ms, else some 15 ms.
   Place Add(const RgbdFrame& frame, const cv::Mat& labels,
             const std::optional<Eigen::Isometry3d>& pose);
+  // The last place was a guess and, as things are where that has them, is right: it is of the
+  // stretch of the frame before. Returns it.
+  Place TakeGuessForTrue();
 
  private:
   struct View {
@@ -50,25 +55,29 @@ class CameraPath {
     Features features;
     CameraIntrinsics intrinsics;
     Eigen::Isometry3d world_from_camera = Eigen::Isometry3d::Identity();
+    std::uint64_t stretch = 0;
   };
 
   struct Posed {
     Eigen::Isometry3d pose, world_from_camera;
+    std::uint64_t stretch = 0;
   };
 
-  bool GoesOnByPoses() const { return is_first_ || last_has_pose_ || (posed_ && last_.is_guess()); }
-  Place FromPoses(const Eigen::Isometry3d& pose) const;
+  bool GoesOnByPoses() const { return is_first_ || posed_; }
+  Place FromPoses(const Eigen::Isometry3d& pose);
   Place FromFrames(const RgbdFrame& frame, const cv::Mat& labels);
-  Place Guess() const;
+  Place Guess();
   void LookAround(View view, int width_px, Place& place);
   static bool AddByFeatures(const View& from, int width_px, const View& view, Place& place,
                             int* num_inliers);
 
   bool is_first_ = true;
   Place last_;
+  std::uint64_t stretch_before_ = 0;  // of the frame before last_
   bool last_has_pose_ = false;
   std::optional<Posed> posed_;  // the last one with a pose, and no more than guesses since
   std::optional<View> key_, beside_key_;  // beside_key_: the last frame, where that is not the key
+  std::uint64_t num_stretches_ = 0;
   int num_lost_ = 0;  // frames in turn that show nothing of the key frame or the one before
 };
 

@@ -8,9 +8,10 @@
 namespace fovea {
 
 // By the latest time that a frame had. One without a time, or with one that is not after that,
-// counts as 1 / kFramesPerSecond, which is taken off the step to the next one that goes on: frames
-// in disorder, or some without time, pass no faster or slower than the others. Two in turn that are
-// before the latest and go on from each other are a clock that was set back, and hold from then on.
+// counts as the last step between such times, 0.01 s to 1 / kFramesPerSecond, which is taken off
+// the next step: late frames, or some without time, pass no faster or slower than the others. Two
+// in turn that are before the latest and go on from each other are a clock that was set back, and
+// hold from then on.
 class FrameClock {
  public:
   static constexpr double kFramesPerSecond = 10;
@@ -21,6 +22,7 @@ class FrameClock {
  private:
   std::optional<CaptureTime> latest_, last_;
   double counted_s_ = 0;  // since the latest
+  double step_s_ = 1 / kFramesPerSecond;
 };
 
 }  // namespace fovea

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace fovea {
 namespace {
@@ -20,18 +21,19 @@ void Shift(Sighting& sighting, const Eigen::Vector3f& by) {
 }  // namespace
 
 Track::Track(std::uint64_t id, const Sighting& first, const std::optional<CaptureTime>& at,
-             bool by_guess)
+             std::uint64_t stretch)
     : id_(id),
       first_seen_(at),
       last_seen_(at),
       expected_(first),
       steadied_(first.box),
       place_(SpotOf(first)),
-      is_by_guess_(by_guess) {}
+      mean_of_(stretch),
+      seen_in_(stretch) {}
 
 void Track::Advance(const Eigen::Isometry3f& this_from_last, double seconds, double adding_up_m) {
   expected_ = Moved(std::move(expected_), this_from_last);
-  if (before_guess_) before_guess_ = Moved(*std::move(before_guess_), this_from_last);
+  if (in_mean_) in_mean_ = Moved(*std::move(in_mean_), this_from_last);
   steadied_.Transform(this_from_last);
   place_ = Moved(place_, this_from_last);
   place_.camera_variance_m2 += adding_up_m * adding_up_m;
@@ -44,46 +46,35 @@ void Track::Advance(const Eigen::Isometry3f& this_from_last, double seconds, dou
   constexpr double kLongestMotion_s = 0.5;
   if (seconds_hidden_ > kLongestMotion_s) filter_->Stop();
   filter_->Predict(seconds);
-  const Eigen::Vector3f step = filter_->position() - before;
-  Shift(expected_, step);
-  if (before_guess_) Shift(*before_guess_, step);
+  Shift(expected_, filter_->position() - before);
+}
+
+void Track::Enter(std::uint64_t stretch) {
+  if (stretch != mean_of_ || !in_mean_) return;
+  expected_ = *std::exchange(in_mean_, std::nullopt);
+  seen_in_ = mean_of_;
 }
 
 void Track::OnSeen(const Sighting& sighting, double camera_error_m,
-                   const std::optional<CaptureTime>& at) {
-  if (begins_again_) {
-    BeginAgain(sighting);
-  } else {
+                   const std::optional<CaptureTime>& at, std::uint64_t stretch) {
+  if (stretch != mean_of_ && stretch == seen_in_) BeginAgain(expected_);
+  if (stretch == mean_of_) {
     Compare(sighting, camera_error_m);
+  } else if (!in_mean_) {
+    // What moves does not go on for long, and nobody knows which way.
+    filter_.reset();
+    in_mean_ = std::move(expected_);
   }
-  Note(sighting, at);
-}
-
-void Track::OnSeenByGuess(const Sighting& sighting, const std::optional<CaptureTime>& at) {
-  if (!is_by_guess_) before_guess_ = expected_;
-  is_by_guess_ = true;
-  Note(sighting, at);
-}
-
-void Track::OnGuessEnded(bool is_back) {
-  if (is_back) {
-    begins_again_ = is_by_guess_ && !before_guess_;
-    if (before_guess_) expected_ = *std::move(before_guess_);
-  } else if (is_by_guess_) {
-    BeginAgain(expected_);
-  } else {
-    begins_again_ = true;
-  }
-  is_by_guess_ = false;
-  before_guess_.reset();
-}
-
-void Track::Note(const Sighting& sighting, const std::optional<CaptureTime>& at) {
   expected_ = sighting;
+  seen_in_ = stretch;
   last_seen_ = at;
   ++times_seen_;
   was_seen_ = true;
   seconds_hidden_ = 0;
+}
+
+bool Track::IsWhereItWas(const Sighting& sighting) const {
+  return !Between(place_, SpotOf(sighting), scatter_, 0).IsBeyond(Displacement::kMovedBeyond);
 }
 
 // As what stands: nothing is known of how it came there.
@@ -92,7 +83,8 @@ void Track::BeginAgain(const Sighting& sighting) {
   place_ = SpotOf(sighting);
   filter_.reset();
   left_out_ = false;
-  begins_again_ = false;
+  mean_of_ = seen_in_;
+  in_mean_.reset();
 }
 
 void Track::Compare(const Sighting& sighting, double camera_error_m) {
@@ -143,7 +135,7 @@ void Track::StartAnew(const Sighting& sighting, const Spot& spot, bool moves,
 }
 
 ObjectTrack Track::ToObjectTrack() const {
-  if (is_by_guess_) return {id_, first_seen_, times_seen_, expected_.box, 1, false};
+  if (seen_in_ != mean_of_) return {id_, first_seen_, times_seen_, expected_.box, 1, false};
   return {id_, first_seen_, times_seen_, steadied_.mean(), steadied_.count(), filter_.has_value()};
 }
 

@@ -17,23 +17,21 @@ constexpr float kFastest_m_s = 1;  // that a hand moves things
 
 class Track {
  public:
-  // `by_guess`: where the camera is in that frame is not known.
+  // `stretch`: of the frame, as CameraPath::Place has it, here and below.
   Track(std::uint64_t id, const Sighting& first, const std::optional<CaptureTime>& at,
-        bool by_guess = false);
+        std::uint64_t stretch = 0);
 
   // The camera has moved, and so many seconds have passed. `adding_up_m`: what is not known of the
   // motion, where that adds up from frame to frame.
   void Advance(const Eigen::Isometry3f& this_from_last, double seconds, double adding_up_m = 0);
+  // The frame that was advanced to is of this stretch: the track is where its last frame had it.
+  void Enter(std::uint64_t stretch);
   // It was seen, or not, in the frame that was advanced to. `camera_error_m`: what is not known of
-  // the camera's motion since the frame before.
-  void OnSeen(const Sighting& sighting, double camera_error_m,
-              const std::optional<CaptureTime>& at);
-  // The same where the motion to that frame was guessed: it tells nothing of where the thing is
-  // beside where it was.
-  void OnSeenByGuess(const Sighting& sighting, const std::optional<CaptureTime>& at);
-  // The motion to the frame that was advanced to is known again: `is_back` beside the last one for
-  // which it was, else beside the last one.
-  void OnGuessEnded(bool is_back);
+  // the camera's motion since the frame before. In a stretch that is not the mean's it tells
+  // nothing of where the thing is beside that; with a second frame of that stretch the mean starts
+  // anew.
+  void OnSeen(const Sighting& sighting, double camera_error_m, const std::optional<CaptureTime>& at,
+              std::uint64_t stretch = 0);
   void OnMissed() { was_seen_ = false; }
 
   std::uint64_t id() const { return id_; }
@@ -41,13 +39,18 @@ class Track {
   bool was_seen() const { return was_seen_; }  // in the last frame
   double seconds_hidden() const { return seconds_hidden_; }
   const std::optional<CaptureTime>& last_seen() const { return last_seen_; }
+  // It was seen in a frame whose place is known beside those of this stretch.
+  bool IsOf(std::uint64_t stretch) const { return seen_in_ == stretch; }
+  // That holds for all frames that its mean is of.
+  bool HasMeanOf(std::uint64_t stretch) const { return mean_of_ == stretch && IsOf(stretch); }
+  // By no more than noise, if the camera's motion was what it was advanced by.
+  bool IsWhereItWas(const Sighting& sighting) const;
   // As it was seen last, where it should be now.
   const Sighting& expected() const { return expected_; }
 
   ObjectTrack ToObjectTrack() const;
 
  private:
-  void Note(const Sighting& sighting, const std::optional<CaptureTime>& at);
   void BeginAgain(const Sighting& sighting);
   void Compare(const Sighting& sighting, double camera_error_m);
   bool IsOff(const Displacement& by) const;
@@ -63,11 +66,10 @@ class Track {
   SteadiedBox steadied_;
   Spot place_;  // the mean of those that steadied_ is of
   Scatter scatter_;
-  bool is_by_guess_ = false;              // expected_, of a frame whose place is not known
-  std::optional<Sighting> before_guess_;  // what was expected_ then, if anything
-  bool begins_again_ = false;             // what it is the mean of is not where it should be
-  bool left_out_ = false;                 // of steadied_, in the last frame that showed it
-  std::optional<VelocityFilter> filter_;  // of what moves against the background
+  std::uint64_t mean_of_, seen_in_;  // stretches of steadied_ and place_, of expected_
+  std::optional<Sighting> in_mean_;  // the last one of the mean's stretch, where expected_ is not
+  bool left_out_ = false;            // of steadied_, in the last frame that showed it
+  std::optional<VelocityFilter> filter_;               // of what moves against the background
   Eigen::Vector3f heading_ = Eigen::Vector3f::Zero();  // its last step, of what moves
 };
 

@@ -16,7 +16,7 @@ bool IsKept(const Track& track) { return track.seconds_hidden() < Tracker::kKept
 }  // namespace
 
 void Tracker::Add(const RgbdFrame& frame, const FrameContext& context, Detections& detections) {
-  const CameraPath::Place place = path_.Add(frame, detections.labels, context.camera_pose);
+  CameraPath::Place place = path_.Add(frame, detections.labels, context.camera_pose);
   // Nothing is kept for longer, so that it does not matter how much longer it was.
   const double seconds = std::min(clock_.Add(context.captured_at), 2 * kKeptHidden_s);
   const Eigen::Isometry3f this_from_last = place.motion.last_from_this.inverse().cast<float>();
@@ -24,36 +24,50 @@ void Tracker::Add(const RgbdFrame& frame, const FrameContext& context, Detection
   const bool is_given = place.motion.source == CameraMotionSource::kGiven;
   const double adding_up_m = is_given || place.is_guess() ? 0 : place.error_m;
   for (Track& track : tracks_) track.Advance(this_from_last, seconds, adding_up_m);
-  if (was_guess_ && !place.is_guess()) {
-    for (Track& track : tracks_) track.OnGuessEnded(place.is_back);
-  }
-  was_guess_ = place.is_guess();
+  for (Track& track : tracks_) track.Enter(place.stretch);
   std::erase_if(tracks_, [](const Track& track) { return !track.was_seen() && !IsKept(track); });
-  Match(SightingsOf(detections, frame.intrinsics, kMaxTracks), place, frame, context, detections);
+  place = Match(SightingsOf(detections, frame.intrinsics, kMaxTracks), place, frame, context,
+                detections);
+  last_stretch_ = place.stretch;
   Forget();
-  detections.tracking = {epoch_, place.motion, Hidden(frame)};
+  detections.tracking = {epoch_, place.motion, Hidden(frame, place.stretch)};
 }
 
-void Tracker::Match(const std::vector<Sighting>& sightings, const CameraPath::Place& place,
-                    const RgbdFrame& frame, const FrameContext& context, Detections& detections) {
+CameraPath::Place Tracker::Match(const std::vector<Sighting>& sightings, CameraPath::Place place,
+                                 const RgbdFrame& frame, const FrameContext& context,
+                                 Detections& detections) {
   const std::vector<int> track_of_sighting =
       Associate(tracks_, sightings, {detections.labels, frame.intrinsics, place.error_m});
+  if (place.is_guess() && MostAreWhereTheyWere(sightings, track_of_sighting)) {
+    place = path_.TakeGuessForTrue();
+  }
   for (Track& track : tracks_) track.OnMissed();
   for (std::size_t i = 0; i < sightings.size(); ++i) {
     const int t = track_of_sighting[i];
     if (t >= 0) {
-      if (place.is_guess()) {
-        tracks_[t].OnSeenByGuess(sightings[i], context.captured_at);
-      } else {
-        const double error_m = place.ErrorAt_m(sightings[i].centroid.norm());
-        tracks_[t].OnSeen(sightings[i], error_m, context.captured_at);
-      }
+      const double error_m = place.ErrorAt_m(sightings[i].centroid.norm());
+      tracks_[t].OnSeen(sightings[i], error_m, context.captured_at, place.stretch);
       detections.objects[i].track = tracks_[t].ToObjectTrack();
     } else {
-      tracks_.emplace_back(++last_id_, sightings[i], context.captured_at, place.is_guess());
+      tracks_.emplace_back(++last_id_, sightings[i], context.captured_at, place.stretch);
       detections.objects[i].track = tracks_.back().ToObjectTrack();
     }
   }
+  return place;
+}
+
+// As before a table without a pattern: things tell what the rest of the picture does not.
+bool Tracker::MostAreWhereTheyWere(const std::vector<Sighting>& sightings,
+                                   const std::vector<int>& track_of_sighting) const {
+  std::size_t known = 0, there = 0;
+  for (std::size_t i = 0; i < sightings.size(); ++i) {
+    if (track_of_sighting[i] < 0) continue;
+    const Track& track = tracks_[track_of_sighting[i]];
+    if (!track.HasMeanOf(last_stretch_)) continue;
+    ++known;
+    if (track.IsWhereItWas(sightings[i])) ++there;
+  }
+  return 2 * there > known;
 }
 
 void Tracker::Forget() {
@@ -71,12 +85,14 @@ void Tracker::Forget() {
             [](const Track& a, const Track& b) { return a.id() < b.id(); });
 }
 
-std::vector<HiddenTrack> Tracker::Hidden(const RgbdFrame& frame) const {
+std::vector<HiddenTrack> Tracker::Hidden(const RgbdFrame& frame, std::uint64_t stretch) const {
   std::vector<HiddenTrack> hidden;
   for (const Track& track : tracks_) {
     if (track.was_seen()) continue;
-    hidden.push_back({track.id(), track.expected().box, track.last_seen(), track.times_seen(),
-                      was_guess_ ? HiddenReason::kNotDetected : ReasonOf(track.expected(), frame)});
+    const HiddenReason reason =
+        track.IsOf(stretch) ? ReasonOf(track.expected(), frame) : HiddenReason::kNotDetected;
+    hidden.push_back(
+        {track.id(), track.expected().box, track.last_seen(), track.times_seen(), reason});
   }
   return hidden;
 }

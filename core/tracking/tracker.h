@@ -29,7 +29,8 @@ struct FrameContext {
 // confirmed by the next frame is forgotten. Else it is kept, hidden, for kKeptHidden_s by the
 // frames' times (frame_clock.h); what was there in the last frame is looked for in the next one
 // however much later that is. Where the camera's motion is not known, boxes are those of the frame,
-// nothing is said to move or to be gone, and the means go on when it is known again.
+// nothing is said to move or to be gone, and the means go on when it is known again. It is known
+// where most things are where the guess has them.
 //
 // The same frames give the same tracks, bit for bit. Not thread-safe: one frame after the other.
 // Holds at most kMaxTracks tracks of some 3 KB, or 7 in frames whose place is not known; of more
@@ -47,17 +48,21 @@ class Tracker {
   void Add(const RgbdFrame& frame, const FrameContext& context, Detections& detections);
 
  private:
-  void Match(const std::vector<Sighting>& sightings, const CameraPath::Place& place,
-             const RgbdFrame& frame, const FrameContext& context, Detections& detections);
+  // Returns the place, of which the objects may have told what the picture did not.
+  CameraPath::Place Match(const std::vector<Sighting>& sightings, CameraPath::Place place,
+                          const RgbdFrame& frame, const FrameContext& context,
+                          Detections& detections);
+  bool MostAreWhereTheyWere(const std::vector<Sighting>& sightings,
+                            const std::vector<int>& track_of_sighting) const;
   void Forget();
-  std::vector<HiddenTrack> Hidden(const RgbdFrame& frame) const;
+  std::vector<HiddenTrack> Hidden(const RgbdFrame& frame, std::uint64_t stretch) const;
 
   std::uint64_t epoch_;
   CameraPath path_;
   std::vector<Track> tracks_;  // by id
   std::uint64_t last_id_ = 0;
   FrameClock clock_;
-  bool was_guess_ = false;  // where the camera was in the last frame
+  std::uint64_t last_stretch_ = 0;  // of the last frame
 };
 
 }  // namespace fovea

@@ -136,7 +136,9 @@ v1::Gripper ToProto(const Gripper& gripper, const v1::Gripper& given) {
         Said(cup.max_curvature_per_m, given.suction().max_curvature_per_m()));
   }
   if (gripper.approach) *proto.mutable_approach() = ToProto(*gripper.approach);
-  proto.set_max_tilt_rad(gripper.max_tilt_rad);  // of pi / 2 the shortest number is beyond it
+  // Of pi / 2 the shortest number is beyond it.
+  proto.set_max_tilt_rad(given.has_max_tilt_rad() ? Said(gripper.max_tilt_rad, given.max_tilt_rad())
+                                                  : gripper.max_tilt_rad);
   proto.set_max_grasps(static_cast<std::uint32_t>(gripper.max_grasps));
   proto.set_min_probability(Said(gripper.min_probability, given.min_probability()));
   return proto;

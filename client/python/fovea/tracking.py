@@ -15,7 +15,7 @@ class CameraMotion:
     """What tracking takes for the camera's motion since the frame answered before."""
 
     # "request" (by camera_pose), "estimated" (from both frames), "standing", or "none": it is not
-    # known, and taken for standing.
+    # known, and guessed: see the contract.
     source: str
     motion: FloatArray  # 4x4, of this frame's camera in the camera frame of that one
 

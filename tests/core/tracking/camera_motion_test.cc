@@ -9,16 +9,10 @@
 namespace fovea {
 namespace {
 
+using testing::AddAt;
+using testing::PoseAt;
 using testing::View;
 using enum CameraMotionSource;
-
-CameraPath::Place AddAt(CameraPath& path, double x_m, std::uint64_t seed,
-                        const std::optional<Eigen::Isometry3d>& pose = {}) {
-  const View view(x_m, seed);
-  return path.Add(view.frame, view.detections.labels, pose);
-}
-
-Eigen::Isometry3d PoseAt(double x_m) { return Eigen::Isometry3d(Eigen::Translation3d(x_m, 0, 0)); }
 
 TEST(CameraPath, TakesTheMotionFromPoses) {
   CameraPath path;
@@ -169,67 +163,6 @@ TEST(CameraPath, DoesNotGoBackToFramesBeforePoses) {
   const CameraPath::Place place = AddAt(path, 0.04, 5);
   EXPECT_EQ(place.motion.source, kUnknown);
   EXPECT_NEAR(place.world_from_camera.translation().x(), 0.29 + 0.25, 0.004) << "it goes on";
-}
-
-// Where one pose is lost, the camera is guessed to go on, and then is where the next one says.
-TEST(CameraPath, ALostPoseChangesNothingForThoseAfterIt) {
-  CameraPath path;
-  AddAt(path, 0, 1, PoseAt(0));
-  AddAt(path, 0.04, 2, PoseAt(0.05));
-  const CameraPath::Place guess = AddAt(path, 0.08, 3);
-  EXPECT_TRUE(guess.is_guess());
-  EXPECT_NEAR(guess.world_from_camera.translation().x(), 0.1, 1e-9);
-  const CameraPath::Place again = AddAt(path, 0.08, 4, PoseAt(0.12));
-  EXPECT_EQ(again.motion.source, kGiven);
-  EXPECT_TRUE(again.is_back);
-  EXPECT_LE(again.error_m, 0.005);
-  EXPECT_NEAR(again.world_from_camera.translation().x(), 0.12, 1e-9);
-  EXPECT_NEAR(again.motion.last_from_this.translation().x(), 0.02, 1e-9);
-  const CameraPath::Place next = AddAt(path, 0.08, 5, PoseAt(0.16));
-  EXPECT_FALSE(next.is_back);
-  EXPECT_NEAR(next.motion.last_from_this.translation().x(), 0.04, 1e-9);
-}
-
-// Nor does what was guessed longer ago: the frames have told how the camera went on since.
-TEST(CameraPath, DoesNotGoBackToPosesBeforeFramesThatTold) {
-  CameraPath path;
-  AddAt(path, 0, 1, PoseAt(0));
-  AddAt(path, 0, 2, PoseAt(0));
-  AddAt(path, 0, 3);
-  EXPECT_EQ(AddAt(path, 0.04, 4).motion.source, kEstimated);
-  View blank;
-  blank.frame.color_rgb.setTo(cv::Scalar::all(128));
-  EXPECT_TRUE(path.Add(blank.frame, blank.detections.labels, {}).is_guess());
-  const CameraPath::Place place = AddAt(path, 0.08, 5, PoseAt(7));
-  EXPECT_EQ(place.motion.source, kEstimated);
-  EXPECT_NEAR(place.world_from_camera.translation().x(), 0.08, 0.006);
-}
-
-TEST(CameraPath, AFrameThatShowsNothingChangesNothingForThoseAfterIt) {
-  View blank;
-  blank.frame.color_rgb.setTo(cv::Scalar::all(128));
-  for (const double x_m : {0.0, 0.04}) {
-    CameraPath path;
-    AddAt(path, 0, 1);
-    EXPECT_TRUE(path.Add(blank.frame, blank.detections.labels, {}).is_guess());
-    EXPECT_TRUE(path.Add(blank.frame, blank.detections.labels, {}).is_guess());
-    const CameraPath::Place place = AddAt(path, x_m, 2);
-    EXPECT_EQ(place.motion.source, kEstimated);
-    EXPECT_TRUE(place.is_back);
-    EXPECT_NEAR(place.world_from_camera.translation().x(), x_m, 0.004);
-    EXPECT_FALSE(AddAt(path, x_m, 3).is_back);
-  }
-}
-
-// Elsewhere, which the key frame does not show.
-TEST(CameraPath, GoesOnFromAFrameWhosePlaceIsNotKnown) {
-  CameraPath path;
-  AddAt(path, 0, 1);
-  EXPECT_TRUE(AddAt(path, 1.9, 2).is_guess());
-  const CameraPath::Place place = AddAt(path, 1.94, 3);
-  EXPECT_EQ(place.motion.source, kEstimated);
-  EXPECT_FALSE(place.is_back);
-  EXPECT_NEAR(place.motion.last_from_this.translation().x(), 0.04, 0.004);
 }
 
 TEST(CameraPath, SaysWhenNothingTells) {

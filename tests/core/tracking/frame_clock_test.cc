@@ -48,6 +48,18 @@ TEST(FrameClock, AStrayTimeDoesNotMoveIt) {
   EXPECT_NEAR(TenthsOf({1000, 1001, 0, 1002, 1003}), 3, 1e-6);
 }
 
+// Thirty a second.
+TEST(FrameClock, FastFramesPassAsFastWithoutTimesOrLate) {
+  const double f = 1.0 / 3;
+  EXPECT_NEAR(TenthsOf({30, 30 + f, 30 + 2 * f, kNone, 30 + 4 * f, kNone, 30 + 6 * f}), 2, 0.01);
+  EXPECT_NEAR(TenthsOf({30, 30 + 2 * f, 30 + f, 30 + 4 * f, 30 + 3 * f, 30 + 6 * f}), 2, 0.01);
+  EXPECT_NEAR(TenthsOf({30, 30 + 2 * f, 30 + 2 * f, 30 + 4 * f, 30 + 4 * f, 30 + 6 * f}), 2, 0.01);
+}
+
+TEST(FrameClock, GoesOnThoughTheStepBeforeWasNothing) {
+  EXPECT_GE(TenthsOf({30, 30 + 1e-8, kNone, kNone, kNone}), 0.3);
+}
+
 // The first that is back counts as a frame without time.
 TEST(FrameClock, MayBeSetBack) {
   EXPECT_NEAR(TenthsOf({1000, 1005, 10, 15, 20, 25}), 5 + 1 + 15, 1e-6);

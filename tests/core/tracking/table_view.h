@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 #include <random>
 
 #include "core/tracking/tracker.h"
@@ -102,8 +103,17 @@ inline FrameContext At(double seconds) {
                                  std::lround((seconds - static_cast<double>(whole)) * 1e9))}};
 }
 
-inline FrameContext PosedAt(double x_m) {
-  return {Eigen::Isometry3d(Eigen::Translation3d(x_m, 0, 0)), {}};
+inline Eigen::Isometry3d PoseAt(double x_m) {
+  return Eigen::Isometry3d(Eigen::Translation3d(x_m, 0, 0));
+}
+
+inline FrameContext PosedAt(double x_m) { return {PoseAt(x_m), {}}; }
+
+// A picture of the wall alone.
+inline CameraPath::Place AddAt(CameraPath& path, double x_m, std::uint64_t seed,
+                               const std::optional<Eigen::Isometry3d>& pose = {}) {
+  const View view(x_m, seed);
+  return path.Add(view.frame, view.detections.labels, pose);
 }
 
 }  // namespace fovea::testing

@@ -7,45 +7,14 @@
 #include <utility>
 #include <vector>
 
+#include "tests/core/tracking/followed_thing.h"
+
 namespace fovea {
 namespace {
 
-// A cube of a decimetre, a metre away, whose place and sizes are known to a millimetre or two.
-Sighting ThingAt(float x_m, float y_m = 0) {
-  const Eigen::Vector3f center(x_m, y_m, 1);
-  BoxUncertainty uncertainty;
-  uncertainty.pose_covariance.diagonal().setConstant(0.0015F * 0.0015F);
-  uncertainty.size_sigma_m.setConstant(0.002F);
-  return {.box = {.center = center, .size_m = {0.1F, 0.1F, 0.1F}},
-          .uncertainty = uncertainty,
-          .centroid = center,
-          .visible_m2 = 0.01F,
-          .points = {center}};
-}
-
-const Eigen::Isometry3f kStands = Eigen::Isometry3f::Identity();
-
-struct Followed {
-  explicit Followed(int frames = 4) {
-    for (int i = 1; i < frames; ++i) See(0);
-  }
-
-  void Wait(double seconds, const Eigen::Isometry3f& this_from_last = kStands,
-            double adding_up_m = 0) {
-    track.Advance(this_from_last, seconds, adding_up_m);
-  }
-  ObjectTrack See(const Sighting& sighting, double camera_error_m = 0) {
-    Wait(0.1);
-    track.OnSeen(sighting, camera_error_m, std::nullopt);
-    return track.ToObjectTrack();
-  }
-  ObjectTrack See(float x_m, double camera_error_m = 0) {
-    return See(ThingAt(x_m), camera_error_m);
-  }
-  float SteadyX() const { return track.ToObjectTrack().steadied_box.center.x(); }
-
-  Track track{1, ThingAt(0), std::nullopt};
-};
+using testing::Followed;
+using testing::kStands;
+using testing::ThingAt;
 
 // Half of it is covered.
 Sighting InPart(Sighting sighting) {
@@ -197,54 +166,6 @@ TEST(Track, StandsWhereOnlyTheCameraMoves) {
   EXPECT_FALSE(thing.track.ToObjectTrack().is_moving);
   EXPECT_NEAR(thing.SteadyX(), -0.5, 1e-6);
   EXPECT_EQ(thing.track.ToObjectTrack().steadied_over, 5U);
-}
-
-// Of a frame with an unknown place: it was guessed 5 cm beside where the camera is.
-const Eigen::Isometry3f kWrong(Eigen::Translation3f(0.05F, 0, 0));
-
-TEST(Track, WhatIsSeenByGuessIsNotInTheMeanThatGoesOnLater) {
-  Followed thing;
-  for (int i = 0; i < 3; ++i) {
-    thing.Wait(0.1, i == 0 ? kWrong : kStands);
-    thing.track.OnSeenByGuess(ThingAt(0), std::nullopt);
-    const ObjectTrack seen = thing.track.ToObjectTrack();
-    EXPECT_FLOAT_EQ(seen.steadied_box.center.x(), 0) << "as it is seen";
-    EXPECT_EQ(seen.steadied_over, 1U);
-    EXPECT_EQ(seen.times_seen, 5U + i);
-  }
-  thing.Wait(0.1, kWrong.inverse());
-  thing.track.OnGuessEnded(true);
-  EXPECT_NEAR(thing.track.expected().box.center.x(), 0, 1e-6);
-  thing.track.OnSeen(ThingAt(0.001F), 0, std::nullopt);
-  const ObjectTrack after = thing.track.ToObjectTrack();
-  EXPECT_FALSE(after.is_moving);
-  EXPECT_EQ(after.steadied_over, 5U);
-  EXPECT_NEAR(after.steadied_box.center.x(), 0.0002, 1e-6);
-}
-
-// The frames after it tell where the camera went from there, not where that is.
-TEST(Track, BeginsAgainWhereTheGuessStays) {
-  for (const bool seen : {true, false}) {
-    Followed thing;
-    thing.Wait(0.1, kWrong);
-    if (seen) thing.track.OnSeenByGuess(ThingAt(0), std::nullopt);
-    thing.Wait(0.1);
-    thing.track.OnGuessEnded(false);
-    thing.track.OnSeen(ThingAt(0.001F), 0, std::nullopt);
-    const ObjectTrack after = thing.track.ToObjectTrack();
-    EXPECT_FALSE(after.is_moving) << seen;
-    EXPECT_EQ(after.steadied_over, seen ? 2U : 1U);
-    EXPECT_NEAR(after.steadied_box.center.x(), seen ? 0.0005 : 0.001, 1e-6);
-  }
-}
-
-TEST(Track, BeginsAgainWhereItIsNewByGuess) {
-  Track track(1, ThingAt(0), std::nullopt, true);
-  track.Advance(kWrong, 0.1);
-  track.OnGuessEnded(true);
-  track.OnSeen(ThingAt(0), 0, std::nullopt);
-  EXPECT_FALSE(track.ToObjectTrack().is_moving);
-  EXPECT_NEAR(track.ToObjectTrack().steadied_box.center.x(), 0, 1e-6);
 }
 
 // The camera turns by a quarter: x becomes y, and so does what is vague.

@@ -78,19 +78,49 @@ TEST(Tracker, WhatIsFarIsMovedFartherByWhatPosesErrBy) {
   }
 }
 
-// Five of a kind, a decimetre and a bit apart, and a camera that drives past by as much.
+// Five of a kind, a decimetre and a bit apart, and a camera that drives past by as much, but for
+// the step without a pose, which is as long or 3 cm shorter.
 TEST(Tracker, ALostPoseMixesNothingUp) {
-  Tracker tracker(1);
-  for (int i = 0; i < 6; ++i) {
-    View view(0.12 * i, i + 1);
-    for (int k = 0; k < 5; ++k) view.Add({0.12F * static_cast<float>(k), 0, 0.8F}, kRed, 0.08F);
-    const bool lost = i == 3;
-    const Detections seen = view.TrackBy(tracker, lost ? FrameContext{} : PosedAt(0.12 * i));
-    EXPECT_THAT(Ids(seen), ElementsAre(1, 2, 3, 4, 5)) << i;
-    EXPECT_EQ(seen.objects[4].track->steadied_over, lost ? 1U : i < 3 ? i + 1U : i) << i;
-    EXPECT_NEAR(seen.objects[4].track->steadied_box.center.x(), 0.48 - 0.12 * i, 0.002) << i;
-    for (const DetectedObject& object : seen.objects) EXPECT_FALSE(object.track->is_moving) << i;
+  BoxUncertainty sure;
+  sure.pose_covariance.diagonal().setConstant(0.001F * 0.001F);
+  for (const double shorter_m : {0.0, 0.03}) {
+    SCOPED_TRACE(shorter_m);
+    Tracker tracker(1);
+    for (unsigned i = 0; i < 6; ++i) {
+      const bool lost = i == 3, unknown = lost && shorter_m > 0;
+      const double x_m = 0.12 * i - (lost ? shorter_m : 0);
+      View view(x_m, i + 1);
+      for (int k = 0; k < 5; ++k) view.Add({0.12F * static_cast<float>(k), 0, 0.8F}, kRed, 0.08F);
+      for (DetectedObject& object : view.detections.objects) object.uncertainty = sure;
+      const Detections seen = view.TrackBy(tracker, lost ? FrameContext{} : PosedAt(x_m));
+      EXPECT_THAT(Ids(seen), ElementsAre(1, 2, 3, 4, 5)) << i;
+      const unsigned before = shorter_m > 0 && i > 3 ? i - 1 : i;
+      EXPECT_EQ(seen.objects[4].track->steadied_over, unknown ? 1U : before + 1) << i;
+      EXPECT_NEAR(seen.objects[4].track->steadied_box.center.x(), 0.48 - x_m, 0.002) << i;
+      EXPECT_EQ(seen.tracking->motion.source == CameraMotionSource::kUnknown, unknown) << i;
+      for (const DetectedObject& object : seen.objects) EXPECT_FALSE(object.track->is_moving) << i;
+    }
   }
+}
+
+// The table is plain: nothing but the things themselves says that the camera stands.
+TEST(Tracker, ThingsTellWhatThePictureDoesNot) {
+  Tracker tracker(1);
+  Detections last;
+  for (int i = 0; i < 8; ++i) {
+    View view(0, i + 1);
+    view.frame.color_rgb.setTo(cv::Scalar::all(200));
+    for (const float x_m : {-0.2F, 0.0F, 0.2F}) {
+      const bool moves = x_m > 0 && i == 7;
+      view.Add({moves ? 0.27F : x_m, 0, 0.8F});
+    }
+    last = view.TrackBy(tracker);
+    EXPECT_EQ(last.tracking->motion.source,
+              i == 0 ? CameraMotionSource::kFirstFrame : CameraMotionSource::kEstimated);
+  }
+  EXPECT_EQ(last.objects[0].track->steadied_over, 8U);
+  EXPECT_FALSE(last.objects[0].track->is_moving);
+  EXPECT_TRUE(last.objects[2].track->is_moving);
 }
 
 // Somewhere else, nobody knows where, the wall is seen where it was.

@@ -194,6 +194,7 @@ TEST(Answers, KeepGraspsWithinTheGrippersAsTheyWereSent) {
     *asked.add_grippers() = JawOf(number);
     if (asked.grippers_size() < 5) *asked.add_grippers() = CupOf(number);
   }
+  asked.mutable_grippers(0)->set_max_tilt_rad(0.8);
   const v1::Detections answer = AnswerToWidestGrasps(asked);
   ASSERT_EQ(answer.objects(0).grasps_size(), asked.grippers_size());
   for (int i = 0; i < asked.grippers_size(); ++i) {
@@ -211,6 +212,7 @@ TEST(Answers, KeepGraspsWithinTheGrippersAsTheyWereSent) {
       EXPECT_EQ(said.suction().diameter_m(), sent.suction().diameter_m());
     }
   }
+  EXPECT_EQ(answer.grippers(0).max_tilt_rad(), 0.8);
 }
 
 TEST(Answers, KeepGraspsWithinTheGripperThatStandsIn) {
