@@ -118,10 +118,12 @@ TEST(Tracking, TellsOfWhatIsHidden) {
     }
     return detections;
   });
+  v1::DetectStreamRequest standing = TrackedFrame();
+  standing.mutable_frame()->mutable_camera_pose()->mutable_orientation()->set_w(1);
   const auto stream = loopback.client.OpenStream(kPatience);
-  AnswerOver(*stream, TrackedFrame());
-  EXPECT_EQ(AnswerOver(*stream, TrackedFrame()).hidden_tracks_size(), 0);
-  const v1::Detections hidden = AnswerOver(*stream, TrackedFrame());
+  AnswerOver(*stream, standing);
+  EXPECT_EQ(AnswerOver(*stream, standing).hidden_tracks_size(), 0);
+  const v1::Detections hidden = AnswerOver(*stream, standing);
   ASSERT_EQ(hidden.hidden_tracks_size(), 1);
   EXPECT_EQ(hidden.hidden_tracks(0).track_id(), 1U);
   EXPECT_EQ(hidden.hidden_tracks(0).times_seen(), 2U);
@@ -129,10 +131,17 @@ TEST(Tracking, TellsOfWhatIsHidden) {
   EXPECT_EQ(hidden.hidden_tracks(0).reason(), v1::HIDDEN_REASON_OUT_OF_VIEW)
       << "its one point, 2 m down and 3 m ahead, is below the image";
   EXPECT_NEAR(hidden.hidden_tracks(0).last_box().size().x(), 0.3, 1e-6);
-  const v1::Detections again = AnswerOver(*stream, TrackedFrame());
+  const v1::Detections again = AnswerOver(*stream, standing);
   EXPECT_EQ(again.hidden_tracks_size(), 0);
   EXPECT_EQ(again.objects(0).track_id(), 1U);
   EXPECT_EQ(again.objects(0).times_seen(), 3U);
+
+  // Where nothing tells where the camera is, nothing tells where the thing is.
+  frames = 0;
+  const auto lost = loopback.client.OpenStream(kPatience);
+  for (int i = 0; i < 2; ++i) AnswerOver(*lost, TrackedFrame());
+  EXPECT_EQ(AnswerOver(*lost, TrackedFrame()).hidden_tracks(0).reason(),
+            v1::HIDDEN_REASON_NOT_DETECTED);
 }
 
 // The limit passes just before the tracks; answers are put back into a lens after them.
