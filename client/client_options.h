@@ -42,9 +42,9 @@ struct ClientOptions {
   // Both of printable ASCII characters, which is all that gRPC sends: others are refused.
   // Sent as `authorization: Bearer …`; empty = none. Without TLS anybody on the way can read it.
   std::string token = {};
-  // The robot's name, sent as `fovea-robot`; empty = the server goes by the token, the certificate or
-  // the host. Where a token or certificate says whose it is, that counts, and a name given beside it
-  // is ignored.
+  // The robot's name, sent as `fovea-robot`; empty = the server goes by the token, the certificate
+  // or the host. Where a token or certificate says whose it is, that counts, and a name given
+  // beside it is ignored.
   std::string robot = {};
 };
 
