@@ -9,6 +9,8 @@
 #include "client/capture/stream_command.h"
 #include "client/cli/program.h"
 
+// What throws before RunProgram is a flag that is described wrongly, which ends each run.
+// NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv) {
   CLI::App app(
       "Streams an RGB-D camera (OpenNI2 or V4L2) to a fovea server and shows the objects that it "

@@ -23,13 +23,13 @@ void Shift(Sighting& sighting, const Eigen::Vector3f& by) {
 Track::Track(std::uint64_t id, const Sighting& first, const std::optional<CaptureTime>& at,
              std::uint64_t stretch)
     : id_(id),
+      mean_of_(stretch),
+      seen_in_(stretch),
       first_seen_(at),
       last_seen_(at),
       expected_(first),
       steadied_(first.box),
-      place_(SpotOf(first)),
-      mean_of_(stretch),
-      seen_in_(stretch) {}
+      place_(SpotOf(first)) {}
 
 void Track::Advance(const Eigen::Isometry3f& this_from_last, double seconds, double adding_up_m) {
   expected_ = Moved(std::move(expected_), this_from_last);

@@ -58,19 +58,19 @@ class Track {
   void StartAnew(const Sighting& sighting, const Spot& spot, bool moves, double camera_error_m);
 
   std::uint64_t id_;
+  std::uint64_t mean_of_, seen_in_;  // stretches of steadied_ and place_, of expected_
   std::optional<CaptureTime> first_seen_, last_seen_;
+  double seconds_hidden_ = 0;  // since it was seen last
   std::uint32_t times_seen_ = 1;
   bool was_seen_ = true;
-  double seconds_hidden_ = 0;  // since it was seen last
+  bool left_out_ = false;  // of steadied_, in the last frame that showed it
   Sighting expected_;
+  std::optional<Sighting> in_mean_;  // the last one of the mean's stretch, where expected_ is not
   SteadiedBox steadied_;
   Spot place_;  // the mean of those that steadied_ is of
   Scatter scatter_;
-  std::uint64_t mean_of_, seen_in_;  // stretches of steadied_ and place_, of expected_
-  std::optional<Sighting> in_mean_;  // the last one of the mean's stretch, where expected_ is not
-  bool left_out_ = false;            // of steadied_, in the last frame that showed it
-  std::optional<VelocityFilter> filter_;               // of what moves against the background
   Eigen::Vector3f heading_ = Eigen::Vector3f::Zero();  // its last step, of what moves
+  std::optional<VelocityFilter> filter_;               // of what moves against the background
 };
 
 }  // namespace fovea
