@@ -30,7 +30,8 @@ struct RegionOptions {
 void RequireNotEmpty(const RegionOptions& options, const cv::Size& size);
 
 // True if the point, in the camera frame, lies in the workspace and shows in the region of
-// interest. Gravity and supports are found in the whole frame all the same.
+// interest; of every point where the options are the default ones. Gravity and supports are found
+// in the whole frame all the same.
 bool IsInRegion(const Eigen::Vector3f& point, const CameraIntrinsics& intrinsics,
                 const RegionOptions& options);
 

@@ -13,6 +13,16 @@ constexpr CameraIntrinsics kIntrinsics{500, 500, 320, 240};
 
 TEST(IsInRegion, ByDefaultEverythingIs) {
   EXPECT_TRUE(IsInRegion({0.6F, -0.4F, 1}, kIntrinsics, {}));
+  EXPECT_TRUE(IsInRegion({-150, 120, 90}, kIntrinsics, {}));
+}
+
+TEST(IsInRegion, TheFirstColumnAndRowAreWhateverRoundingMakesOfThem) {
+  const Eigen::Vector3f before(-0.6400001F, -0.4800001F, 1);
+  ASSERT_LT(500 * before.x() + 320, 0);
+  EXPECT_TRUE(IsInRegion(before, kIntrinsics, {}));
+  EXPECT_TRUE(IsInRegion(before, kIntrinsics, {.width_px = 40, .max_z_m = 2}));
+  EXPECT_FALSE(IsInRegion(before, kIntrinsics, {.x_px = 1}));
+  EXPECT_FALSE(IsInRegion(before, kIntrinsics, {.y_px = 1}));
 }
 
 TEST(IsInRegion, AsksForThePixelAtWhichThePointShows) {
