@@ -9,7 +9,9 @@
 namespace fovea {
 namespace {
 
-constexpr float kAlongFloor = 0.3F;  // cosine; below it the hand moves along the floor
+// Cosine of the way in to straight down; below it the hand moves along the floor, below its
+// opposite it would come through it.
+constexpr float kAlongFloor = 0.3F;
 
 LevelFrame FrameAgainst(const Eigen::Vector3f& approach, const OrientedBox& box) {
   LevelFrame frame;
@@ -114,6 +116,7 @@ void CloseHoles(HandGrid& grid) {
 float HandGrid::FloorAt(float x, float y) const {
   const float level = floor_normal.x() * x + floor_normal.y() * y + floor_offset_m;
   if (floor_normal.z() >= kAlongFloor) return -level / floor_normal.z();
+  if (floor_normal.z() <= -kAlongFloor) return -kNothing;
   return level < 0 ? -kNothing : kNothing;
 }
 

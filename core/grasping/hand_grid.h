@@ -30,7 +30,8 @@ struct HandGrid {
   Eigen::Vector3f floor_normal = Eigen::Vector3f::UnitZ();
   float floor_offset_m = 0;  // normal · p + offset = 0
 
-  // The height of the plane at a place; a huge one below a plane along which the hand moves in.
+  // The height of the plane at a place; a huge one below a plane along which the hand moves in, and
+  // everywhere if the hand would come through it.
   float FloorAt(float x, float y) const;
   float Half() const { return cell_m * static_cast<float>(size) / 2; }
   // Coordinate of the middle of cell i along either axis.

@@ -176,6 +176,18 @@ TEST(PlanGrasps, FarFromStraightDownItComesFromTheSideToo) {
                           [](const Grasp& g) { return g.kind == Grasp::Kind::kSide; }));
 }
 
+TEST(PlanGrasps, NothingComesThroughWhatTheThingStandsOn) {
+  const scenes::Body box = Thing(ShapeKind::kBox, {0.12, 0.06, 0.15}, {0, 0}, 0, 0.4);
+  const Eigen::Vector3f up = Plan({box}, {})[0].box.rotation.col(2);
+  Gripper jaw = Jaw(0.085F), cup = Cup();
+  for (Gripper* gripper : {&jaw, &cup}) {
+    gripper->approach = up;
+    gripper->min_probability = 0;
+  }
+  ExpectReason(Plan({box}, {jaw})[0], NoGrasp::Reason::kTooLow);
+  ExpectReason(Plan({box}, {cup})[0], NoGrasp::Reason::kSloped);  // all that is seen of it
+}
+
 TEST(PlanGrasps, NoneIsTiltedFurtherThanItMay) {
   const scenes::Body can = Thing(ShapeKind::kCylinder, {0.06, 0.06, 0.2}, {0, 0}, 0);
   const scenes::Body box = Thing(ShapeKind::kBox, {0.12, 0.07, 0.15}, {0.2, 0}, 0, 0.4);
