@@ -148,7 +148,7 @@ OrientedBox FitOrientedBox(const std::vector<Eigen::Vector3f>& points, const Eig
     const Eigen::Vector3f lowest =
         origin + level * Eigen::Vector3f(base.center.x(), base.center.y(), bottom);
     const float gap = support->HeightOf(lowest);
-    if (gap <= options.max_gap_m) bottom = std::min(bottom - gap, top);
+    if (std::abs(gap) <= options.max_gap_m) bottom = std::min(bottom - gap, top);
   }
 
   OrientedBox box;

@@ -10,8 +10,9 @@
 namespace fovea {
 
 struct BoxOptions {
-  // The box reaches down to the support surface if the lowest visible point is not higher above
-  // it than this; metres. What is higher stands on something else.
+  // The box ends at the support surface if the lowest visible point is not farther above or below
+  // it than this; metres. What is higher stands on something else, what is lower hangs beyond its
+  // edge or lies below it.
   double max_gap_m = 0.03;
 };
 

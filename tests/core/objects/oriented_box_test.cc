@@ -66,6 +66,15 @@ TEST(FitOrientedBox, ReachesDownToANearSupportOnly) {
   EXPECT_NEAR(FitOrientedBox(near, kUp, std::nullopt).size_m.z(), 0.1F, 1e-4F);
 }
 
+TEST(FitOrientedBox, HoldsWhatLiesBelowTheSupport) {
+  const auto noisy = BoxPoints({0.1F, 0.1F, 0.1F}, 0, {0, 0.51F, 1});  // down to 10 mm below it
+  EXPECT_NEAR(FitOrientedBox(noisy, kUp, kTable).size_m.z(), 0.09F, 1e-4F);
+  const auto beyond_the_edge = BoxPoints({0.1F, 0.1F, 0.1F}, 0, {0, 0.6F, 1});
+  EXPECT_NEAR(FitOrientedBox(beyond_the_edge, kUp, kTable).size_m.z(), 0.1F, 1e-4F);
+  const auto on_the_floor = BoxPoints({0.1F, 0.1F, 0.1F}, 0, {0, 0.9F, 1});
+  EXPECT_NEAR(FitOrientedBox(on_the_floor, kUp, kTable).size_m.z(), 0.1F, 1e-4F);
+}
+
 TEST(FitOrientedBox, TakesASinglePoint) {
   const OrientedBox box = FitOrientedBox({{0, 0, 1}}, kUp, std::nullopt);
   EXPECT_EQ(box.center, Eigen::Vector3f(0, 0, 1));
