@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <unordered_map>
 
 #include "core/scene/plane_fit.h"
 #include "core/types/interruption.h"
@@ -19,40 +20,27 @@ constexpr std::size_t kManyPoints = 500;  // tell a plane within a millimetre
 // Middle of the fullest interval; the lowest of equals.
 float DominatingHeight(const Points& points, const Eigen::Vector3f& up, float bin) {
   InterruptionPoint();
-  struct Bin {
-    int index = 0;
-    std::size_t count = 0;
-  };
   constexpr std::size_t kUsualBins = 256;
-  std::vector<Bin> histogram;  // ascending
-  histogram.reserve(kUsualBins);
-  std::size_t in = 0;  // the bin of the point before, which is mostly that of the next
+  std::unordered_map<int, std::size_t> histogram(kUsualBins);
+  int last_bin = 0;
+  std::size_t* count = nullptr;  // of that bin, into which the next point mostly falls, too
   LongLoop loop;
   for (const Eigen::Vector3f& p : points) {
     loop.Turn();
     const int index = static_cast<int>(std::floor(up.dot(p) / bin));
-    if (in == histogram.size() || histogram[in].index != index) {
-      const auto found =
-          std::lower_bound(histogram.begin(), histogram.end(), index,
-                           [](const Bin& other, int sought) { return other.index < sought; });
-      in = static_cast<std::size_t>(found - histogram.begin());
-      const bool is_known = found != histogram.end() && found->index == index;
-      if (!is_known) histogram.insert(found, {index, 0});
-    }
-    ++histogram[in].count;
+    if (count == nullptr || index != last_bin) count = &histogram[last_bin = index];
+    ++*count;
   }
   // Neighbouring bins count half, so that a surface that straddles a border is not missed.
-  const auto count_of = [&](std::size_t i, int index) {
-    return i < histogram.size() && histogram[i].index == index ? histogram[i].count : 0;
+  const auto count_of = [&](int index) {
+    const auto found = histogram.find(index);
+    return found == histogram.end() ? 0 : found->second;
   };
   int best_bin = 0;
   std::size_t best_count = 0;
-  for (std::size_t i = 0; i < histogram.size(); ++i) {
-    const auto [index, count] = histogram[i];
-    // Before the first there is none: its place is beyond the last.
-    const std::size_t smoothed =
-        2 * count + count_of(i - 1, index - 1) + count_of(i + 1, index + 1);
-    if (smoothed > best_count) {
+  for (const auto& [index, in_bin] : histogram) {
+    const std::size_t smoothed = 2 * in_bin + count_of(index - 1) + count_of(index + 1);
+    if (smoothed > best_count || (smoothed == best_count && index < best_bin)) {
       best_count = smoothed;
       best_bin = index;
     }
