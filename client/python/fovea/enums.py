@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import re
+from typing import Any
 
 
-def name_of(enum: type, number: int) -> str:
+def name_of(enum: Any, number: int) -> str:
     """ "estimated" for GRAVITY_SOURCE_ESTIMATED; the number where a newer server sends more."""
-    for name, value in enum.items():  # type: ignore[attr-defined]
-        if value == number:
-            return re.split("_SOURCE_|_REMOVAL_|_REASON_|_KIND_|_NAME_", str(name), maxsplit=1)[
-                1
-            ].lower()
-    return str(number)
+    names = {value: str(name) for name, value in enum.items()}
+    prefix = names[0].removesuffix("UNSPECIFIED")
+    return names[number].removeprefix(prefix).lower() if number in names else str(number)
