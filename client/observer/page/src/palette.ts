@@ -1,4 +1,5 @@
-// The same colour for the same label everywhere; told apart by people who see fewer colours, too.
+// The same colour for the same label in pictures, tables and clouds of the page (overlays of the
+// command line have others); told apart by people who see fewer colours, too.
 const COLORS: [number, number, number][] = [
   [230, 159, 0],
   [86, 180, 233],
