@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "server/scheduling/refusal_reasons.h"
 #include "server/scheduling/scheduler.h"
 
 namespace fovea::server {
@@ -28,12 +29,12 @@ void CountDown(std::map<Key, int>& counts, const Key& key) {
 StreamPlaces::Place StreamPlaces::Take(const RobotId& robot) {
   const std::lock_guard lock(mutex_);
   if (num_streams_ >= limits_.max_streams) {
-    throw Overloaded("STREAM_LIMIT",
+    throw Overloaded(kStreamLimit,
                      "all " + std::to_string(limits_.max_streams) + " streams are open",
                      std::chrono::seconds{1});
   }
-  RequireFewer(by_robot_, robot, limits_.max_per_robot, "ROBOT_STREAM_LIMIT", "this robot");
-  RequireFewer(by_group_, robot.group, limits_.max_per_host, "HOST_STREAM_LIMIT", "this host");
+  RequireFewer(by_robot_, robot, limits_.max_per_robot, kRobotStreamLimit, "this robot");
+  RequireFewer(by_group_, robot.group, limits_.max_per_host, kHostStreamLimit, "this host");
   ++num_streams_;
   ++by_group_[robot.group];
   ++by_robot_[robot];

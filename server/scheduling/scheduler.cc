@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "server/log_exception.h"
+#include "server/scheduling/refusal_reasons.h"
 #include "server/scheduling/thread_priority.h"
 #include "server/until_it_works.h"
 
@@ -62,7 +63,7 @@ Scheduler::Ticket Scheduler::Submit(const RobotId& robot, Work work) {
   displaced = Displace(robot);
   const Ticket ticket = Enqueue(robot, std::move(work), /*counted=*/true);
   const std::size_t others = static_cast<std::size_t>(limits_.max_waiting);
-  const Overloaded why("DISPLACED", "a robot that holds fewer places took that of this frame",
+  const Overloaded why(kDisplaced, "a robot that holds fewer places took that of this frame",
                        RetryAfter(others));
   lock.unlock();
   if (displaced) Call([&] { displaced->work.displaced(why); });
@@ -105,7 +106,7 @@ void Scheduler::FindRoom(const RobotId& robot, IfFull if_full) {
   const Holding own = places_.Of(robot);
   const int num_own = own.uploading + own.places();
   if (num_own >= limits_.max_per_robot) {
-    throw Overloaded("ROBOT_LIMIT",
+    throw Overloaded(kRobotLimit,
                      "this robot has " + std::to_string(num_own) +
                          " frames on the way, waiting or computed, the most that one may have "
                          "(--max-per-robot): wait for an answer before the next",
@@ -125,7 +126,7 @@ void Scheduler::FindRoom(const RobotId& robot, IfFull if_full) {
     turned_away_.Keep(robot, now + retry_after + limits_.grace);
   std::string text = "the queue is full with " + std::to_string(num_taken) + " frames";
   if (ahead > 0) text += " and " + std::to_string(ahead) + " robots in line";
-  throw Overloaded("QUEUE_FULL", text, retry_after);
+  throw Overloaded(kQueueFull, text, retry_after);
 }
 
 // Where all places are taken; then FindRoom() has seen that there is somebody.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "server/build_info.h"
+#include "server/scheduling/refusal_reasons.h"
 #include "server/status.h"
 #include "server/watching/metric_kinds.h"
 
@@ -73,7 +74,7 @@ Metrics::Metrics(std::chrono::nanoseconds gone_after)
   for (int code = 0; code <= grpc::StatusCode::UNAUTHENTICATED; ++code) {
     answered_.Add({{"code", NameOf(static_cast<grpc::StatusCode>(code))}});
   }
-  refused_.Add({{"reason", "QUEUE_FULL"}});
+  for (const char* reason : kRefusalReasons) refused_.Add({{"reason", reason}});
   prometheus::BuildGauge()
       .Name("fovea_build_info")
       .Help("1; its labels say what this server is")

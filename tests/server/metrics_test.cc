@@ -5,15 +5,22 @@
 #include <sys/resource.h>
 
 #include <chrono>
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "client/rpc_error.h"
+#include "server/access/token_line.h"
 #include "server/build_info.h"
+#include "server/scheduling/refusal_reasons.h"
+#include "server/status.h"
 #include "tests/server/detectors.h"
 #include "tests/server/frames.h"
 #include "tests/server/loopback.h"
 #include "tests/server/metric_value.h"
+#include "tests/support/temporary_folder.h"
 
 namespace fovea::testing {
 namespace {
@@ -22,6 +29,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::UnorderedElementsAre;
+using ::testing::UnorderedElementsAreArray;
 
 std::string LabelOf(const prometheus::ClientMetric& metric, const std::string& name) {
   for (const auto& label : metric.label) {
@@ -107,6 +115,55 @@ TEST(Metrics, ReadWhatOthersCount) {
   open = 4;
   EXPECT_EQ(MetricValue(metrics, "fovea_open_doors"), 4);
   EXPECT_EQ(MetricValue(metrics, "fovea_knocks_total"), 7);
+}
+
+// The values of a label that there are before anything happened.
+std::vector<std::string> ValuesAtFirst(const std::string& family_name, const std::string& label) {
+  std::vector<std::string> values;
+  for (const auto& family : server::Metrics().Collect()) {
+    if (family.name != family_name) continue;
+    for (const auto& metric : family.metric) {
+      EXPECT_EQ(metric.counter.value, 0);
+      values.push_back(LabelOf(metric, label));
+    }
+  }
+  return values;
+}
+
+TEST(Metrics, BeginWithZeroForWhateverMayHappen) {
+  std::vector<std::string> codes;
+  for (int code = 0; code <= grpc::StatusCode::UNAUTHENTICATED; ++code) {
+    const auto status_code = static_cast<grpc::StatusCode>(code);
+    const std::string text = client::RpcError({status_code, "why"}).what();
+    codes.push_back(text.substr(0, text.find(':')));
+    EXPECT_EQ(server::NameOf(status_code), codes.back());
+  }
+  EXPECT_THAT(ValuesAtFirst("fovea_frames_answered_total", "code"),
+              UnorderedElementsAreArray(codes));
+  EXPECT_THAT(ValuesAtFirst("fovea_refused_total", "reason"),
+              UnorderedElementsAreArray(server::kRefusalReasons));
+}
+
+std::string PageOf(const std::string& name) {
+  std::ifstream file(FOVEA_SOURCE_DIR "/docs/" + name);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(Metrics, AreAllInTheDocumentation) {
+  server::ServerOptions options = LoopbackOptions();
+  options.trace_endpoint = "http://127.0.0.1:1/v1/traces";  // where nobody is
+  const TemporaryFolder folder;
+  options.observers = folder.Write("observers", "ann " + server::HashOfToken("all") + " view *\n");
+  const Loopback loopback(FindOne, options);
+  loopback.server.metrics()->OnReceived("arm");
+  const std::string pages = PageOf("operations.md") + PageOf("observer.md");
+  for (const auto& family : loopback.server.metrics()->Collect()) {
+    if (family.name.starts_with("process_")) continue;
+    EXPECT_THAT(pages, HasSubstr("`" + family.name + "`")) << "docs/operations.md misses it";
+  }
+  for (const char* reason : server::kRefusalReasons) {
+    EXPECT_THAT(pages, HasSubstr("`" + std::string(reason) + "`"));
+  }
 }
 
 TEST(Metrics, TellOfTheProcess) {
