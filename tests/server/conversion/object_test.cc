@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <google/protobuf/text_format.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@ namespace fovea::testing {
 namespace {
 
 using ::testing::SizeIs;
+using ::testing::UnorderedElementsAre;
 
 // As it is printed again, so that it can be compared.
 template <typename Message>
@@ -74,6 +76,27 @@ TEST(Objects, SayEachThingInItsOwnField) {
     height_above_support_m: 0.125
     no_grasps { gripper: "b" gripper_index: 1 reason: NO_GRASP_REASON_NO_SEAL }
     stands_on: [0, 1] leans_on: [2, 3] blocked_by: [4, 5, 6])"));
+}
+
+// Those of the contract that are set elsewhere: what is asked for, and tracks.
+TEST(Objects, LeaveNoOtherFieldEmpty) {
+  DetectedObject object = SomeObject();
+  object.truncated = object.depth_missing = object.yaw_is_arbitrary = true;
+  object.colors.resize(1);
+  object.grasps.resize(1);
+  object.uncertainty.emplace();
+  object.collision.emplace();
+  const v1::Object proto =
+      server::ToProto(object, "frame", Eigen::Isometry3d::Identity(), TwoGrippers());
+  std::vector<const google::protobuf::FieldDescriptor*> set;
+  v1::Object::GetReflection()->ListFields(proto, &set);
+  std::vector<std::string> empty;
+  for (int i = 0; i < v1::Object::descriptor()->field_count(); ++i) {
+    const auto* const field = v1::Object::descriptor()->field(i);
+    if (std::ranges::count(set, field) == 0) empty.push_back(field->name());
+  }
+  EXPECT_THAT(empty, UnorderedElementsAre("mask", "cloud", "track_id", "first_seen", "times_seen",
+                                          "steadied_box", "steadied_over", "moving"));
 }
 
 TEST(Objects, SayOneThingThatIsSoAlone) {
