@@ -90,6 +90,11 @@ bool DecodeRvl(const std::string& codes, std::uint16_t* depth, std::size_t num_p
   return true;
 }
 
+std::size_t MaxRvlBytes(std::size_t num_pixels) {
+  constexpr std::size_t kMostNibbles = 8;  // of a pixel: its step in 6, and two lengths of runs
+  return num_pixels * kMostNibbles / 2 + 8;
+}
+
 std::string EncodeRvl(const std::uint16_t* depth, std::size_t num_pixels) {
   Codes codes(num_pixels / 2);
   const std::uint16_t* const end = depth + num_pixels;

@@ -11,6 +11,9 @@ namespace fovea::client {
 // and with depth in turn, and in the latter each step from the value before.
 std::string EncodeRvl(const std::uint16_t* depth, std::size_t num_pixels);
 
+// The most bytes that codes of so many pixels have; as the server counts them.
+std::size_t MaxRvlBytes(std::size_t num_pixels);
+
 // The other way round; false where these are no codes of so many pixels.
 bool DecodeRvl(const std::string& codes, std::uint16_t* depth, std::size_t num_pixels);
 

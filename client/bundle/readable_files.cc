@@ -88,7 +88,7 @@ std::string UnitsOf(const v1::DepthImage& depth, std::size_t pixels) {
     case v1::DEPTH_ENCODING_16UC1_RVL:
       return rvl(depth.data());
     case v1::DEPTH_ENCODING_16UC1_RVL_ZSTD:
-      return rvl(Unpacked(depth.data(), 4 * pixels + 8));
+      return rvl(Unpacked(depth.data(), client::MaxRvlBytes(pixels)));
     default:
       return {};
   }

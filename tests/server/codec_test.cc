@@ -8,6 +8,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "client/rvl.h"
 #include "server/codec/jpeg.h"
 #include "server/codec/png.h"
 #include "server/codec/raw.h"
@@ -181,6 +182,7 @@ TEST(Rvl, DecodesExactly) {
   for (const cv::Mat& depth : {TestDepth(), extremes, nothing}) {
     const std::string codes = RvlOf(depth);
     EXPECT_LE(codes.size(), MaxRvlBytes(depth.total()));
+    EXPECT_EQ(client::MaxRvlBytes(depth.total()), MaxRvlBytes(depth.total()));
     EXPECT_EQ(Difference(DecodeRvl(codes, depth.cols, depth.rows), depth), 0);
   }
 }
