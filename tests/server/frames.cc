@@ -93,6 +93,29 @@ std::string RvlOf(const cv::Mat& depth) {
   return client::EncodeRvl(depth.ptr<std::uint16_t>(), depth.total());
 }
 
+std::vector<v1::ColorImage> TestColors() {
+  const cv::Mat color = TestColor();
+  return {ColorMessage(v1::COLOR_ENCODING_RGB8, BytesOf(color), kWidth, kHeight),
+          ColorMessage(v1::COLOR_ENCODING_BGR8, BytesOf(ToBgr(color)), kWidth, kHeight),
+          ColorMessage(v1::COLOR_ENCODING_PNG, PngOf(color)),
+          ColorMessage(v1::COLOR_ENCODING_JPEG, JpegOf(color), kWidth, kHeight)};
+}
+
+std::vector<v1::DepthImage> TestDepths() {
+  const cv::Mat depth = TestDepth();
+  const std::string units = BytesOf(depth), meters = BytesOf(TestMeters()), rvl = RvlOf(depth);
+  const auto raw = [](v1::DepthEncoding encoding, const std::string& bytes) {
+    return DepthMessage(encoding, bytes, kWidth, kHeight);
+  };
+  return {raw(v1::DEPTH_ENCODING_16UC1, units),
+          raw(v1::DEPTH_ENCODING_32FC1, meters),
+          DepthMessage(v1::DEPTH_ENCODING_16UC1_PNG, PngOf(depth)),
+          raw(v1::DEPTH_ENCODING_16UC1_ZSTD, ZstdOf(units)),
+          raw(v1::DEPTH_ENCODING_32FC1_ZSTD, ZstdOf(meters)),
+          raw(v1::DEPTH_ENCODING_16UC1_RVL, rvl),
+          raw(v1::DEPTH_ENCODING_16UC1_RVL_ZSTD, ZstdOf(rvl))};
+}
+
 v1::Frame TestFrame() {
   v1::Frame frame;
   frame.set_id("frame-7");

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <opencv2/core/mat.hpp>
 #include <string>
+#include <vector>
 
 #include "fovea/v1/detection_service.pb.h"
 
@@ -21,6 +22,10 @@ std::string PngOf(const cv::Mat& image);       // three channels: R first
 std::string JpegOf(const cv::Mat& image_rgb);  // quality 95
 std::string ZstdOf(const std::string& bytes);
 std::string RvlOf(const cv::Mat& depth);
+
+// TestColor() and TestDepth() in every encoding of the contract.
+std::vector<v1::ColorImage> TestColors();
+std::vector<v1::DepthImage> TestDepths();
 
 // RGB8 and 16UC1 with everything that a frame needs.
 v1::Frame TestFrame();
