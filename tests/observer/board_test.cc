@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "client/observer/board_json.h"
 #include "client/observer/feed.h"
 
 namespace fovea::testing {
@@ -77,6 +79,18 @@ TEST(ObserverBoard, KeepsForSlowConnectionsWhatTheyWereTold) {
   const std::uint64_t told = CloseId(board);
   for (std::uint64_t i = 2; i < 20; ++i) board.OnFrame(0, FrameOfArm(i), Look::kClose);
   EXPECT_TRUE(board.Frame("arm", told));
+}
+
+TEST(ObserverBoard, HasANameForEveryRight) {
+  const auto* const rights = v1::ObserverRight_descriptor();
+  for (int i = 1; i < rights->value_count(); ++i) {
+    v1::Observer who;
+    who.add_rights(static_cast<v1::ObserverRight>(rights->value(i)->number()));
+    const std::string name = observer::ObserverJson(who)["rights"][0];
+    std::string full = "OBSERVER_RIGHT_" + name;
+    std::ranges::transform(full, full.begin(), [](unsigned char c) { return std::toupper(c); });
+    EXPECT_EQ(full, rights->value(i)->name());
+  }
 }
 
 TEST(ObserverBoard, KeepsFewLargeFrames) {
