@@ -28,7 +28,7 @@ void AddProtectionFlags(CLI::App& app, ServerOptions& options) {
   app.add_option("--tls-crl", options.tls_crl,
                  "Its list of certificates that it has revoked, PEM file; one for each authority");
   app.add_option("--tls-reload-s", options.tls_reload_s,
-                 "How often these files are read again, 1 to 86400 seconds")
+                 "How often these files are read again, in seconds")
       ->capture_default_str();
   app.add_option("--tokens", options.tokens,
                  "File with a line `ROBOT SHA256 [EXPIRES]` for every token; callers need one. "
@@ -41,42 +41,39 @@ void AddProtectionFlags(CLI::App& app, ServerOptions& options) {
 
 void AddConnectionFlags(CLI::App& app, ServerOptions& options) {
   app.add_option("--max-connections", options.max_connections,
-                 "Connections open at once, 1 to 100000; fewer where the limit of open files asks "
-                 "for it")
+                 "Connections open at once; fewer where the limit of open files asks for it")
       ->capture_default_str();
   app.add_option("--max-connections-per-host", options.max_connections_per_host,
-                 "Of one host, 0 to 100000; 0 = half of them")
+                 "Of one host; 0 = half of them")
       ->capture_default_str();
   app.add_option("--max-receiving-mib", options.max_receiving_mib,
                  "What may have come of all messages that are not whole yet, and what may wait of "
-                 "frames in streams, 16 to 65536 MiB each, six messages of --max-message-mib at "
-                 "least; connections that hold most are ended, frames without room refused")
+                 "frames in streams, MiB each, six messages of --max-message-mib at least; "
+                 "connections that hold most are ended, frames without room refused")
       ->capture_default_str();
   app.add_option("--max-unsent-mib", options.max_unsent_mib,
-                 "What may wait of answers that their callers have not taken yet, 16 to 65536 MiB; "
+                 "What may wait of answers that their callers have not taken yet, MiB; "
                  "those that wait for longest are ended")
       ->capture_default_str();
   app.add_option("--max-transfer-s", options.max_transfer_s,
-                 "How long a message may take to come, and an answer to be taken, 1 to 3600 "
-                 "seconds")
+                 "How long a message may take to come, and an answer to be taken, in seconds")
       ->capture_default_str();
   app.add_option(
          "--max-idle-s", options.max_idle_s,
-         "A connection without a call is closed after this, at the latest after twice that, "
-         "1 to 86400 seconds")
+         "A connection without a call is closed after so many seconds, at the latest after twice "
+         "that")
       ->capture_default_str();
   app.add_option("--max-connection-age-s", options.max_connection_age_s,
-                 "Clients are asked for a new connection after this, and streams end after the "
-                 "answer they are at, so that other servers get work, 0 to 86400 seconds; "
-                 "0 = never")
+                 "Clients are asked for a new connection after so many seconds, and streams end "
+                 "after the answer they are at, so that other servers get work; 0 = never")
       ->capture_default_str();
   app.add_option("--self-check-s", options.self_check_s,
-                 "How often the server asks itself for its health, 0 to 3600 seconds; 0 = never. "
+                 "How often the server asks itself for its health, in seconds; 0 = never. "
                  "It ends when it is not answered three times in a row")
       ->capture_default_str();
 }
 
-void AddFlags(CLI::App& app, ServerOptions& options) {
+void AddAddressFlags(CLI::App& app, ServerOptions& options) {
   app.set_version_flag("--version", "fovea-server " FOVEA_VERSION);
   app.add_option(
          "--listen", options.listen,
@@ -84,49 +81,55 @@ void AddFlags(CLI::App& app, ServerOptions& options) {
          "Other than loopback and UNIX sockets only with TLS and client certificates or tokens, or "
          "with --insecure")
       ->default_str(options.listen.front());  // without the brackets of a list
-  AddProtectionFlags(app, options);
-  AddConnectionFlags(app, options);
-  app.add_option("--max-streams", options.max_streams, "Streams open at once, 1 to 10000")
+}
+
+void AddRequestFlags(CLI::App& app, ServerOptions& options) {
+  app.add_option("--max-streams", options.max_streams, "Streams open at once")
       ->capture_default_str();
   app.add_option("--max-streams-per-robot", options.max_streams_per_robot,
-                 "Streams that one robot may have open, 1 to 10000")
+                 "Streams that one robot may have open")
       ->capture_default_str();
   app.add_option("--max-streams-per-host", options.max_streams_per_host,
-                 "Streams that robots without token or certificate may have open from one host, 0 "
-                 "to 10000; 0 = half of all. Never fewer than one robot may")
+                 "Streams that robots without token or certificate may have open from one host; "
+                 "0 = half of all. Never fewer than one robot may")
       ->capture_default_str();
   app.add_option("--max-message-mib", options.max_message_mib,
-                 "Largest request in MiB, 1 to 1024; larger ones get RESOURCE_EXHAUSTED")
+                 "Largest request in MiB; larger ones get RESOURCE_EXHAUSTED")
       ->capture_default_str();
   app.add_option("--max-pixels", options.max_pixels,
-                 "Largest image in pixels, 1 to 100000000; checked before it is decoded")
+                 "Largest image in pixels; checked before it is decoded")
       ->capture_default_str();
+}
+
+void AddComputeFlags(CLI::App& app, ServerOptions& options) {
   app.add_option("--compute-threads", options.compute_threads,
-                 "Frames computed at once, 0 to 1024; 0 = one per processor")
+                 "Frames computed at once; 0 = one per processor")
       ->capture_default_str();
   app.add_option("--threads-per-frame", options.threads_per_frame,
-                 "How many of these may work for one frame while others are idle, 0 to 1024; 0 = "
+                 "How many of these may work for one frame while others are idle; 0 = "
                  "all, 1 = one frame a thread")
       ->capture_default_str();
   app.add_option("--compute-nice", options.compute_nice,
-                 "How much these give way to the server's other threads, 0 to 19 steps of niceness")
+                 "How much these give way to the server's other threads, in steps of niceness")
       ->capture_default_str();
   app.add_option("--max-waiting", options.max_waiting,
-                 "Frames that wait beyond those, -1 to 10000; more get RESOURCE_EXHAUSTED. "
+                 "Frames that wait beyond those; more get RESOURCE_EXHAUSTED. "
                  "-1 = one per compute thread")
       ->capture_default_str();
   app.add_option("--max-per-robot", options.max_per_robot,
-                 "Frames that one robot may have waiting or computed, 0 to 10000; 0 = two thirds "
-                 "of all")
+                 "Frames that one robot may have waiting or computed; 0 = two thirds of all")
       ->capture_default_str();
   app.add_option("--max-running-per-robot", options.max_running_per_robot,
-                 "Frames that one robot may have computed at once, 0 to 1024; 0 = one per thread, "
+                 "Frames that one robot may have computed at once; 0 = one per thread, "
                  "but one less while others call")
       ->capture_default_str();
   app.add_option("--max-compute-ms", options.max_compute_ms,
-                 "Processor time that one frame may take, 0 to 3600000 ms; more gets "
+                 "Processor time that one frame may take, ms; more gets "
                  "RESOURCE_EXHAUSTED. 0 = any")
       ->capture_default_str();
+}
+
+void AddMethodFlags(CLI::App& app, ServerOptions& options) {
   app.add_option("--client-options", options.client_options,
                  "What requests may change of the method: none, safe (where to look and what to "
                  "report) or all")
@@ -140,13 +143,19 @@ void AddFlags(CLI::App& app, ServerOptions& options) {
       "Grippers of robots whose requests name none, each ROBOT=GRIPPER with a "
       "fovea.v1.Gripper in JSON, for example 'arm={\"jaw\": {\"max_opening_m\": 0.14}}'; "
       "ROBOT * is every other one");
+}
+
+void AddStopFlags(CLI::App& app, ServerOptions& options) {
   app.add_option("--hold-s", options.hold_s,
-                 "How long to serve on with health NOT_SERVING after SIGTERM or SIGINT, 0 to 3600 "
+                 "How long to serve on with health NOT_SERVING after SIGTERM or SIGINT, in "
                  "seconds; a second signal ends it")
       ->capture_default_str();
   app.add_option("--drain-timeout-s", options.drain_timeout_s,
-                 "How long calls may finish after that, 0 to 3600 seconds")
+                 "How long calls may finish after that, in seconds")
       ->capture_default_str();
+}
+
+void AddWatchingFlags(CLI::App& app, ServerOptions& options) {
   app.add_option(
          "--metrics-listen", options.metrics_listen,
          "Address of Prometheus' metrics and of probes, HTTP at HOST:PORT/metrics, /livez and "
@@ -163,8 +172,7 @@ void AddFlags(CLI::App& app, ServerOptions& options) {
       ->capture_default_str();
   app.add_option(
          "--slow-ms", options.slow_ms,
-         "Frames that take longer get a log line with the time of each stage, 0 to 3600000; "
-         "0 = none")
+         "Frames that take longer, in ms, get a log line with the time of each stage; 0 = none")
       ->capture_default_str();
   app.add_option("--log-format", options.log_format,
                  "text: key=value; or json: an object a line with the same keys")
@@ -174,14 +182,22 @@ void AddFlags(CLI::App& app, ServerOptions& options) {
       ->capture_default_str();
 }
 
-// CLI11 itself names neither range nor constraint.
+// In the order of --help.
+void AddFlags(CLI::App& app, ServerOptions& options) {
+  for (const auto add : {AddAddressFlags, AddProtectionFlags, AddConnectionFlags, AddRequestFlags,
+                         AddComputeFlags, AddMethodFlags, AddStopFlags, AddWatchingFlags}) {
+    add(app, options);
+  }
+}
+
+// CLI11 itself names neither range nor constraint. The help says the range behind the type.
 void RequireNumbers(CLI::App& app) {
   for (CLI::Option* option : app.get_options([](CLI::Option*) { return true; })) {
     const auto problem_of = [flag = option->get_name()](const std::string& value) {
       const std::string why = WhyNoNumber(flag, value);
       return why.empty() ? why : "\"" + value + "\" " + why;
     };
-    option->check(CLI::Validator(problem_of, ""));
+    option->check(CLI::Validator(problem_of, RangeOf(option->get_name())));
   }
 }
 

@@ -59,6 +59,12 @@ constexpr std::array kRanges{
     NumberRange{"--drain-timeout-s", &Options::drain_timeout_s, 0, 3600},
     NumberRange{"--slow-ms", &Options::slow_ms, 0, 3'600'000}};
 
+const NumberRange* RangeOfFlag(const std::string& flag) {
+  const auto* const found = std::ranges::find_if(
+      kRanges, [&](const NumberRange& candidate) { return candidate.flag == flag; });
+  return found == kRanges.end() ? nullptr : found;
+}
+
 bool IsFraction(const std::string& text) {
   char* end = nullptr;
   std::strtod(text.c_str(), &end);
@@ -76,11 +82,16 @@ void RequireRanges(const ServerOptions& options) {
   }
 }
 
+std::string RangeOf(const std::string& flag) {
+  const NumberRange* const range = RangeOfFlag(flag);
+  if (range == nullptr) return {};
+  return std::to_string(range->minimum) + " to " + std::to_string(range->maximum);
+}
+
 std::string WhyNoNumber(const std::string& flag, const std::string& text) {
   if (flag == "--trace-share" && !IsFraction(text)) return "is not a number between 0 and 1";
-  const auto* const range = std::ranges::find_if(
-      kRanges, [&](const NumberRange& candidate) { return candidate.flag == flag; });
-  if (range == kRanges.end()) return {};
+  const NumberRange* const range = RangeOfFlag(flag);
+  if (range == nullptr) return {};
   char* end = nullptr;
   errno = 0;
   const std::int64_t value = std::strtoll(text.c_str(), &end, 0);
