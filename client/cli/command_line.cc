@@ -72,8 +72,8 @@ int RunCommandLine(int argc, char** argv, const std::string& version) {
   app.require_subcommand(1);
 
   DetectFlags detect_flags;
-  AddDetectFlags(*app.add_subcommand("detect", "Detect the objects of one frame or a folder"),
-                 detect_flags);
+  CLI::App* detect = app.add_subcommand("detect", "Detect the objects of one frame or a folder");
+  AddDetectFlags(*detect, detect_flags);
 
   ConnectionFlags connection;
   CLI::App* health = app.add_subcommand("health", "Ask whether the server serves");
@@ -92,7 +92,8 @@ int RunCommandLine(int argc, char** argv, const std::string& version) {
           PrintOptions(address == connection.server ? "" : address + ":\n", client);
         });
       }
-      return RunDetect(detect_flags);
+      if (*detect) return RunDetect(detect_flags);
+      throw std::logic_error("this command does nothing");
     } catch (const client::RpcError& error) {
       throw std::runtime_error(ExplainDetect(error, detect_flags));
     }
