@@ -10,7 +10,7 @@ namespace fovea::client {
 
 DetectStream::DetectStream(grpc::Channel& channel, const ClientOptions& options,
                            std::chrono::milliseconds timeout, CallOptions call)
-    : call_(std::move(call)) {
+    : call_(std::move(call)), max_answer_mib_(options.max_answer_mib) {
   using Factory =
       grpc::internal::ClientReaderWriterFactory<v1::DetectStreamRequest, grpc::ByteBuffer>;
   using grpc::internal::RpcMethod;
@@ -41,7 +41,7 @@ std::optional<v1::DetectStreamResponse> DetectStream::Receive() {
     finished_ = EndUnread<v1::DetectStreamResponse>(stream_.get(), &context_);
   }
   if (!finished_) finished_ = stream_->Finish();
-  if (!finished_->ok()) throw ErrorOf(*finished_, context_, call_);
+  if (!finished_->ok()) throw ErrorOf(*finished_, context_, call_, max_answer_mib_);
   return std::nullopt;
 }
 

@@ -49,6 +49,7 @@ class DetectStream {
 
  private:
   const CallOptions call_;
+  const int max_answer_mib_;
   grpc::ClientContext context_;
   std::unique_ptr<grpc::ClientReaderWriter<v1::DetectStreamRequest, grpc::ByteBuffer>> stream_;
   bool done_ = false;  // of the sending thread

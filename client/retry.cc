@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "client/channel.h"
+#include "client/too_large.h"
 
 namespace fovea::client {
 namespace {
@@ -80,7 +81,7 @@ class AttemptMaker {
       round.OnAway();  // the next call is made to another one
     }
     // The last one's is of whom the client waits for.
-    attempt->error = ErrorOf(status, context, call_options_);
+    attempt->error = ErrorOf(status, context, call_options_, options_.max_answer_mib);
   }
 
   Servers& servers_;
@@ -103,10 +104,10 @@ std::optional<milliseconds> RetryAfter(const grpc::ClientContext& context) {
 }
 
 RpcError ErrorOf(const grpc::Status& status, const grpc::ClientContext& context,
-                 const CallOptions& call) {
+                 const CallOptions& call, int max_answer_mib) {
   const auto& metadata = context.GetServerTrailingMetadata();
   const auto found = metadata.find("fovea-request-id");
-  return RpcError(status, RetryAfter(context),
+  return RpcError(SayingWhatIsTooLarge(status, max_answer_mib), RetryAfter(context),
                   found == metadata.end()
                       ? call.request_id
                       : std::string(found->second.data(), found->second.size()));

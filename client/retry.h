@@ -24,9 +24,9 @@ std::chrono::milliseconds BackoffAfter(int attempt, const RetryOptions& options,
 // What the server says in the trailing metadata, of a call that has ended.
 std::optional<std::chrono::milliseconds> RetryAfter(const grpc::ClientContext& context);
 
-// Of a call that has ended so.
+// Of a call that has ended so; max_answer_mib: of this client.
 RpcError ErrorOf(const grpc::Status& status, const grpc::ClientContext& context,
-                 const CallOptions& call);
+                 const CallOptions& call, int max_answer_mib);
 
 // Makes the call: around the servers until one answers, and again if need be and while the deadline
 // allows. A way around is one attempt; those after which a server says when to come back are not

@@ -1,11 +1,6 @@
 #include "client/cli/explain.h"
 
-#include <fmt/format.h>
-
-#include <cinttypes>
-#include <cstdint>
-#include <cstdio>
-#include <optional>
+#include <string>
 
 namespace fovea::cli {
 namespace {
@@ -43,28 +38,6 @@ std::string WhyUnavailable(const client::RpcError& error, const ConnectionFlags&
   return "no server answers at " + flags.server + "; is fovea-server running there?";
 }
 
-std::string Mebibytes(std::uint64_t bytes) {
-  return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / (1 << 20));
-}
-
-// gRPC's "larger than max (SIZE vs. MOST)" names neither which message that is nor what helps; none
-// where it says something else.
-std::optional<std::string> WhatIsTooLarge(const std::string& message) {
-  const auto most_here = static_cast<std::uint64_t>(client::ClientOptions{}.max_answer_mib) << 20;
-  std::uint64_t size = 0, most = 0;
-  const std::size_t at = message.find("larger than max (");
-  if (at == std::string::npos ||
-      std::sscanf(message.c_str() + at, "larger than max (%" SCNu64 " vs. %" SCNu64 ")", &size,
-                  &most) != 2) {
-    return std::nullopt;
-  }
-  if (most == most_here) {
-    return "the answer is " + Mebibytes(size) + ", this client takes " + Mebibytes(most);
-  }
-  return "the frame is " + Mebibytes(size) + ", the server takes " + Mebibytes(most) +
-         " (--max-message-mib): send a smaller image, or png, jpeg or zstd";
-}
-
 }  // namespace
 
 std::string Explain(const client::RpcError& error, const ConnectionFlags& flags,
@@ -81,9 +54,6 @@ std::string Explain(const client::RpcError& error, const ConnectionFlags& flags,
     case grpc::StatusCode::UNIMPLEMENTED:
       return std::string(error.what()) + "; is a fovea-server of this version at " + flags.server +
              "?";
-    case grpc::StatusCode::RESOURCE_EXHAUSTED:
-      if (const auto what = WhatIsTooLarge(error.message())) return "RESOURCE_EXHAUSTED: " + *what;
-      return error.what();
     default:
       return error.what();
   }

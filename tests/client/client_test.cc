@@ -14,6 +14,7 @@
 
 #include "client/cli/parsing.h"
 #include "client/images.h"
+#include "client/too_large.h"
 #include "tests/server/detectors.h"
 #include "tests/server/frames.h"
 #include "tests/server/loopback.h"
@@ -102,6 +103,34 @@ TEST(Client, RefusesALimitThatGrpcCannotHold) {
   ClientOptions largest;
   largest.max_answer_mib = 2047;
   EXPECT_NO_THROW(Client(loopback.server.Address(), largest).Detect(testing::TestRequest()));
+}
+
+TEST(Client, SaysWhatIsTooLargeAndWhatHelps) {
+  server::ServerOptions options = testing::LoopbackOptions();
+  options.max_message_mib = 1;
+  const Loopback loopback(testing::FindOne, options);
+  v1::DetectStreamRequest large;
+  *large.mutable_frame() = testing::TestFrame();
+  large.mutable_frame()->mutable_color()->mutable_data()->resize(2 << 20);
+  v1::DetectRequest call;
+  *call.mutable_frame() = large.frame();
+  const std::string says = "the frame is 2.0 MiB, the server takes 1.0 MiB (--max-message-mib): ";
+  EXPECT_THAT(testing::StatusOf([&] { loopback.client.Detect(call); }).error_message(),
+              StartsWith(says));
+  const auto stream = loopback.client.OpenStream(testing::kPatience);
+  stream->Send(large);
+  EXPECT_THAT(testing::StatusOf([&] { stream->Receive(); }).error_message(), StartsWith(says));
+}
+
+TEST(Client, KnowsItsOwnLimitOfAnswers) {
+  const auto text = [](const std::string& message) {
+    return SayingWhatIsTooLarge({grpc::StatusCode::RESOURCE_EXHAUSTED, message}, 2).error_message();
+  };
+  EXPECT_EQ(text("Received message larger than max (3145728 vs. 2097152)"),
+            "the answer is 3.0 MiB, this client takes 2.0 MiB (max_answer_mib)");
+  EXPECT_THAT(text("Received message larger than max (3145728 vs. 1048576)"),
+              StartsWith("the frame is 3.0 MiB, the server takes 1.0 MiB (--max-message-mib)"));
+  EXPECT_EQ(text("larger than it should be"), "larger than it should be");
 }
 
 TEST(Client, WaitsAsLongAsItIsTold) {
