@@ -12,7 +12,7 @@
 
 namespace fovea::scenes {
 
-// Those of scene_recipes.cc: tabletop, cluttered, stacked, ... tote, shelf, tablet, desk, crowded.
+// Those of scene_recipes.cc.
 const std::vector<std::string>& SceneKinds();
 
 // A scene of a kind; the same seed gives the same scene. Every object shows at least some 300

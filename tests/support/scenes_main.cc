@@ -122,7 +122,7 @@ int Run(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--seed", flags.seed, "Seed of the first scene; the next ones count up")
       ->capture_default_str();
-  app.add_option("--sensor", flags.sensor, "ideal, kinect (the default), realsense or halo_stereo")
+  app.add_option("--sensor", flags.sensor, "That sees the depth; kinect where none is named")
       ->transform(CLI::CheckedTransformer(SensorsByName()));
   app.add_option("--size", flags.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
   app.add_option("--roll", flags.roll_deg, "Turns the camera about its optical axis; degrees")

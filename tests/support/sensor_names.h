@@ -8,7 +8,6 @@
 
 namespace fovea::scenes {
 
-// ideal, kinect, realsense, halo_stereo.
 const std::map<std::string, SensorKind>& SensorsByName();
 
 }  // namespace fovea::scenes

@@ -10,6 +10,7 @@
 #include "flags/misspelling.h"
 #include "tests/evaluation/clean_up/clean_up_report.h"
 #include "tests/evaluation/output.h"
+#include "tests/support/sensor_names.h"
 
 namespace {
 
@@ -36,7 +37,7 @@ int Run(int argc, char** argv) {
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 40))
       ->capture_default_str();
   app.add_option("--sensor", flags.sensor, "That sees them")
-      ->check(CLI::IsMember({"ideal", "kinect", "realsense", "halo_stereo"}))
+      ->check(CLI::IsMember(fovea::scenes::SensorsByName()))
       ->capture_default_str();
   app.add_option("--threads", flags.num_threads, "Scenes at a time")
       ->check(CLI::Range(1, 64))

@@ -34,7 +34,7 @@ std::vector<std::string> KindsOf(const GeneratedFlags& flags);
 // Profile "default" with the settings. Throws std::invalid_argument like SetOption.
 DetectorOptions OptionsOf(const GeneratedFlags& flags);
 
-// As fovea-scenes names them: ideal, kinect, realsense, halo_stereo. Throws std::out_of_range.
+// As fovea-scenes names them. Throws std::out_of_range.
 scenes::SensorKind SensorOf(const std::string& name);
 
 }  // namespace fovea::evaluation
