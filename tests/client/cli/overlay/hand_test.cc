@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+
+#include "server/conversion/gripper.h"
+
 namespace fovea::cli {
 namespace {
 
@@ -41,6 +45,30 @@ TEST(Hand, IsACupWithSuction) {
   ASSERT_FALSE(hand.lines.empty());
   EXPECT_NEAR(cv::norm(hand.lines[0].from - cv::Vec3d(0, 0, 0.5)), 0.02, 1e-12);
   EXPECT_LT(hand.back[2], 0.5);
+}
+
+TEST(Hand, OfWhichNothingIsSaidHasTheLengthsOfTheServer) {
+  v1::GraspOptions unsaid;
+  unsaid.add_grippers()->mutable_jaw();
+  unsaid.add_grippers()->mutable_suction();
+  v1::Detections said;
+  for (const Gripper& each : server::FromProto(unsaid)) {
+    *said.add_grippers() = server::ToProto(each);
+  }
+  v1::Grasp grasp = FromAbove(v1::GRASP_KIND_ACROSS);
+  const Hand jaw = HandOf(grasp, said.grippers()), usual_jaw = HandOf(grasp, unsaid.grippers());
+  ASSERT_EQ(jaw.blocks.size(), usual_jaw.blocks.size());
+  for (std::size_t i = 0; i < jaw.blocks.size(); ++i) {
+    for (const int axis : {1, 2}) {
+      const cv::Vec3d off = jaw.blocks[i].half_axes[axis] - usual_jaw.blocks[i].half_axes[axis];
+      EXPECT_NEAR(cv::norm(off), 0, 1e-12) << i << " " << axis;
+    }
+  }
+  EXPECT_NEAR(jaw.blocks[0].center[0], usual_jaw.blocks[0].center[0], 1e-12) << "thickness";
+  grasp = FromAbove(v1::GRASP_KIND_SUCTION);
+  grasp.set_gripper_index(1);
+  const Hand cup = HandOf(grasp, said.grippers()), usual_cup = HandOf(grasp, unsaid.grippers());
+  EXPECT_NEAR(cv::norm(cup.lines[0].from - usual_cup.lines[0].from), 0, 1e-12);
 }
 
 // What a server sends need not fit.
