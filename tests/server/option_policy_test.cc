@@ -15,6 +15,7 @@ namespace {
 using server::OptionPolicy;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
+using ::testing::UnorderedElementsAre;
 
 std::string ErrorOf(const std::string& clients, const std::vector<std::string>& fixed) {
   try {
@@ -57,6 +58,21 @@ TEST(OptionPolicy, BoundsWhatRequestsMayChange) {
   EXPECT_NO_THROW(server::FromProto(paper, safe));
   EXPECT_THROW(server::FromProto(paper, none), std::invalid_argument);
   EXPECT_NO_THROW(server::FromProto({}, none));
+}
+
+// They are told by the beginnings of their names: a new one is to be here only if it says where to
+// look or what to report.
+TEST(OptionPolicy, KnowsWhichOptionsAreSafe) {
+  const OptionPolicy safe("safe", {});
+  std::vector<std::string> open;
+  for (const auto& [name, value] : OptionValues(OptionsOfProfile("default"))) {
+    if (StatusWith(safe, name, value).ok()) open.push_back(name);
+  }
+  EXPECT_THAT(open, UnorderedElementsAre(
+                        "region.x_px", "region.y_px", "region.width_px", "region.height_px",
+                        "region.min_x_m", "region.max_x_m", "region.min_y_m", "region.max_y_m",
+                        "region.min_z_m", "region.max_z_m", "objects.min_probability",
+                        "objects.max_objects", "objects.min_pixels", "objects.box.max_gap_m"));
 }
 
 TEST(OptionPolicy, FixesOptionsForEveryProfile) {
