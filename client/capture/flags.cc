@@ -91,9 +91,10 @@ void AddCalibrationFlags(CLI::App& command, IntrinsicsFlags& flags) {
                          "states");
   file->type_name("FILE")->group(kCalibration);
   command
-      .add_option("--intrinsics", flags.numbers,
-                  "Of the colour camera in pixels, for example 525,525,319.5,239.5")
-      ->type_name("FX,FY,CX,CY")
+      .add_option(
+          "--intrinsics", flags.numbers_or_file,
+          "Of the colour camera in pixels, for example 525,525,319.5,239.5, or a file as above")
+      ->type_name("FX,FY,CX,CY|FILE")
       ->excludes(file)
       ->group(kCalibration);
   command

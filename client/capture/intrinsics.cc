@@ -9,7 +9,6 @@
 #include "client/cli/calibration_file.h"
 #include "client/cli/distortion.h"
 #include "client/cli/files.h"
-#include "client/cli/parsing.h"
 #include "client/images.h"
 
 namespace fovea::capture {
@@ -19,32 +18,7 @@ std::string Text(int width, int height) {
   return std::to_string(width) + "x" + std::to_string(height);
 }
 
-cli::GivenIntrinsics FromFile(const std::string& path) {
-  const cli::Calibration c = cli::ReadCalibration(path);
-  return {cli::IntrinsicsOf(c), path, {c.width, c.height}};
-}
-
-cli::GivenIntrinsics FromNumbers(const std::string& numbers) {
-  const auto k =
-      cli::ParseNumbers(numbers, 4, "--intrinsics", "FX,FY,CX,CY; a file goes to --calibration");
-  const v1::CameraIntrinsics values = client::MakeIntrinsics(k[0], k[1], k[2], k[3]);
-  if (cli::IsCamera(cli::CalibrationOf(values, {}))) return {values, {}, {}};
-  throw std::invalid_argument("--intrinsics: \"" + numbers +
-                              "\": focal lengths must be above 0 and all numbers finite");
-}
-
 bool IsAngle(double rad) { return rad > 0 && rad < std::numbers::pi; }
-
-}  // namespace
-
-v1::CameraIntrinsics FromFieldOfView(const FieldOfView& view, const cv::Size& size) {
-  // The centre of the first pixel is 0, so the image reaches from -0.5 to width - 0.5.
-  return client::MakeIntrinsics(size.width / 2.0 / std::tan(view.horizontal_rad / 2),
-                                size.height / 2.0 / std::tan(view.vertical_rad / 2),
-                                (size.width - 1) / 2.0, (size.height - 1) / 2.0);
-}
-
-namespace {
 
 ChosenIntrinsics Choose(const KnownIntrinsics& known, const FieldOfView& view,
                         const cv::Size& size) {
@@ -64,11 +38,21 @@ ChosenIntrinsics Choose(const KnownIntrinsics& known, const FieldOfView& view,
 
 }  // namespace
 
+v1::CameraIntrinsics FromFieldOfView(const FieldOfView& view, const cv::Size& size) {
+  // The centre of the first pixel is 0, so the image reaches from -0.5 to width - 0.5.
+  return client::MakeIntrinsics(size.width / 2.0 / std::tan(view.horizontal_rad / 2),
+                                size.height / 2.0 / std::tan(view.vertical_rad / 2),
+                                (size.width - 1) / 2.0, (size.height - 1) / 2.0);
+}
+
 KnownIntrinsics ReadIntrinsics(const IntrinsicsFlags& flags) {
   if (!flags.distortion.empty()) cli::ParseDistortion(flags.distortion);
   KnownIntrinsics known{.camera = std::nullopt, .distortion = flags.distortion};
-  if (!flags.calibration_path.empty()) known.camera = FromFile(flags.calibration_path);
-  if (!flags.numbers.empty()) known.camera = FromNumbers(flags.numbers);
+  if (!flags.calibration_path.empty()) {
+    known.camera = cli::IntrinsicsInFile(flags.calibration_path);
+  }
+  if (!flags.numbers_or_file.empty())
+    known.camera = cli::ReadIntrinsics(flags.numbers_or_file, "--intrinsics");
   return known;
 }
 

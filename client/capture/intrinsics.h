@@ -13,8 +13,8 @@ namespace fovea::capture {
 // Where the intrinsics come from, best first; empty = not given.
 struct IntrinsicsFlags {
   std::string calibration_path;
-  std::string numbers;     // FX,FY,CX,CY
-  std::string distortion;  // MODEL=K1,… or none, in place of the calibration's
+  std::string numbers_or_file;  // FX,FY,CX,CY, or the path of a calibration, too
+  std::string distortion;       // MODEL=K1,… or none, in place of the calibration's
 };
 
 // What the flags say, read before there is a camera.
@@ -53,7 +53,7 @@ class NoIntrinsics : public std::runtime_error {
 ChosenIntrinsics ChooseIntrinsics(const KnownIntrinsics& known, const FieldOfView& view,
                                   const cv::Size& size);
 
-// As a file that --calibration and `fovea detect --intrinsics` read. Throws std::runtime_error.
+// As a file that --calibration and --intrinsics read. Throws std::runtime_error.
 void SaveIntrinsics(const std::string& path, const v1::CameraIntrinsics& values,
                     const cv::Size& size);
 

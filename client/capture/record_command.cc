@@ -31,11 +31,12 @@ void CheckPath(const std::string& path) {
 
 // Intrinsics lie beside the recording, so that a replay uses them, too. A file of others there may
 // be a calibration of somebody's, and would be taken for those of this recording.
-void CheckIntrinsicsPath(const std::string& path, const IntrinsicsFlags& flags) {
+void CheckIntrinsicsPath(const std::string& path, const KnownIntrinsics& known) {
   if (!std::filesystem::exists(path)) return;
   std::error_code error;  // where there is no calibration
-  const bool is_given = std::filesystem::equivalent(path, flags.calibration_path, error);
-  if (is_given && flags.distortion.empty()) return;
+  const bool is_given =
+      known.camera && std::filesystem::equivalent(path, known.camera->path, error);
+  if (is_given && known.distortion.empty()) return;
   throw std::runtime_error(path + " is there already and stays as it is; --calibration " + path +
                            ", without --distortion, records with it");
 }
@@ -130,7 +131,7 @@ int RunRecord(const RecordFlags& flags) {
   const KnownIntrinsics intrinsics = ReadIntrinsics(flags.intrinsics);
   RequireSize(intrinsics, options.size);
   const std::string intrinsics_path = IntrinsicsPathOf(flags.path);
-  CheckIntrinsicsPath(intrinsics_path, flags.intrinsics);
+  CheckIntrinsicsPath(intrinsics_path, intrinsics);
   const OpenNiRuntime runtime;
   OpenNiCamera camera(options, std::cerr);
   const auto chosen = IntrinsicsOf(camera, intrinsics, intrinsics_path);

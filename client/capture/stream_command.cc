@@ -43,7 +43,7 @@ client::Client ConnectTo(const StreamFlags& flags) {
 // A recording's own lie beside it.
 IntrinsicsFlags FlagsOrBeside(const StreamFlags& flags) {
   const bool given =
-      !flags.intrinsics.calibration_path.empty() || !flags.intrinsics.numbers.empty();
+      !flags.intrinsics.calibration_path.empty() || !flags.intrinsics.numbers_or_file.empty();
   if (given || !IsRecording(flags.camera.device)) return flags.intrinsics;
   const std::string path = IntrinsicsPathOf(flags.camera.device);
   return {std::filesystem::exists(path) ? path : "", "", flags.intrinsics.distortion};

@@ -14,12 +14,17 @@ namespace fs = std::filesystem;
 
 GivenIntrinsics ReadIntrinsics(const std::string& text, const std::string& flag) {
   std::error_code error;
-  if (fs::exists(text, error)) {
-    const Calibration c = ReadCalibration(text);
-    return {IntrinsicsOf(c), text, {c.width, c.height}};
-  }
+  if (fs::exists(text, error)) return IntrinsicsInFile(text);
   const auto k = ParseNumbers(text, 4, flag, "FX,FY,CX,CY, and not a file that is there");
-  return {client::MakeIntrinsics(k[0], k[1], k[2], k[3]), {}, {}};
+  const v1::CameraIntrinsics values = client::MakeIntrinsics(k[0], k[1], k[2], k[3]);
+  if (IsCamera(CalibrationOf(values, {}))) return {values, {}, {}};
+  throw std::invalid_argument(flag + ": \"" + text +
+                              "\": focal lengths must be above 0 and all numbers finite");
+}
+
+GivenIntrinsics IntrinsicsInFile(const std::string& path) {
+  const Calibration c = ReadCalibration(path);
+  return {IntrinsicsOf(c), path, {c.width, c.height}};
 }
 
 void SetDistortion(const std::string& flag, v1::CameraIntrinsics* intrinsics) {

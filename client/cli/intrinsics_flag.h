@@ -17,6 +17,9 @@ struct GivenIntrinsics {
 // names the flag or the file.
 GivenIntrinsics ReadIntrinsics(const std::string& text, const std::string& flag);
 
+// Throws std::runtime_error that names the file.
+GivenIntrinsics IntrinsicsInFile(const std::string& path);
+
 // What --distortion says takes the place of what a calibration says; "" leaves that. Throws
 // std::invalid_argument that names the flag.
 void SetDistortion(const std::string& flag, v1::CameraIntrinsics* intrinsics);

@@ -210,6 +210,7 @@ TEST_F(CalibrationTest, ChoosesTheBestThatIsKnown) {
   EXPECT_EQ(from_file.values.fx(), 540.5);
   EXPECT_EQ(from_file.values.distortion().coefficients_size(), 5);
   EXPECT_THAT(Describe(from_file), HasSubstr("cy 238.8, plumb_bob distortion, from the calib"));
+  EXPECT_EQ(Describe(choose({"", path, ""}, view, {640, 480})), Describe(from_file));
   const ChosenIntrinsics without = choose({path, "", "none"}, view, {640, 480});
   EXPECT_FALSE(without.values.has_distortion());
   const ChosenIntrinsics other =

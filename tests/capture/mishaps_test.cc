@@ -51,8 +51,9 @@ TEST_F(MishapsTest, FlagsThatAreWrongEndItAtOnce) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
       {{"--calibration", At("none")}, "cannot read " + At("none")},
       {{"--calibration", other}, other + ": it is for 4x4, the camera sends 320x240"},
+      {{"--intrinsics", other}, other + ": it is for 4x4, the camera sends 320x240"},
       {{"--intrinsics", "1,2"},
-       "--intrinsics: \"1,2\" is not FX,FY,CX,CY; a file goes to --calibration"},
+       "--intrinsics: \"1,2\" is not FX,FY,CX,CY, and not a file that is there"},
       {{"--intrinsics", "0,1,1,1"}, "--intrinsics: \"0,1,1,1\": focal lengths must be above 0"},
       {{"--distortion", "magic=1"}, "--distortion: "},
       {{"--device", At("none.oni")}, "there is no recording " + At("none.oni")},

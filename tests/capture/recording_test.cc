@@ -202,10 +202,12 @@ TEST_F(RecordingTest, LeavesTheCalibrationThatLiesBesideIt) {
   const std::string calibration =
       R"({"fx": 260, "fy": 261, "cx": 159, "cy": 119, "width": 320, "height": 240})";
   const std::string path = folder_.Write("a.intrinsics.json", calibration);
-  const std::vector<std::string> flags{"--calibration", path, "--frame-timeout", "0.3"};
-  ExpectOneLineError(Capture(Record(At("a.oni"), flags), {{"FOVEA_CAMERA_FAULTS", "silent"}}),
-                     "no frames arrive");
-  EXPECT_EQ(TextOf(path), calibration);
+  for (const char* flag : {"--calibration", "--intrinsics"}) {
+    ExpectOneLineError(Capture(Record(At("a.oni"), {flag, path, "--frame-timeout", "0.3"}),
+                               {{"FOVEA_CAMERA_FAULTS", "silent"}}),
+                       "no frames arrive");
+    EXPECT_EQ(TextOf(path), calibration);
+  }
   ExpectOneLineError(
       Capture(Record(At("a.oni"), {"--calibration", path, "--distortion", "plumb_bob=0.1,0,0,0"})),
       path + " is there already");

@@ -82,6 +82,9 @@ TEST_F(CliTest, SaysInOneLineWhatIsWrong) {
   ExpectOneLineError(DetectFrame({"--tls-ca", ""}), "--tls-ca: is empty");
   ExpectOneLineError(DetectFrame({"--token-file", Folder()}), "--token-file: cannot read ");
   ExpectOneLineError(DetectFrame({"--no-masks="}), "--no-masks: is empty");
+  ExpectOneLineError(
+      DetectFrame({"--depth-intrinsics", "0,1,1,1", "--color-from-depth", "0,0,0,0,0,0,1"}),
+      "--depth-intrinsics: \"0,1,1,1\": focal lengths must be above 0");
   ExpectOneLineError(DetectFrame({"--input", Folder()}), "--output");
   ExpectOneLineError(Detect({}), "--color");
   ExpectOneLineError(Execute({FOVEA_CLI, "detect", "--colour", "c.png"}), "--colour");
