@@ -5,8 +5,8 @@
 #include <string>
 
 #include "client/capture/camera_error.h"
-#include "client/capture/camera_setup.h"
 #include "client/capture/devices.h"
+#include "client/capture/openni_setup.h"
 
 namespace fovea::capture {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "client/capture/camera_setup.h"
+#include "client/capture/camera_options.h"
 #include "client/capture/intrinsics.h"
 #include "client/capture/session.h"
 #include "client/cli/connection.h"

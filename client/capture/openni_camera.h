@@ -8,6 +8,7 @@
 
 #include "client/capture/camera.h"
 #include "client/capture/devices.h"
+#include "client/capture/openni_setup.h"
 #include "client/capture/pairing.h"
 
 namespace fovea::capture {

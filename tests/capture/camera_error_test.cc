@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "client/capture/camera_setup.h"
+#include "client/capture/camera_options.h"
 #include "client/capture/devices.h"
 
 namespace fovea::capture {

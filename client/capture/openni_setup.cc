@@ -1,7 +1,6 @@
-#include "client/capture/camera_setup.h"
+#include "client/capture/openni_setup.h"
 
 #include <ostream>
-#include <regex>
 #include <set>
 #include <tuple>
 
@@ -60,15 +59,6 @@ std::string CommonModes(const Streams& streams) {
     if (depth.contains(mode)) text += (text.empty() ? "" : ", ") + Text(mode);
   }
   return text.empty() ? "none" : text;
-}
-
-cv::Size ParseResolution(const std::string& text, const std::string& flag) {
-  std::smatch parts;
-  if (!std::regex_match(text, parts, std::regex("0*([1-9][0-9]{0,4})x0*([1-9][0-9]{0,4})"))) {
-    throw std::invalid_argument(flag + ": \"" + text +
-                                "\" is not WIDTHxHEIGHT in pixels, such as 640x480");
-  }
-  return {std::stoi(parts[1]), std::stoi(parts[2])};
 }
 
 void CreateStreams(openni::Device& device, Streams& streams) {
