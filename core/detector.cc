@@ -40,21 +40,23 @@ Trace TraceOf(Search search, const cv::Mat& depth, const PixelBlocks& blocks,
       LabelsOfChosen(found.tree, found.tree.LikelyNodes(), found.segments);
   search.scene.grid.voxel_of_pixel = blocks.InPixels(search.scene.grid.voxel_of_pixel);
   const cv::Mat everywhere = search.depth == search.depth;
-  return {FillFromBlocks(depth, search.depth, everywhere, blocks),
-          blocks.InPixels(search.salience.color),
-          blocks.InPixels(search.salience.depth),
-          std::move(search.seeds),
-          std::move(removed),
-          options.mrf.data.gamma_per_m2,
-          std::move(search.scene.grid),
-          std::move(search.scene.colors),
-          std::move(found.labels),
-          std::move(found.segments),
-          merged,
-          std::move(found.tree),
-          std::move(found.evidence),
-          blocks.InPixels(search.scene.standing),
-          {}};
+  return {
+      .depth_m = FillFromBlocks(depth, search.depth, everywhere, blocks),
+      .color_saliency = blocks.InPixels(search.salience.color),
+      .depth_saliency = blocks.InPixels(search.salience.depth),
+      .seeds = std::move(search.seeds),
+      .removed = std::move(removed),
+      .gamma_per_m2 = options.mrf.data.gamma_per_m2,
+      .voxels = std::move(search.scene.grid),
+      .colors = std::move(search.scene.colors),
+      .labels = std::move(found.labels),
+      .segments = std::move(found.segments),
+      .merged = merged,
+      .tree = std::move(found.tree),
+      .evidence = std::move(found.evidence),
+      .standing = blocks.InPixels(search.scene.standing),
+      .grasp_candidates = {},
+  };
 }
 
 // Whether anything beside the objects themselves needs the points around them.

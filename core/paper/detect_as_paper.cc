@@ -97,21 +97,23 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const PaperOptions& optio
                   supports, options.objects, result);
   clock.Finish();
   if (trace != nullptr) {
-    *trace = {depth,
-              color_saliency,
-              depth_saliency,
-              seeds,
-              salient.removed,
-              options.mrf.data.gamma_per_m2,
-              grid,
-              {},
-              labels,
-              segments,
-              objects,
-              {},
-              {},
-              {},
-              {}};
+    *trace = {
+        .depth_m = depth,
+        .color_saliency = color_saliency,
+        .depth_saliency = depth_saliency,
+        .seeds = seeds,
+        .removed = salient.removed,
+        .gamma_per_m2 = options.mrf.data.gamma_per_m2,
+        .voxels = grid,
+        .colors = {},
+        .labels = labels,
+        .segments = segments,
+        .merged = objects,
+        .tree = {},
+        .evidence = {},
+        .standing = {},
+        .grasp_candidates = {},
+    };
   }
   return {points, supports};
 }
