@@ -11,7 +11,9 @@ using enum Surfaces;
 using enum Objects;
 
 // The place in the table is part of a scene's seed: new kinds go to its end.
-constexpr std::array<Recipe, 22> kRecipes = {{
+// kind, surfaces, fewest, most, radius_m, beside, on_top, pitch_deg, distance, furnished, objects,
+// roll_deg
+constexpr auto kRecipes = std::to_array<Recipe>({
     {"tabletop", kTable, 3, 6, 0.25, 0.0, 0.0, {32, 48}, {0.9, 1.1}, false},
     {"cluttered", kTable, 9, 13, 0.28, 0.3, 0.1, {32, 50}, {0.95, 1.15}, false},
     {"stacked", kTable, 5, 8, 0.22, 0.0, 0.6, {28, 45}, {0.9, 1.1}, false},
@@ -34,7 +36,7 @@ constexpr std::array<Recipe, 22> kRecipes = {{
     {"tablet", kTablet, 1, 3, 0.08, 0.2, 0.0, {20, 50}, {0.75, 1.4}, true, kHousehold},
     {"desk", kTable, 5, 10, 0.5, 0.15, 0.1, {8, 25}, {1.8, 2.6}, true, kHousehold},
     {"crowded", kTable, 24, 30, 0.45, 0.2, 0.1, {42, 60}, {1.1, 1.3}, false},
-}};
+});
 
 }  // namespace
 
