@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "client/cli/busy_machine.h"
 #include "client/cli/words.h"
 
 namespace fovea::cli {
@@ -109,7 +110,7 @@ std::string NumObjects(int number) {
 double ServerMs(const v1::Detections& detections) {
   double sum = 0;
   for (const v1::StageTime& stage : detections.stage_times()) {
-    if (stage.stage() == "processor_wait") continue;  // is part of the others
+    if (stage.stage() == kProcessorWait) continue;  // is part of the others
     sum += stage.duration().seconds() * 1e3 + stage.duration().nanos() * 1e-6;
   }
   return sum;
