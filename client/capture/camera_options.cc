@@ -5,6 +5,10 @@
 
 namespace fovea::capture {
 
+CameraKind KindOf(const std::string& device) {
+  return device.starts_with("v4l2:") ? CameraKind::kV4l2 : CameraKind::kOpenNi;
+}
+
 cv::Size ParseResolution(const std::string& text, const std::string& flag) {
   std::smatch parts;
   if (!std::regex_match(text, parts, std::regex("0*([1-9][0-9]{0,4})x0*([1-9][0-9]{0,4})"))) {

@@ -6,6 +6,11 @@
 
 namespace fovea::capture {
 
+enum class CameraKind { kOpenNi, kV4l2 };  // recordings are of OpenNI2
+
+// By its name, CameraOptions.device.
+CameraKind KindOf(const std::string& device);
+
 struct CameraOptions {
   std::string device;  // URI, FILE.oni or v4l2:DEPTH,COLOR; empty = the first camera found
   cv::Size size{640, 480};

@@ -64,7 +64,7 @@ std::string FindDevice(const std::string& wanted) {
   throw CameraError("no camera " + wanted + " found; plugged in: " + known);
 }
 
-std::string KindOf(const std::string& uri) {
+std::string NameWithoutPlace(const std::string& uri) {
   const std::size_t at = uri.find('@');
   return at == std::string::npos ? uri : uri.substr(0, at + 1);
 }

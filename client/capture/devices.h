@@ -35,7 +35,7 @@ std::vector<DeviceName> ListDevices();
 std::string FindDevice(const std::string& wanted);
 
 // How to find the device again: a USB camera gets another URI each time that it is plugged in.
-std::string KindOf(const std::string& uri);
+std::string NameWithoutPlace(const std::string& uri);
 
 // Notices that a device was unplugged.
 class UnplugWatch : public openni::OpenNI::DeviceDisconnectedListener {

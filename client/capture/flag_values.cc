@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "client/capture/flags.h"
-#include "client/capture/v4l2_camera.h"
 #include "client/cli/request.h"
 
 namespace fovea::capture {
@@ -12,7 +11,7 @@ namespace {
 
 // Flags that would be ignored.
 void CheckKindOfCamera(const StreamFlags& flags) {
-  if (IsV4l2(flags.camera.device)) return;
+  if (KindOf(flags.camera.device) != CameraKind::kOpenNi) return;
   const auto refuse_if = [](bool is_given, const std::string& flag) {
     if (!is_given) return;
     throw std::invalid_argument(flag +
@@ -26,7 +25,7 @@ void CheckKindOfCamera(const StreamFlags& flags) {
 
 // Where depth is as its camera sees it, the server must know that camera.
 void CheckDepthCamera(const StreamFlags& flags, const SessionOptions& options) {
-  if (!IsV4l2(flags.camera.device)) return;
+  if (KindOf(flags.camera.device) != CameraKind::kV4l2) return;
   if (options.depth_camera || flags.camera.allow_unregistered) return;
   throw std::invalid_argument(
       "v4l2 does not register depth to colour: give --depth-intrinsics and --color-from-depth (or "

@@ -22,7 +22,7 @@ class OpenNiCamera : public Camera {
   std::optional<Picture> Next(std::chrono::milliseconds patience) override;
   void SkipWaiting() override { silent_since_ = std::chrono::steady_clock::now(); }
   bool AtEnd() const override;
-  std::string Name() const override { return KindOf(uri_); }
+  std::string Name() const override { return NameWithoutPlace(uri_); }
   const std::string& Uri() const override { return uri_; }
   cv::Size size() const override { return options_.size; }
   FieldOfView StatedFieldOfView() const override;

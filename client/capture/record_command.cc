@@ -15,7 +15,6 @@
 #include "client/capture/recording.h"
 #include "client/capture/recording_file.h"
 #include "client/capture/stop_signal.h"
-#include "client/capture/v4l2_camera.h"
 
 namespace fovea::capture {
 namespace {
@@ -122,10 +121,10 @@ int RunRecord(const RecordFlags& flags) {
   if (IsRecording(flags.camera.device)) {
     throw std::invalid_argument("--device: a recording is recorded already");
   }
-  if (IsV4l2(flags.camera.device)) {
+  if (KindOf(flags.camera.device) != CameraKind::kOpenNi) {
     throw std::invalid_argument(
         "--device: only what OpenNI2 sees is recorded; fovea-capture --save keeps the frames of "
-        "v4l2");
+        "other cameras");
   }
   const CameraOptions options = CameraOptionsOf(flags.camera);
   const KnownIntrinsics intrinsics = ReadIntrinsics(flags.intrinsics);

@@ -11,7 +11,6 @@
 #include "client/capture/devices.h"
 #include "client/capture/save_folder.h"
 #include "client/capture/server_check.h"
-#include "client/capture/v4l2_camera.h"
 #include "client/cli/explain.h"
 
 namespace fovea::capture {
@@ -95,7 +94,7 @@ int RunStream(const StreamFlags& flags) {
   if (flags.view) viewer.emplace();
   const client::Client client = ConnectTo(flags);
   std::optional<OpenNiRuntime> openni;
-  if (!IsV4l2(camera_options.device)) openni.emplace();
+  if (KindOf(camera_options.device) == CameraKind::kOpenNi) openni.emplace();
   CameraSource source(camera_options, options.patience, std::cerr);
   options.intrinsics = Choose(intrinsics, source.CurrentCamera()).values;
   Viewer* const window = viewer ? &*viewer : nullptr;

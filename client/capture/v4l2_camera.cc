@@ -14,10 +14,9 @@ namespace {
 
 using std::chrono::steady_clock;
 
-constexpr std::string_view kPrefix = "v4l2:";
-
+// Of "v4l2:DEPTH,COLOR".
 std::pair<std::string, std::string> NodesOf(const std::string& device) {
-  const std::string nodes = device.substr(kPrefix.size());
+  const std::string nodes = device.substr(device.find(':') + 1);
   const std::size_t comma = nodes.find(',');
   if (comma == std::string::npos || comma == 0 || comma + 1 == nodes.size()) {
     throw CameraError("--device: \"" + device +
@@ -38,8 +37,6 @@ cv::Mat RgbOf(const cv::Mat& yuyv) {
 }
 
 }  // namespace
-
-bool IsV4l2(const std::string& device) { return device.starts_with(kPrefix); }
 
 V4l2Camera::V4l2Camera(const CameraOptions& options)
     : options_(options),

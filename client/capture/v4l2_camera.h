@@ -8,9 +8,6 @@
 
 namespace fovea::capture {
 
-// "v4l2:DEPTH_NODE,COLOR_NODE".
-bool IsV4l2(const std::string& device);
-
 // Two nodes of the kernel, depth (Z16) and colour (YUYV), as those of a RealSense D4xx. Neither
 // states intrinsics, and depth is as the depth camera sees it.
 class V4l2Camera : public Camera {

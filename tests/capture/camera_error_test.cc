@@ -18,9 +18,9 @@ TEST(CannotOpen, NamesTheUdevRuleOnlyWherePermissionIsMissing) {
   EXPECT_THAT(CannotOpen("a@b", "firmware timeout").what(), HasSubstr("firmware timeout"));
 }
 
-TEST(KindOf, LeavesThePlaceOut) {
-  EXPECT_EQ(KindOf("1d27/0609@1/3"), "1d27/0609@");
-  EXPECT_EQ(KindOf("camera"), "camera");
+TEST(NameWithoutPlace, LeavesThePlaceOut) {
+  EXPECT_EQ(NameWithoutPlace("1d27/0609@1/3"), "1d27/0609@");
+  EXPECT_EQ(NameWithoutPlace("camera"), "camera");
 }
 
 TEST(ParseResolution, TakesWidthAndHeight) {
