@@ -17,12 +17,14 @@
 namespace fovea {
 namespace {
 
+float ExtentOf(const JawGripper& jaw) { return jaw.max_opening_m / 2 + jaw.finger_thickness_m; }
+
+float ExtentOf(const SuctionGripper& cup) { return cup.diameter_m; }
+
 // Around the object, what the widest hand needs.
 float ReachOf(const Gripper& gripper) {
   constexpr float kRoom_m = 0.03F;
-  const auto* jaw = std::get_if<JawGripper>(&gripper.hand);
-  if (jaw == nullptr) return std::get<SuctionGripper>(gripper.hand).diameter_m + kRoom_m;
-  return jaw->max_opening_m / 2 + jaw->finger_thickness_m + kRoom_m;
+  return std::visit([](const auto& hand) { return ExtentOf(hand); }, gripper.hand) + kRoom_m;
 }
 
 // The ways in that are tried: the preferred one, and where the gripper may tilt nearly that far,

@@ -72,11 +72,14 @@ Gripper GripperFromProto(const v1::Gripper& proto, const std::string& path) {
   Gripper gripper;
   RequireField(proto.name().size() <= kMaxName, path + ".name", "is longer than 64 bytes");
   gripper.name = proto.name();
-  if (proto.has_suction()) {
-    gripper.hand = SuctionFromProto(proto.suction(), path + ".suction");
-    gripper.max_tilt_rad = kSuctionTilt_rad;
-  } else {
-    gripper.hand = JawFromProto(proto.jaw(), path + ".jaw");
+  switch (proto.hand_case()) {
+    case v1::Gripper::kSuction:
+      gripper.hand = SuctionFromProto(proto.suction(), path + ".suction");
+      gripper.max_tilt_rad = kSuctionTilt_rad;
+      break;
+    case v1::Gripper::kJaw:
+    case v1::Gripper::HAND_NOT_SET:  // jaws, as the contract says
+      gripper.hand = JawFromProto(proto.jaw(), path + ".jaw");
   }
   if (proto.has_approach()) {
     const Eigen::Vector3d approach = FromProto(proto.approach());
@@ -108,8 +111,9 @@ double Said(float held, double given) {
   return said;
 }
 
-v1::JawGripper JawToProto(const JawGripper& jaw, const v1::JawGripper& given) {
-  v1::JawGripper proto;
+void SetHand(const JawGripper& jaw, const v1::Gripper& sent, v1::Gripper* gripper) {
+  const v1::JawGripper& given = sent.jaw();
+  v1::JawGripper& proto = *gripper->mutable_jaw();
   proto.set_max_opening_m(Said(jaw.max_opening_m, given.max_opening_m()));
   proto.set_finger_length_m(Said(jaw.finger_length_m, given.finger_length_m()));
   proto.set_finger_width_m(Said(jaw.finger_width_m, given.finger_width_m()));
@@ -119,7 +123,13 @@ v1::JawGripper JawToProto(const JawGripper& jaw, const v1::JawGripper& given) {
   proto.mutable_palm_size()->set_y(Said(palm.y(), given.palm_size().y()));
   proto.mutable_palm_size()->set_z(Said(palm.z(), given.palm_size().z()));
   proto.set_friction(Said(jaw.friction, given.friction()));
-  return proto;
+}
+
+void SetHand(const SuctionGripper& cup, const v1::Gripper& sent, v1::Gripper* gripper) {
+  const v1::SuctionGripper& given = sent.suction();
+  v1::SuctionGripper& proto = *gripper->mutable_suction();
+  proto.set_diameter_m(Said(cup.diameter_m, given.diameter_m()));
+  proto.set_max_curvature_per_m(Said(cup.max_curvature_per_m, given.max_curvature_per_m()));
 }
 
 }  // namespace
@@ -127,14 +137,7 @@ v1::JawGripper JawToProto(const JawGripper& jaw, const v1::JawGripper& given) {
 v1::Gripper ToProto(const Gripper& gripper, const v1::Gripper& given) {
   v1::Gripper proto;
   proto.set_name(gripper.name);
-  if (const auto* jaw = std::get_if<JawGripper>(&gripper.hand)) {
-    *proto.mutable_jaw() = JawToProto(*jaw, given.jaw());
-  } else {
-    const auto& cup = std::get<SuctionGripper>(gripper.hand);
-    proto.mutable_suction()->set_diameter_m(Said(cup.diameter_m, given.suction().diameter_m()));
-    proto.mutable_suction()->set_max_curvature_per_m(
-        Said(cup.max_curvature_per_m, given.suction().max_curvature_per_m()));
-  }
+  std::visit([&](const auto& hand) { SetHand(hand, given, &proto); }, gripper.hand);
   if (gripper.approach) *proto.mutable_approach() = ToProto(*gripper.approach);
   // Of pi / 2 the shortest number is beyond it.
   proto.set_max_tilt_rad(given.has_max_tilt_rad() ? Said(gripper.max_tilt_rad, given.max_tilt_rad())
