@@ -81,19 +81,12 @@ grpc::Status FrameAnswerer::Answer(const FrameRequest& request, const Caller& ca
   grpc::Status status;
   Detections detections;
   RgbdFrame decoded;
-  std::vector<StageTime> times{{"queue", Milliseconds(request.began - request.received)}};
+  std::vector<StageTime> times;
   try {
-    if (caller.IsGone()) throw Cancelled();
-    RequireField(request.frame != nullptr, "frame", "is missing");
-    Trace trace;
     const Asker asker{.robot = caller.robot(), .is_gone = [&] { return caller.IsGone(); }};
-    detections = Compute(request, asker, &trace, &decoded, &times);
-    detections.stage_times = times;
-    *answer = ToProto(detections, trace, *request.frame, *request.options);
-    answer->set_grippers_source(grippers_.SourceFor(caller.robot(), request.options->grasps()));
+    detections = AnswerOrThrow(request, asker, &decoded, &times, answer);
   } catch (...) {
     status = StatusOfException(caller);
-    detections = {};
     detections.stage_times = times;
   }
   Record(request, caller, status, detections, decoded.depth_m.size());
@@ -104,15 +97,9 @@ grpc::Status FrameAnswerer::Answer(const FrameRequest& request, const Caller& ca
 grpc::Status FrameAnswerer::Try(const FrameRequest& request, const Asker& asker,
                                 v1::Detections* answer) const {
   RgbdFrame decoded;
-  std::vector<StageTime> times{{"queue", Milliseconds(request.began - request.received)}};
+  std::vector<StageTime> times;
   try {
-    if (asker.is_gone()) throw Cancelled();
-    RequireField(request.frame != nullptr, "frame", "is missing");
-    Trace trace;
-    Detections detections = Compute(request, asker, &trace, &decoded, &times);
-    detections.stage_times = times;
-    *answer = ToProto(detections, trace, *request.frame, *request.options);
-    answer->set_grippers_source(grippers_.SourceFor(asker.robot, request.options->grasps()));
+    AnswerOrThrow(request, asker, &decoded, &times, answer);
     return {};
   } catch (...) {
     return StatusOfCurrentException();
@@ -180,6 +167,20 @@ void FrameAnswerer::Show(const FrameRequest& request, const Caller& caller,
   });
 } catch (...) {
   LogCurrentException("a frame that was answered is not shown");
+}
+
+Detections FrameAnswerer::AnswerOrThrow(const FrameRequest& request, const Asker& asker,
+                                        RgbdFrame* decoded, std::vector<StageTime>* times,
+                                        v1::Detections* answer) const {
+  times->push_back({"queue", Milliseconds(request.began - request.received)});
+  if (asker.is_gone()) throw Cancelled();
+  RequireField(request.frame != nullptr, "frame", "is missing");
+  Trace trace;
+  Detections detections = Compute(request, asker, &trace, decoded, times);
+  detections.stage_times = *times;
+  *answer = ToProto(detections, trace, *request.frame, *request.options);
+  answer->set_grippers_source(grippers_.SourceFor(asker.robot, request.options->grasps()));
+  return detections;
 }
 
 // All of it, decoding and lenses too, can be stopped and has one limit.

@@ -79,6 +79,8 @@ class FrameAnswerer {
             const v1::Detections* answer) const noexcept;
   // `decoded` gets the frame once that is decoded, `times` those of the stages that it
   // came through, whether it throws or not.
+  Detections AnswerOrThrow(const FrameRequest& request, const Asker& asker, RgbdFrame* decoded,
+                           std::vector<StageTime>* times, v1::Detections* answer) const;
   Detections Compute(const FrameRequest& request, const Asker& asker, Trace* trace,
                      RgbdFrame* decoded, std::vector<StageTime>* times) const;
   Detections Compute(const FrameRequest& request, const Asker& asker, const End& end, Trace* trace,
