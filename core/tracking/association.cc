@@ -18,6 +18,10 @@ constexpr float kConfident = 0.5F;
 constexpr float kFarColor = 40;
 constexpr float kFarSize = 4;
 constexpr double kLongestReach_s = 0.5;
+constexpr double kErrorsInReach = 3;
+constexpr double kSlack_m = 0.01;  // beside which distances and sizes count
+constexpr double kColorWeight = 0.5, kSizeWeight = 0.5;
+constexpr double kMaxCost = 1.6;
 
 // At least one pixel, however near or small it is.
 double AreaPx(const Sighting& sighting, const CameraIntrinsics& k) {
@@ -54,21 +58,31 @@ double OverlapOf(const Coverage& coverage, const Sighting& track, const Sighting
   return common_px / 2 * (1 / (track_px + detection_px - common_px) + 1 / smaller_px);
 }
 
+// How much speaks against the two being one thing: 0 (nothing) to kMaxCost, the same where they are
+// out of each other's reach. The sum of
+// - 1 - overlap of the track's points, seen by this camera, with the detection's mask (as areas;
+//   half of it is intersection over union, half the share of the smaller one, which is 1 where
+//   one of them is partly hidden),
+// - the distance of their middles or centroids in space, whichever is nearer, beside half their
+//   size and the motion's error,
+// - difference of mean colours, beside kFarColor,
+// - ratio of their sizes, beside kFarSize, on a logarithmic scale.
 double CostOf(const Track& track, const Coverage& coverage, const Sighting& detection,
               const AssociationFrame& frame) {
   const Sighting& expected = track.expected();
   const double distance_m = std::min((expected.centroid - detection.centroid).norm(),
                                      (expected.box.center - detection.box.center).norm());
   const double half_size_m = 0.25 * (expected.box.size_m.norm() + detection.box.size_m.norm());
-  const double reach_m = half_size_m + 3 * frame.camera_error_m +
+  const double reach_m = half_size_m + kErrorsInReach * frame.camera_error_m +
                          kFastest_m_s * std::min(track.seconds_hidden(), kLongestReach_s);
   if (!(distance_m < reach_m)) return kMaxCost;
   const double overlap = OverlapOf(coverage, expected, detection, frame);
   const double color = (expected.lab - detection.lab).norm() / kFarColor;
-  const double ratio = (detection.box.size_m.norm() + 0.01) / (expected.box.size_m.norm() + 0.01);
+  const double ratio =
+      (detection.box.size_m.norm() + kSlack_m) / (expected.box.size_m.norm() + kSlack_m);
   const double size = std::abs(std::log(ratio)) / std::log(kFarSize);
-  const double cost = 1 - overlap + distance_m / (half_size_m + frame.camera_error_m + 0.01) +
-                      0.5 * std::min(1.0, color) + 0.5 * std::min(1.0, size);
+  const double cost = 1 - overlap + distance_m / (half_size_m + frame.camera_error_m + kSlack_m) +
+                      kColorWeight * std::min(1.0, color) + kSizeWeight * std::min(1.0, size);
   return std::min(cost, kMaxCost);
 }
 

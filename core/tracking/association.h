@@ -17,17 +17,6 @@ struct AssociationFrame {
   double camera_error_m = 0;  // of the motion since the frame before
 };
 
-// How much speaks against the two being one thing: 0 (nothing) to kMaxCost, the same where they are
-// out of each other's reach. The sum of
-// - 1 - overlap of the track's points, seen by this camera, with the detection's mask (as areas;
-//   half of it is intersection over union, half the share of the smaller one, which is 1 where
-//   one of them is partly hidden),
-// - the distance of their middles or centroids in space, whichever is nearer, beside half their
-//   size and the motion's error,
-// - half: difference of mean colours, beside kFarColor,
-// - half: ratio of their sizes, beside four, on a logarithmic scale.
-constexpr double kMaxCost = 1.6;
-
 // The track of each detection, by index, or -1: the assignment of least cost in two passes, as
 // ByteTrack (Zhang et al. 2022) has it: detections of some confidence first, to all tracks; then
 // the others to what is left of the tracks that were seen in the frame before. O(tracks ·
