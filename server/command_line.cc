@@ -13,7 +13,7 @@
 #include "server/access/observer_gate.h"
 #include "server/config_file.h"
 #include "server/number_ranges.h"
-#include "server/option_table.h"
+#include "server/options_page.h"
 
 namespace fovea::server {
 namespace {
@@ -268,7 +268,7 @@ std::optional<ServerOptions> ParseCommandLine(int argc, char** argv, Settings* s
                                 " (--help lists the flags)");
   }
   if (questions.list_options) {
-    std::cout << OptionTable();
+    std::cout << OptionsAsMarkdown();
     return std::nullopt;
   }
   Validate(options);

@@ -1,4 +1,4 @@
-#include "server/option_table.h"
+#include "server/options_page.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -23,7 +23,7 @@ std::string Row(const OptionInfo& option,
 
 }  // namespace
 
-std::string OptionTable() {
+std::string OptionsAsMarkdown() {
   std::string head = "| option | range |", rule = "|---|---|";
   std::vector<std::map<std::string, double>> profiles;
   for (const std::string& name : ProfileNames()) {

@@ -5,6 +5,6 @@
 namespace fovea::server {
 
 // Every option of the method as a Markdown table: name, range, value in each profile, meaning.
-std::string OptionTable();
+std::string OptionsAsMarkdown();
 
 }  // namespace fovea::server
