@@ -32,10 +32,9 @@ bool IsInRegion(const Eigen::Vector3f& point, const CameraIntrinsics& intrinsics
   const Eigen::Vector3d high(options.max_x_m, options.max_y_m, options.max_z_m);
   if ((p.array() < low.array()).any() || (p.array() > high.array()).any()) return false;
   const cv::Point2d pixel = Project(point, intrinsics);
-  const double u = pixel.x - options.x_px, v = pixel.y - options.y_px;
-  // What shows at the first column or row of the image may come out a rounding error before it.
-  return (options.x_px == 0 || u >= 0) && (options.y_px == 0 || v >= 0) &&
-         (options.width_px == 0 || u < options.width_px) &&
+  // Pixel n reaches from n - 0.5 to n + 0.5; its middle may come out a rounding error before n.
+  const double u = pixel.x + 0.5 - options.x_px, v = pixel.y + 0.5 - options.y_px;
+  return u >= 0 && v >= 0 && (options.width_px == 0 || u < options.width_px) &&
          (options.height_px == 0 || v < options.height_px);
 }
 

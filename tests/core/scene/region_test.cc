@@ -21,18 +21,20 @@ TEST(IsInRegion, TheFirstColumnAndRowAreWhateverRoundingMakesOfThem) {
   ASSERT_LT(500 * before.x() + 320, 0);
   EXPECT_TRUE(IsInRegion(before, kIntrinsics, {}));
   EXPECT_TRUE(IsInRegion(before, kIntrinsics, {.width_px = 40, .max_z_m = 2}));
+  EXPECT_TRUE(IsInRegion({-0.0400001F, 0, 1}, kIntrinsics, {.x_px = 300}));
   EXPECT_FALSE(IsInRegion(before, kIntrinsics, {.x_px = 1}));
   EXPECT_FALSE(IsInRegion(before, kIntrinsics, {.y_px = 1}));
 }
 
 TEST(IsInRegion, AsksForThePixelAtWhichThePointShows) {
   const RegionOptions options{.x_px = 300, .y_px = 200, .width_px = 40, .height_px = 60};
-  EXPECT_TRUE(IsInRegion({0, 0, 1}, kIntrinsics, options));        // at 320, 240
-  EXPECT_TRUE(IsInRegion({-0.08F, 0, 2}, kIntrinsics, options));   // at 300
-  EXPECT_FALSE(IsInRegion({-0.09F, 0, 2}, kIntrinsics, options));  // at 297.5
-  EXPECT_FALSE(IsInRegion({0.041F, 0, 1}, kIntrinsics, options));  // at 340.5
-  EXPECT_FALSE(IsInRegion({0, 0.05F, 1}, kIntrinsics, options));   // at 265 of below 260
-  EXPECT_FALSE(IsInRegion({0, -0.09F, 1}, kIntrinsics, options));  // at 195
+  EXPECT_TRUE(IsInRegion({0, 0, 1}, kIntrinsics, options));         // at 320, 240
+  EXPECT_TRUE(IsInRegion({-0.08F, 0, 2}, kIntrinsics, options));    // at 300
+  EXPECT_FALSE(IsInRegion({-0.09F, 0, 2}, kIntrinsics, options));   // at 297.5
+  EXPECT_TRUE(IsInRegion({0.0388F, 0, 1}, kIntrinsics, options));   // at 339.4
+  EXPECT_FALSE(IsInRegion({0.0392F, 0, 1}, kIntrinsics, options));  // at 339.6
+  EXPECT_FALSE(IsInRegion({0, 0.05F, 1}, kIntrinsics, options));    // at 265 of below 260
+  EXPECT_FALSE(IsInRegion({0, -0.09F, 1}, kIntrinsics, options));   // at 195
 }
 
 TEST(RequireNotEmpty, NamesWhatLeavesNothing) {
