@@ -3,6 +3,7 @@
 #include <grpc/support/log.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -15,6 +16,7 @@
 namespace fovea::cli {
 
 int RunProgram(CLI::App& app, int argc, char** argv, const std::function<int()>& run) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files is an error like others
   // What matters of gRPC's own messages comes back as the status of the call.
   gpr_set_log_function([](gpr_log_func_args*) {});
   try {

@@ -90,14 +90,8 @@ Recording Record(const Flags& flags, const std::vector<ServerLink>& servers) {
   return recording;
 }
 
-// A reader of the log that has gone, and a limit on the size of files, are errors like others.
-void IgnoreSignalsOfWriting() {
-  std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGXFSZ, SIG_IGN);
-}
-
 int Serve(const Flags& flags) {
-  IgnoreSignalsOfWriting();
+  std::signal(SIGPIPE, SIG_IGN);  // a reader of the log that has gone is an error like others
   fovea::cli::CheckServerAddress(flags.connection.server);
   fovea::flags::RequireListenAddress("--listen", flags.listen);
   RequireProtection(flags);

@@ -26,8 +26,8 @@ class Logging {
 };
 
 // Call it first of all. Neither a log nor an output whose reader has gone ends the process
-// (SIGPIPE), and no connection gets the number of a standard stream that was closed, and with it
-// what is meant for that.
+// (SIGPIPE), nor a file that may not grow any more (SIGXFSZ), and no connection gets the number of
+// a standard stream that was closed, and with it what is meant for that.
 void GuardStandardStreams();
 
 // To stdout; where nobody takes it, it is dropped.

@@ -45,6 +45,14 @@ TEST_F(CliTest, WritesEveryOutputOfAFrame) {
   EXPECT_EQ(bytes.size() - bytes.find("end_header\n") - 11, num_points * 15);
 }
 
+TEST_F(CliTest, SaysThatAFileMayNotGrow) {
+  const Finished finished = Execute(
+      {"/bin/sh", "-c", "ulimit -f 1; exec \"$0\" \"$@\"", FOVEA_CLI, "detect", "--server",
+       server_.address(), "--intrinsics", "30,30,15.5,11.5", "--color", At("a_color.png"), "--depth",
+       At("a_depth.png"), "--json", At("j.json")});
+  ExpectOneLineError(finished, "cannot write " + At("j.json") + ": File too large");
+}
+
 // Whose links lead to no file where it is a pipe.
 TEST_F(CliTest, WritesToStandardOutputByItsPath) {
   const Finished finished = DetectFrame({"--json", "/dev/stdout"});

@@ -92,6 +92,13 @@ TEST(ServerLog, ThatIsNotTakenHoldsUpNothing) {
   EXPECT_EQ(Stop(server).exit_code, 0);
 }
 
+TEST(ServerLog, ThatMayNotGrowEndsNothing) {
+  Process server({"/bin/sh", "-c", "ulimit -f 1; exec \"$0\" \"$@\"", FOVEA_SERVER, "--listen",
+                  "127.0.0.1:0"});
+  DetectTwice(AddressIn(server.ReadLine()));
+  EXPECT_EQ(Stop(server).exit_code, 0);
+}
+
 TEST(ServerLog, ClosedStreamsAreNoConnections) {
   const TemporaryFolder folder;
   const std::string address = "unix:" + folder.At("socket");
