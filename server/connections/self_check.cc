@@ -25,10 +25,11 @@ constexpr int kMaxFailures = 3;
 // A socket with a name of its own, by which the door will know it.
 FileDescriptor SocketFor(const SocketAddress& to) {
   FileDescriptor fd(socket(to.family(), SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  if (!fd) throw std::runtime_error(std::string("no socket: ") + std::strerror(errno));
   const int for_both = 0;  // it may be an IPv4 address that is mapped
   setsockopt(fd.get(), IPPROTO_IPV6, IPV6_V6ONLY, &for_both, sizeof for_both);
   const SocketAddress from = to.WithAnyPort();
-  if (!fd || bind(fd.get(), from.get(), from.size()) != 0) {
+  if (bind(fd.get(), from.get(), from.size()) != 0) {
     throw std::runtime_error(std::string("no socket: ") + std::strerror(errno));
   }
   return fd;

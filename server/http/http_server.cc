@@ -1,7 +1,9 @@
 #include "server/http/http_server.h"
 
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -28,9 +30,14 @@ using boost::system::error_code;
 
 constexpr std::chrono::seconds kToAsk{2}, kToRead{10};
 constexpr std::size_t kMaxRequestBytes = 8 << 10;
-constexpr std::size_t kMaxConnections = 64;
 // Without descriptors accepting fails at once, again and again.
 constexpr std::chrono::milliseconds kAfterFailure{100};
+
+// Few where few files may be open: who looks at metrics does not take those of callers.
+std::size_t MaxConnections() {
+  constexpr long kFewest = 4, kMost = 64, kShare = 8;
+  return static_cast<std::size_t>(std::clamp(sysconf(_SC_OPEN_MAX) / kShare, kFewest, kMost));
+}
 
 using Response = http::response<http::string_body>;
 
@@ -156,7 +163,7 @@ class HttpServer::Impl {
 
   void Begin(tcp::socket socket) {
     connections_.remove_if([](const auto& connection) { return connection.expired(); });
-    if (connections_.size() >= kMaxConnections) {
+    if (connections_.size() >= max_connections_) {
       if (const auto oldest = connections_.front().lock()) oldest->Close();
       connections_.pop_front();
     }
@@ -167,6 +174,7 @@ class HttpServer::Impl {
 
   const std::string host_;
   const Handler handler_;
+  const std::size_t max_connections_ = MaxConnections();
   asio::io_context context_{1};
   tcp::acceptor acceptor_{context_};
   asio::steady_timer pause_{context_};

@@ -16,7 +16,8 @@ struct HttpAnswer {
 
 // One thread serves all connections, none of which it waits for: a caller that sends or reads
 // slowly holds nobody up. A request has 2 s and 8 KiB, an answer 10 s; of more than 64 connections
-// the oldest is closed, so that a flood of idle ones cannot keep a new one from its answer.
+// (an eighth of the files that may be open, where that is less) the oldest is closed, so that a
+// flood of idle ones cannot keep a new one from its answer.
 class HttpServer {
  public:
   // Called on that thread with the path, without its query. What it throws is answered with 500.

@@ -2,13 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <iterator>
+#include <cstddef>
 #include <string>
 #include <thread>
 
 #include "tests/server/bare_connection.h"
 #include "tests/server/detectors.h"
+#include "tests/server/file_limit.h"
 #include "tests/server/frames.h"
 #include "tests/server/loopback.h"
 #include "tests/server/metric_value.h"
@@ -98,10 +98,6 @@ TEST(Limits, MessagesAreBounded) {
   EXPECT_NO_THROW(loopback.client.Detect(TestRequest()));
 }
 
-std::ptrdiff_t NumOpenFiles() {
-  return std::distance(std::filesystem::directory_iterator("/proc/self/fd"), {});
-}
-
 TEST(Connections, HalfAHandshakeHoldsUpNobody) {
   const Authority authority;
   const PemPair pair = authority.Issue("server");
@@ -124,7 +120,7 @@ TEST(Connections, HalfAHandshakeHoldsUpNobody) {
 TEST(Connections, ComeAndGo) {
   const Loopback loopback(FindOne);
   loopback.client.Detect(TestRequest());
-  const std::ptrdiff_t before = NumOpenFiles();
+  const std::size_t before = NumOpenFiles();
   for (int i = 0; i < 1000; ++i) {
     const BareConnection connection(loopback.server.Address());
     if (i % 2 == 0) connection.Send("PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n");

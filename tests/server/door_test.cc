@@ -13,6 +13,7 @@
 #include <atomic>
 #include <filesystem>
 #include <future>
+#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
@@ -23,6 +24,7 @@
 #include "tests/server/bare_connection.h"
 #include "tests/server/captured_log.h"
 #include "tests/server/detectors.h"
+#include "tests/server/file_limit.h"
 #include "tests/server/frames.h"
 #include "tests/server/loopback.h"
 #include "tests/server/metric_value.h"
@@ -271,6 +273,22 @@ TEST(SelfCheck, IsAnsweredThroughTheDoorAlsoWhereNoPlaceIsLeftAndTlsIsAskedFor) 
     EXPECT_EQ(outcome.get_future().get(), "answered") << address;
     EXPECT_TRUE(check.is_live());
   }
+}
+
+TEST(SelfCheck, SaysThatNoMoreFilesMayBeOpen) {
+  Loopback loopback(FindOne);
+  std::promise<std::string> why;
+  std::unique_ptr<server::SelfCheck> check;
+  {
+    const FileLimit none(0);
+    check = std::make_unique<server::SelfCheck>(
+        loopback.server.door(), std::chrono::seconds{0},
+        server::SelfCheck::Listener{
+            .on_answer = [] {},
+            .on_failure = [&](const std::string& what) { why.set_value(what); }});
+    EXPECT_EQ(why.get_future().get(), "no socket: Too many open files");
+  }
+  check.reset();
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "server/watching/metrics_endpoint.h"
 #include "tests/server/detectors.h"
 #include "tests/server/few_calls.h"
+#include "tests/server/file_limit.h"
 #include "tests/server/frames.h"
 #include "tests/server/http_connection.h"
 #include "tests/server/loopback.h"
@@ -99,6 +100,22 @@ TEST(HttpServer, AnswersBesideConnectionsThatSendNothingMore) {
   // The oldest made room for the newest; those get an end as well.
   EXPECT_EQ(slow.front()->ReadAll(), "");
   EXPECT_EQ(slow.back()->ReadAll(), "");
+}
+
+TEST(HttpServer, TakesFewConnectionsWhereFewFilesMayBeOpen) {
+  constexpr std::size_t kMany = 40;
+  std::unique_ptr<server::HttpServer> server;
+  {
+    const FileLimit low(64);
+    server = std::make_unique<server::HttpServer>("--here", "127.0.0.1:0", Pong);
+  }
+  const std::size_t before = NumOpenFiles();
+  std::vector<std::unique_ptr<HttpConnection>> silent;
+  for (std::size_t i = 0; i < kMany; ++i) {
+    silent.push_back(std::make_unique<HttpConnection>(server->Address()));
+  }
+  EXPECT_THAT(HttpGet(server->Address(), "/"), EndsWith("pong"));
+  EXPECT_LE(NumOpenFiles(), before + kMany + 8);  // an eighth of 64
 }
 
 TEST(HttpServer, EndsRequestsWithoutEnd) {
