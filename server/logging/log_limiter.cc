@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "flags/one_line.h"
 #include "server/logging/log_record.h"
 
 namespace fovea::server {
@@ -57,7 +58,9 @@ LogLimiter& LogLimiter::Global() {
 
 void LogLimited(const std::string& kind, spdlog::level::level_enum level,
                 const std::string& message) {
-  if (LogLimiter::Global().Admit(kind, level)) spdlog::log(level, message);
+  if (!LogLimiter::Global().Admit(kind, level)) return;
+  const std::size_t size = message.find_last_not_of('\n') + 1;  // what OpenCV says ends a line
+  spdlog::log(level, flags::OneLine(message.substr(0, size)));
 }
 
 }  // namespace fovea::server

@@ -1,5 +1,7 @@
 #include "server/rpc/detect_call.h"
 
+#include <utility>
+
 #include "server/error_details.h"
 #include "server/rpc/parse.h"
 #include "server/rpc/untaken_answer.h"
@@ -91,7 +93,7 @@ void DetectCall::OnRead(bool ok) {
 void DetectCall::TakeTurn() {
   const auto self = shared_from_this();
   ticket_ = environment_.scheduler.Submit(
-      caller_.id(), {.compute = [self] { self->Compute(); },
+      caller_.id(), {.compute = [self] { self->ComputeOrSayWhyNot(); },
                      .deliver = [self] { self->caller_.Guard([&] { self->Deliver(); }); },
                      .displaced =
                          [self](const Overloaded& why) {
@@ -99,8 +101,20 @@ void DetectCall::TakeTurn() {
                          }});
 }
 
-void DetectCall::Compute() {
+// There may be no memory for the message itself, of which half may have been read.
+void DetectCall::ComputeOrSayWhyNot() {
   began_ = Clock::now();
+  try {
+    Compute();
+  } catch (...) {
+    status_ = StatusOfCurrentException();
+    request_.Clear();
+    environment_.answerer.Refuse(Request(), caller_, status_);
+  }
+  bytes_.Clear();
+}
+
+void DetectCall::Compute() {
   grpc::Status status = Parse(&bytes_, &request_);
   bytes_.Clear();
   if (status.ok()) {
@@ -108,7 +122,7 @@ void DetectCall::Compute() {
   } else {
     environment_.answerer.Refuse(Request(), caller_, status);
   }
-  status_ = status;
+  status_ = std::move(status);
 }
 
 void DetectCall::Deliver() {

@@ -26,6 +26,7 @@ class DetectCall : public std::enable_shared_from_this<DetectCall> {
   void OnCall();
   void OnRead(bool ok);
   void TakeTurn();
+  void ComputeOrSayWhyNot();
   void Compute();
   void Deliver();
   void OnGone();
@@ -45,7 +46,7 @@ class DetectCall : public std::enable_shared_from_this<DetectCall> {
   v1::DetectRequest request_;
   v1::DetectResponse response_;
   // Until something is found of the frame.
-  grpc::Status status_{grpc::StatusCode::INTERNAL, ""};
+  grpc::Status status_{grpc::StatusCode::INTERNAL, "internal error; the server's log says more"};
   std::chrono::steady_clock::time_point received_, began_;
   Scheduler::Ticket ticket_ = 0;
 };

@@ -233,14 +233,6 @@ void StreamCall::Deliver() {
 }
 
 void StreamCall::ComputeOrSayWhyNot() {
-  try {
-    Compute();
-  } catch (...) {
-    SetError(StatusOfCurrentException(), &response_);
-  }
-}
-
-void StreamCall::Compute() {
   const auto began = std::chrono::steady_clock::now();
   response_.Clear();
   ReceivedFrame received;
@@ -250,6 +242,18 @@ void StreamCall::Compute() {
   }
   response_.set_dropped(received.num_dropped);
   response_.set_sequence(received.sequence);
+  grpc::Status status;
+  try {
+    status = Compute(received, began);
+  } catch (...) {  // there may be no memory for the message itself
+    status = StatusOfCurrentException();
+    environment_.answerer.Refuse({.received = received.at, .began = began}, caller_, status);
+  }
+  if (!status.ok()) SetError(status, &response_);
+}
+
+grpc::Status StreamCall::Compute(ReceivedFrame& received,
+                                 std::chrono::steady_clock::time_point began) {
   v1::DetectStreamRequest request;
   grpc::Status status = received.room ? Parse(&received.bytes, &request) : StatusOfNoRoom();
   received.bytes.Clear();
@@ -273,7 +277,7 @@ void StreamCall::Compute() {
   } else {
     environment_.answerer.Refuse(frame, caller_, status);
   }
-  if (!status.ok()) SetError(status, &response_);
+  return status;
 }
 
 void StreamCall::Finish(const grpc::Status& status) {

@@ -5,6 +5,7 @@
 #include <grpcpp/support/async_stream.h>
 #include <grpcpp/support/byte_buffer.h>
 
+#include <chrono>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -44,8 +45,8 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   void LimitAge();
   void DeliverOrEnd();
   void Deliver();
-  void ComputeOrSayWhyNot();
-  void Compute();                     // the newest frame into response_
+  void ComputeOrSayWhyNot();  // the newest frame into response_
+  grpc::Status Compute(ReceivedFrame& received, std::chrono::steady_clock::time_point began);
   void Proceed();                     // whatever comes next; mutex_ is held
   void TakeTurn();                    // mutex_ is held
   grpc::Status StatusOfGone() const;  // whoever has ended it
