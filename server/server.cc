@@ -163,6 +163,13 @@ void Server::AddGauges() {
         "When the server's certificate expires, in seconds since 1970",
         [this] { return static_cast<double>(CertificateExpiry()->time_since_epoch().count()); });
   }
+  if (credentials_.authority()) {
+    metrics_->AddGauge(
+        "fovea_client_authority_expiry_timestamp_seconds",
+        "When the first of the authorities of clients expires, in seconds since 1970", [this] {
+          return static_cast<double>(credentials_.AuthorityExpiry()->time_since_epoch().count());
+        });
+  }
   metrics_->AddGauge("fovea_compute_threads", "Frames that can be computed at once",
                      [this] { return static_cast<double>(limits_.num_threads); });
 }

@@ -25,6 +25,7 @@ void AccessWatch::Run(const std::stop_token& stop) {
   std::condition_variable_any never;
   std::unique_lock lock(mutex);
   reloaded_ = std::chrono::steady_clock::now();
+  CallOrLog("cannot see what is due of certificates", [&] { Remind(); });
   while (!never.wait_for(lock, stop, kCheck, [&] { return stop.stop_requested(); })) {
     try {
       Look();
@@ -35,16 +36,19 @@ void AccessWatch::Run(const std::stop_token& stop) {
 }
 
 void AccessWatch::Look() {
-  constexpr std::chrono::hours kRemind{24};
   const auto now = std::chrono::steady_clock::now();
   if (!fault_.empty() || now - reloaded_ >= period_) {
     Reload();
     reloaded_ = now;
   }
   check_calls_();
-  if (reminded_ != decltype(reminded_){} && now - reminded_ < kRemind) return;
+  constexpr std::chrono::hours kRemind{24};
+  if (now - reminded_ >= kRemind) Remind();
+}
+
+void AccessWatch::Remind() {
   credentials_.WarnOfWhatIsDue();
-  reminded_ = now;
+  reminded_ = std::chrono::steady_clock::now();
 }
 
 // Says a fault once, however long it lasts.

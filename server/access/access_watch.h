@@ -22,6 +22,7 @@ class AccessWatch {
  private:
   void Run(const std::stop_token& stop);
   void Look();
+  void Remind();
   void Reload();
 
   const std::chrono::seconds period_;

@@ -85,10 +85,12 @@ std::string Explain(int error) {
 
 }  // namespace
 
-ClientAuthority::ClientAuthority(const std::vector<Certificate>& authorities,
+ClientAuthority::ClientAuthority(std::vector<Certificate> authorities,
                                  std::vector<RevocationList> lists)
-    : lists_(std::move(lists)), store_(StoreOf(authorities, lists_)) {
-  if (!lists_.empty()) RequireToBelongTogether(authorities, lists_);
+    : authorities_(std::move(authorities)),
+      lists_(std::move(lists)),
+      store_(StoreOf(authorities_, lists_)) {
+  if (!lists_.empty()) RequireToBelongTogether(authorities_, lists_);
 }
 
 std::chrono::sys_seconds ClientAuthority::GoodUntil(const std::string& certificate,

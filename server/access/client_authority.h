@@ -20,7 +20,9 @@ class ClientAuthority {
   // `lists` may be empty: then nothing is revoked. Else each must be signed by one of the
   // authorities, and each authority that signed itself must have one. Throws std::invalid_argument,
   // without a path.
-  ClientAuthority(const std::vector<Certificate>& authorities, std::vector<RevocationList> lists);
+  ClientAuthority(std::vector<Certificate> authorities, std::vector<RevocationList> lists);
+
+  const std::vector<Certificate>& authorities() const { return authorities_; }
 
   // Until when the certificate, and all above it, are good. `certificate` and `chain` (what leads
   // to the authority) are in PEM. Throws std::runtime_error that says why it is not. Costs 0.1 to
@@ -35,6 +37,7 @@ class ClientAuthority {
  private:
   std::chrono::sys_seconds Verify(const std::string& certificate, const std::string& chain) const;
 
+  const std::vector<Certificate> authorities_;
   const std::vector<RevocationList> lists_;
   const std::shared_ptr<X509_STORE> store_;
   mutable std::mutex mutex_;

@@ -4,6 +4,7 @@
 #include <grpcpp/security/tls_credentials_options.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "server/access/wall_clock.h"
@@ -14,10 +15,37 @@ namespace {
 // Key and chain in one, so that they change at once: readers of PEM skip what they do not look for.
 std::string IdentityOf(const TlsFiles& files) { return files.key + "\n" + files.certificate; }
 
-void LogCertificate(const ServerOptions& options, const TlsFiles& files) {
-  spdlog::info("certificate of {}: subject \"{}\", serial number {}, good until {}",
-               options.tls_cert, SubjectOf(*files.leaf), SerialOf(*files.leaf),
-               TextOf(ExpiryOf(*files.leaf)));
+// `what`: "certificate of FILE".
+void LogCertificate(const std::string& what, const X509& certificate) {
+  const std::chrono::sys_seconds expiry = ExpiryOf(certificate);
+  spdlog::info("{}: subject \"{}\", serial number {}, {} {}", what, SubjectOf(certificate),
+               SerialOf(certificate), expiry < NowInSeconds() ? "expired at" : "good until",
+               TextOf(expiry));
+}
+
+void LogServer(const ServerOptions& options, const TlsFiles& files) {
+  LogCertificate("certificate of " + options.tls_cert, *files.leaf);
+}
+
+void LogAuthorities(const ServerOptions& options, const TlsFiles& files) {
+  for (const Certificate& authority : files.authority->authorities()) {
+    LogCertificate("authority of clients of " + options.tls_client_ca, *authority);
+  }
+}
+
+// `what`: "--tls-cert: the certificate of FILE".
+void WarnOfTimesOf(const std::string& what, const X509& certificate) {
+  constexpr std::chrono::days kSoon{14};
+  const std::chrono::sys_seconds start = StartOf(certificate), expiry = ExpiryOf(certificate);
+  const std::chrono::sys_seconds now = NowInSeconds();
+  if (now < start) {
+    spdlog::warn("{} is good from {} on, and this machine's clock says {}", what, TextOf(start),
+                 TextOf(now));
+  }
+  if (expiry < now + kSoon) {
+    spdlog::warn("{} {} {}", what, expiry < now ? "has expired at" : "expires soon, at",
+                 TextOf(expiry));
+  }
 }
 
 }  // namespace
@@ -33,7 +61,8 @@ Credentials::~Credentials() = default;
 
 std::shared_ptr<grpc::ServerCredentials> Credentials::ForGrpc() {
   if (!has_tls()) return grpc::InsecureServerCredentials();
-  LogCertificate(options_, files());
+  LogServer(options_, files());
+  if (authorities_) LogAuthorities(options_, files());
   constexpr unsigned int kPeriodS = 1;
   const auto watcher = std::make_shared<grpc::experimental::FileWatcherCertificateProvider>(
       identity_->path(), identity_->path(), authorities_ ? authorities_->path() : "", kPeriodS);
@@ -61,11 +90,11 @@ bool Credentials::TakeOver(TlsFiles read) {
   if (read.IsSameAs(files_)) return false;
   if (IdentityOf(read) != IdentityOf(files_)) {
     identity_->Replace(IdentityOf(read));
-    LogCertificate(options_, read);
+    LogServer(options_, read);
   }
   if (read.client_ca != files_.client_ca) {
     authorities_->Replace(read.client_ca);
-    spdlog::info("authority of clients taken over from {}", options_.tls_client_ca);
+    LogAuthorities(options_, read);
   }
   if (read.revoked != files_.revoked) {
     spdlog::info("revoked certificates taken over from {}", options_.tls_crl);
@@ -81,22 +110,24 @@ std::optional<std::chrono::sys_seconds> Credentials::Expiry() const {
   return ExpiryOf(*files().leaf);
 }
 
+std::optional<std::chrono::sys_seconds> Credentials::AuthorityExpiry() const {
+  const auto authority = this->authority();
+  if (!authority) return std::nullopt;
+  std::chrono::sys_seconds first = std::chrono::sys_seconds::max();
+  for (const Certificate& one : authority->authorities()) first = std::min(first, ExpiryOf(*one));
+  return first;
+}
+
 void Credentials::WarnOfWhatIsDue() const {
-  constexpr std::chrono::days kSoon{14};
   if (!has_tls()) return;
   const TlsFiles files = this->files();
-  const std::chrono::sys_seconds start = StartOf(*files.leaf), expiry = ExpiryOf(*files.leaf);
-  if (NowInSeconds() < start) {
-    spdlog::warn(
-        "--tls-cert: the certificate of {} is good from {} on, and this machine's clock "
-        "says {}",
-        options_.tls_cert, TextOf(start), TextOf(NowInSeconds()));
-  }
-  if (expiry < NowInSeconds() + kSoon) {
-    spdlog::warn("--tls-cert: the certificate of {} {} {}", options_.tls_cert,
-                 expiry < NowInSeconds() ? "has expired at" : "expires soon, at", TextOf(expiry));
-  }
+  WarnOfTimesOf("--tls-cert: the certificate of " + options_.tls_cert, *files.leaf);
   if (!files.authority) return;
+  for (const Certificate& authority : files.authority->authorities()) {
+    WarnOfTimesOf(
+        "--tls-client-ca: the authority " + SubjectOf(*authority) + " of " + options_.tls_client_ca,
+        *authority);
+  }
   for (const std::string& list : files.authority->OverdueLists(NowInSeconds())) {
     spdlog::warn("--tls-crl: {}: {}; what it revokes stays revoked", options_.tls_crl, list);
   }

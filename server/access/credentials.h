@@ -46,8 +46,11 @@ class Credentials {
   // When the server's certificate expires; none without TLS.
   std::optional<std::chrono::sys_seconds> Expiry() const;
 
-  // Says in the log what is due: a certificate that expires within two weeks, lists of revoked ones
-  // that should have been replaced.
+  // When the first of the authorities of clients does; none where clients need no certificates.
+  std::optional<std::chrono::sys_seconds> AuthorityExpiry() const;
+
+  // Says in the log what is due: a certificate or an authority of clients that expires within two
+  // weeks, lists of revoked ones that should have been replaced.
   void WarnOfWhatIsDue() const;
 
  private:
