@@ -239,7 +239,7 @@ void CheckFiles(const ServerOptions& options) {
 }  // namespace
 
 std::string NoTokens(const ServerOptions& options) {
-  return "--tokens: " + options.tokens + " holds 0 tokens: nobody may call";
+  return "--tokens: " + options.tokens + " holds 0 tokens that have not expired: nobody may call";
 }
 
 std::optional<ServerOptions> ParseCommandLine(int argc, char** argv, Settings* settings) {

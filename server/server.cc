@@ -234,7 +234,7 @@ void Server::Serve() {
   serving_ = true;
   access_watch_ =
       std::make_unique<AccessWatch>(std::chrono::seconds(options_.tls_reload_s), credentials_,
-                                    gate_keeper_, [this] { live_calls_.Check(); });
+                                    gate_keeper_, observer_gate_, [this] { live_calls_.Check(); });
 }
 
 void Server::AcceptObservers() {
@@ -253,6 +253,8 @@ void Server::ReloadAccess() {
     gate_keeper_.Reload();
     observer_gate_.Reload();
   });
+  gate_keeper_.LogTokens(/*also_good=*/true);
+  observer_gate_.LogTokens(/*also_good=*/true);
   live_calls_.Check();
 }
 

@@ -12,10 +12,12 @@
 namespace fovea::server {
 
 AccessWatch::AccessWatch(std::chrono::seconds period, Credentials& credentials,
-                         GateKeeper& gate_keeper, std::function<void()> check_calls)
+                         GateKeeper& gate_keeper, const ObserverGate& observer_gate,
+                         std::function<void()> check_calls)
     : period_(period),
       credentials_(credentials),
       gate_keeper_(gate_keeper),
+      observer_gate_(observer_gate),
       check_calls_(std::move(check_calls)),
       thread_([this](const std::stop_token& stop) { Run(stop); }) {}
 
@@ -25,7 +27,7 @@ void AccessWatch::Run(const std::stop_token& stop) {
   std::condition_variable_any never;
   std::unique_lock lock(mutex);
   reloaded_ = std::chrono::steady_clock::now();
-  CallOrLog("cannot see what is due of certificates", [&] { Remind(); });
+  CallOrLog("cannot see what has expired", [&] { Remind(); });
   while (!never.wait_for(lock, stop, kCheck, [&] { return stop.stop_requested(); })) {
     try {
       Look();
@@ -48,6 +50,8 @@ void AccessWatch::Look() {
 
 void AccessWatch::Remind() {
   credentials_.WarnOfWhatIsDue();
+  gate_keeper_.LogTokens(/*also_good=*/false);
+  observer_gate_.LogTokens(/*also_good=*/false);
   reminded_ = std::chrono::steady_clock::now();
 }
 

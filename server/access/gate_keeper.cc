@@ -45,8 +45,9 @@ GateKeeper::GateKeeper(std::string tokens, std::shared_ptr<const ClientAuthority
 void GateKeeper::Reload() {
   if (tokens_.empty()) return;
   auto table = std::make_shared<const TokenTable>(TokenTable::FromFile(tokens_));
-  if (table->size() == 0 && !RefusesEverybody()) {
-    throw std::invalid_argument("--tokens: " + tokens_ + " holds 0 tokens: nobody could call");
+  if (!table->Census(NowInSeconds()).has_good() && !RefusesEverybody()) {
+    throw std::invalid_argument("--tokens: " + tokens_ +
+                                " holds 0 tokens that have not expired: nobody could call");
   }
   const std::lock_guard lock(mutex_);
   rules_.tokens = std::move(table);
@@ -93,7 +94,12 @@ void GateKeeper::Readmit(const grpc::ServerContextBase& context, Admission* admi
 
 bool GateKeeper::RefusesEverybody() const {
   const auto tokens = rules().tokens;
-  return tokens && tokens->size() == 0;
+  return tokens && !tokens->Census(NowInSeconds()).has_good();
+}
+
+void GateKeeper::LogTokens(bool also_good) const {
+  const auto tokens = rules().tokens;
+  if (tokens) tokens->Census(NowInSeconds()).Log("--tokens", tokens_, also_good);
 }
 
 GateKeeper::Rules GateKeeper::rules() const {

@@ -30,7 +30,7 @@ class GateKeeper {
                       std::shared_ptr<const ClientAuthority> authority = nullptr);
 
   // Takes over what the file holds now. Throws like TokenTable::FromFile, and std::invalid_argument
-  // where it holds no token any more; changes nothing then.
+  // where it holds no token any more that has not expired; changes nothing then.
   void Reload();
   void SetAuthority(std::shared_ptr<const ClientAuthority> authority);
 
@@ -44,8 +44,12 @@ class GateKeeper {
   // neither the rules have changed nor its time has come.
   void Readmit(const grpc::ServerContextBase& context, Admission* admission) const;
 
-  // Whether tokens are needed and there is none.
+  // Whether tokens are needed and there is none that has not expired.
   bool RefusesEverybody() const;
+
+  // Says in the log how many tokens there are, and whose have expired or soon will; where none has,
+  // only if `also_good`.
+  void LogTokens(bool also_good) const;
 
  private:
   struct Rules {

@@ -22,13 +22,16 @@ void ObserverGate::RequireUsable() const {
 }
 
 ObserverEntry ObserverGate::Admit(const grpc::ServerContextBase& context) const {
-  std::shared_ptr<const ObserverTable> table;
-  {
-    const std::lock_guard lock(mutex_);
-    table = table_;
-  }
-  const std::chrono::sys_seconds now = NowInSeconds();
-  return table->EntryOf(BearerTokenOf(context.client_metadata()), now);
+  return table()->EntryOf(BearerTokenOf(context.client_metadata()), NowInSeconds());
+}
+
+void ObserverGate::LogTokens(bool also_good) const {
+  if (is_open()) table()->Census(NowInSeconds()).Log("--observers", file_, also_good);
+}
+
+std::shared_ptr<const ObserverTable> ObserverGate::table() const {
+  const std::lock_guard lock(mutex_);
+  return table_;
 }
 
 }  // namespace fovea::server

@@ -21,6 +21,8 @@ class ObserverGate {
   // Takes over what the file holds now; throws like ObserverTable::FromFile, and changes nothing
   // then. A file without a line is fine: nobody may watch any more.
   void Reload();
+  // As GateKeeper::LogTokens().
+  void LogTokens(bool also_good) const;
   // What Reload() would throw.
   void RequireUsable() const;
 
@@ -28,6 +30,8 @@ class ObserverGate {
   ObserverEntry Admit(const grpc::ServerContextBase& context) const;
 
  private:
+  std::shared_ptr<const ObserverTable> table() const;
+
   const std::string file_;
   mutable std::mutex mutex_;
   std::shared_ptr<const ObserverTable> table_;

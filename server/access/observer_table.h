@@ -37,7 +37,9 @@ class ObserverTable {
   // commas between, and when it ends. The rest is as in TokenTable::FromFile.
   static ObserverTable FromFile(const std::string& path);
 
-  std::size_t size() const { return entries_.size(); }
+  TokenCensus Census(std::chrono::sys_seconds now) const {
+    return entries_.Census(now, &ObserverEntry::name);
+  }
 
   // Throws Unauthenticated for a token that is not known or has expired.
   const ObserverEntry& EntryOf(std::string_view token, std::chrono::sys_seconds now) const;

@@ -1,13 +1,15 @@
 // What files of tokens have in common: lines that begin with a name and the hash of a token.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
-#include <cstddef>
 #include <functional>
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "server/access/token_census.h"
 #include "server/access/token_line.h"
 #include "server/access/unauthenticated.h"
 #include "server/conversion/field_error.h"
@@ -43,7 +45,15 @@ class TokenEntries {
     return found->second;
   }
 
-  std::size_t size() const { return by_hash_.size(); }
+  // `name` is the member of an entry that says whose it is. By name.
+  TokenCensus Census(std::chrono::sys_seconds now, std::string Entry::*name) const {
+    std::vector<const Entry*> entries;
+    for (const auto& [hash, entry] : by_hash_) entries.push_back(&entry);
+    std::ranges::sort(entries, {}, [name](const Entry* entry) { return entry->*name; });
+    TokenCensus census(now);
+    for (const Entry* entry : entries) census.Add(entry->*name, entry->expires);
+    return census;
+  }
 
  private:
   std::map<std::string, Entry> by_hash_;

@@ -20,8 +20,7 @@ class TokenTable {
   // Throws std::invalid_argument that names the line, std::runtime_error where there is no file.
   static TokenTable FromFile(const std::string& path);
 
-  // How many tokens it holds, those that have expired among them.
-  std::size_t size() const { return entries_.size(); }
+  TokenCensus Census(Time now) const { return entries_.Census(now, &Entry::robot); }
 
   struct Entry {
     std::string robot;

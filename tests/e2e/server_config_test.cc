@@ -37,7 +37,9 @@ TEST(ServerConfig, ChecksItsConfiguration) {
 
   const Finished closed = Execute({FOVEA_SERVER, "--check-config", "--tokens", "/dev/null"});
   EXPECT_EQ(closed.exit_code, 0) << closed.err;
-  EXPECT_THAT(closed.out, HasSubstr("--tokens: /dev/null holds 0 tokens: nobody may call"));
+  EXPECT_THAT(
+      closed.out,
+      HasSubstr("--tokens: /dev/null holds 0 tokens that have not expired: nobody may call"));
 
   const std::vector<std::pair<std::string, std::string>> cases{
       {"max-pixels = 0\n", "--max-pixels: 0 is not between 1 and 100000000"},
