@@ -116,15 +116,18 @@ void FrameAnswerer::Refuse(const FrameRequest& request, const Caller& caller,
 void FrameAnswerer::Record(const FrameRequest& request, const Caller& caller,
                            const grpc::Status& status, const Detections& detections,
                            cv::Size image) const noexcept try {
-  const Clock::duration took = Clock::now() - request.received;
+  const Clock::time_point now = Clock::now();
+  const Clock::duration took = now - request.received;
+  const Clock::time_point turn = request.began == Clock::time_point{} ? now : request.began;
   const std::string frame_id = request.frame != nullptr ? request.frame->id() : "";
   LogFrame({.request_id = caller.request_id(),
             .robot = caller.robot(),
             .frame_id = frame_id,
             .status = status,
             .detections = detections,
-            .options = *request.options,
+            .options = request.frame != nullptr ? request.options : nullptr,
             .image = image,
+            .queued = turn - request.received,
             .took = took},
            slow_);
   metrics_.OnAnswered(caller.robot(), status, detections, took);

@@ -58,8 +58,14 @@ void LogSlow(const FrameRecord& record) {
   const std::string code = NameOf(record.status.error_code());
   LogRecord line = Begin(record, "slow", "slow");
   line.Milliseconds("total_ms", Milliseconds(record.took));
-  line.Text("image", fmt::format("{}x{}", record.image.width, record.image.height));
-  line.Text("profile", ProfileOf(record.options)).Text("options", ChangesOf(record.options));
+  if (!record.image.empty()) {
+    line.Text("image", fmt::format("{}x{}", record.image.width, record.image.height));
+  }
+  if (record.options != nullptr) {
+    line.Text("profile", ProfileOf(*record.options)).Text("options", ChangesOf(*record.options));
+  }
+  const bool had_turn = !record.detections.stage_times.empty();
+  if (!had_turn) line.Milliseconds("queue_ms", Milliseconds(record.queued));
   for (const StageTime& time : record.detections.stage_times) {
     line.Milliseconds(time.stage + "_ms", time.duration_ms);
   }

@@ -18,15 +18,16 @@ struct FrameRecord {
   const std::string& frame_id;
   const grpc::Status& status;
   const Detections& detections;      // where the status is not OK, only times of stages
-  const v1::DetectOptions& options;  // as they came
+  const v1::DetectOptions* options;  // as they came; null where there was no frame to look at
   cv::Size image;                    // empty where it was not decoded
-  std::chrono::steady_clock::duration took{};
+  // From its receipt to its turn, or to its answer where none came; to its answer.
+  std::chrono::steady_clock::duration queued{}, took{};
 };
 
 // One line of key=value per frame: at info what was found, at warning what went wrong; a second one
-// with image, profile, options that differ from it, and the time of each stage where it took longer
-// than `slow` (0: never). What went wrong is limited by status code, see LogLimiter. What came from
-// outside is quoted, escaped and shortened.
+// with image, profile, options that differ from it (what of these is known), and the time of each
+// stage where it took longer than `slow` (0: never). What went wrong is limited by status code, see
+// LogLimiter. What came from outside is quoted, escaped and shortened.
 void LogFrame(const FrameRecord& record, std::chrono::milliseconds slow);
 
 // One line, at warning and limited likewise, for a stream that was not let in, or whose caller may

@@ -2,8 +2,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <functional>
+#include <future>
 #include <memory>
+#include <semaphore>
+#include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "server/build_info.h"
@@ -12,6 +18,7 @@
 #include "tests/server/few_calls.h"
 #include "tests/server/frames.h"
 #include "tests/server/loopback.h"
+#include "tests/server/metric_value.h"
 
 namespace fovea::testing {
 namespace {
@@ -116,6 +123,46 @@ TEST(RequestLog, NamesTheStagesOfSlowFrames) {
   }
   EXPECT_THAT(log.text(), HasSubstr("slow request="));
   EXPECT_THAT(log.text(), HasSubstr(" first_ms=1.5"));
+}
+
+// Of two calls that the server cancels the second one waits, and is not decoded.
+TEST(RequestLog, SaysOfSlowFramesWhatIsKnown) {
+  const CapturedLog log;
+  server::ServerOptions options = LoopbackOptions();
+  options.slow_ms = options.compute_threads = 1;
+  options.max_per_robot = 2;
+  options.drain_timeout_s = 0;
+  {
+    std::binary_semaphore begun{0};
+    Loopback loopback(
+        [&](const RgbdFrame&, const DetectorOptions&, Trace*, const auto& stop) -> Detections {
+          begun.release();
+          while (!stop()) std::this_thread::yield();
+          throw Cancelled();
+        },
+        options);
+    const auto call = [&] {
+      return std::async(std::launch::async, [&] { return StatusOfDetecting(loopback.client); });
+    };
+    const auto first = call();
+    begun.acquire();
+    const auto second = call();
+    AwaitMetric(*loopback.server.metrics(), "fovea_frames_waiting", 1);
+    const auto since = std::chrono::steady_clock::now();
+    while (std::chrono::steady_clock::now() - since < std::chrono::milliseconds(5)) {
+      std::this_thread::yield();
+    }
+    loopback.server.Drain();
+  }
+  std::istringstream lines(log.text());
+  int num_slow = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("slow request=") == std::string::npos) continue;
+    ++num_slow;
+    EXPECT_THAT(line, HasSubstr(" queue_ms="));
+    EXPECT_THAT(line, Not(HasSubstr("image=\"0x0\"")));
+  }
+  EXPECT_EQ(num_slow, 2);
 }
 
 TEST(RequestLog, IsNotWrittenByCallers) {
