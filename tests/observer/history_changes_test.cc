@@ -81,6 +81,28 @@ TEST_F(ObserverHistory, FramesOfAProgramBeforeGoBackWithTheClock) {
   EXPECT_THAT(IdsOf(history, "a"), ElementsAre(1'700'000'000'000'000));
 }
 
+TEST_F(ObserverHistory, SaysWhyItIsShort) {
+  History history(folder_.Path(), {.max_bytes = 100'000});
+  int second = 0;
+  const auto add = [&](std::size_t bytes) {
+    history.Add(Record("a", bytes), kStart + seconds(++second));
+  };
+  for (int i = 0; i < 8; ++i) add(5000);
+  EXPECT_EQ(history.Shortage(), "");
+  for (int i = 0; i < 8; ++i) add(5000);
+  EXPECT_EQ(history.Shortage(), "holds less than 10 minutes: --history-size is too little");
+  second = 600;  // the last one that went did so before the 16th came
+  add(10);
+  EXPECT_NE(history.Shortage(), "");
+  second = 700;
+  add(10);
+  EXPECT_EQ(history.Shortage(), "");
+  std::filesystem::create_symlink(
+      "/dev/full", FileOf("a", IdsOf(history, "a").back() + 1'000'000).string() + ".part");
+  add(10);
+  EXPECT_EQ(history.Shortage(), "holds less than 10 minutes: the disk is full");
+}
+
 TEST_F(ObserverHistory, WhatWouldBeBefore1970IsDropped) {
   History history(folder_.Path(), {});
   for (const int at : {0, 10}) history.Add(Record("a"), kStart + seconds(at));

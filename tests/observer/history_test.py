@@ -153,6 +153,9 @@ def test_stays_within_its_size(scene: Scene, tmp_path: Path) -> None:
                 assert folder_size(tmp_path / "history" / robot) <= most / 2
         assert first[0] not in visitor.history("attic"), "the oldest goes first"
         assert visitor.history("yard")
+        told = visitor.get("/api/session").json()["history"]
+        assert told["shortage"] == "holds less than 10 minutes: --history-size is too little"
+        assert told["problem"] == ""
 
 
 def test_what_cannot_be_written_ends_nothing(scene: Scene, tmp_path: Path) -> None:

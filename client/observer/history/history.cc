@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <ratio>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -15,6 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kEnding = ".frame";
+constexpr const char* kTooLittle = "--history-size is too little";
 
 // Of "0001700000000000000.frame".
 std::optional<std::uint64_t> IdOf(const fs::path& path) {
@@ -56,7 +58,7 @@ void History::FollowFolder() {
   lock_ = std::make_unique<FolderLock>(folder_);
   robots_.clear();
   num_frames_ = 0;
-  bytes_ = newest_ = 0;
+  bytes_ = newest_ = short_until_ = 0;
   Load();
 }
 
@@ -70,6 +72,7 @@ void History::FollowClock(std::uint64_t now) {
     if (newest > now) MoveBack(robot, newest - now);
   }
   newest_ = now;
+  short_until_ = std::min(short_until_, now + SpanOf(limits_));
 }
 
 // In microseconds, by less than the newest one has.
@@ -166,7 +169,7 @@ void History::Write(const HistoryRecord& record, std::uint64_t id, std::uint64_t
         throw std::runtime_error("cannot write to " + folder_.string() + ": " +
                                  error.code().message());
       }
-      DropOldest(Oldest());
+      DropForRoom(Oldest(), "the disk is full");
     }
   }
 }
@@ -184,6 +187,23 @@ void History::DropOldest(Robots::iterator robot) {
   robots_.erase(robot);
 }
 
+// What is missing since is whole again once the span has passed.
+void History::DropForRoom(Robots::iterator robot, const char* why) {
+  const std::uint64_t span = SpanOf(limits_);
+  if (robot->second.frames.front().id + span > newest_) {
+    shortage_ = why;
+    short_until_ = newest_ + span;
+  }
+  DropOldest(robot);
+}
+
+std::string History::Shortage() const {
+  const std::lock_guard lock(mutex_);
+  if (newest_ >= short_until_) return {};
+  const auto minutes = std::chrono::duration<double, std::ratio<60>>(limits_.span);
+  return fmt::format("holds less than {:g} minutes: {}", minutes.count(), shortage_);
+}
+
 void History::DropAll(Robots::iterator robot) {
   for (std::size_t left = robot->second.frames.size(); left > 0; --left) DropOldest(robot);
 }
@@ -193,9 +213,9 @@ void History::MakeRoom(const std::string& name, std::uint64_t bytes) {
   for (auto robot = robots_.find(name);
        robot != robots_.end() && robot->second.bytes + bytes > limits_.max_bytes / 2;
        robot = robots_.find(name)) {
-    DropOldest(robot);
+    DropForRoom(robot, kTooLittle);
   }
-  while (num_frames_ > 0 && bytes_ + bytes > limits_.max_bytes) DropOldest(Oldest());
+  while (num_frames_ > 0 && bytes_ + bytes > limits_.max_bytes) DropForRoom(Oldest(), kTooLittle);
 }
 
 History::Robots::iterator History::Oldest() {
@@ -210,7 +230,7 @@ void History::Bound(const std::string& name) {
   const std::uint64_t newest = robot->second.frames.back().id;
   while (robot->second.frames.size() > 1 && (robot->second.frames.front().id + span < newest ||
                                              robot->second.bytes > limits_.max_bytes / 2)) {
-    DropOldest(robot);
+    DropForRoom(robot, kTooLittle);
   }
   while (robots_.size() > limits_.max_robots) {
     const auto quietest = std::ranges::min_element(
@@ -218,7 +238,7 @@ void History::Bound(const std::string& name) {
     DropAll(quietest);
   }
   while (num_frames_ > limits_.max_frames || bytes_ > limits_.max_bytes) {
-    DropOldest(Oldest());
+    DropForRoom(Oldest(), bytes_ > limits_.max_bytes ? kTooLittle : "it has the most frames");
   }
 }
 

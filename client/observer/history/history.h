@@ -57,6 +57,10 @@ class History {
   // None where it is not there (any more), or damaged.
   std::optional<HistoryRecord> Read(const std::string& robot, std::uint64_t id) const;
 
+  // Why it lacks frames that came within its span of time, in words that stay the same; empty where
+  // it has all of them.
+  std::string Shortage() const;
+
   struct Counts {
     std::size_t robots = 0, frames = 0;
     std::uint64_t bytes = 0;
@@ -90,6 +94,7 @@ class History {
   void Keep(const std::string& robot, const Kept& frame);
   void Write(const HistoryRecord& record, std::uint64_t id, std::uint64_t bytes);
   void DropOldest(Robots::iterator robot);
+  void DropForRoom(Robots::iterator robot, const char* why);
   void DropAll(Robots::iterator robot);
   Robots::iterator Oldest();  // the robot that has the oldest frame; there must be one
   void MakeRoom(const std::string& robot, std::uint64_t bytes);
@@ -103,6 +108,8 @@ class History {
   Robots robots_;
   std::size_t num_frames_ = 0;
   std::uint64_t bytes_ = 0, newest_ = 0;  // newest_: at least the largest id
+  std::string shortage_;                  // why a frame within the span went last
+  std::uint64_t short_until_ = 0;         // as ids
 };
 
 }  // namespace fovea::observer

@@ -61,7 +61,9 @@ bool HistoryRoutes::IsOne(const std::string& path) {
 std::string HistoryRoutes::About() const {
   if (history_ == nullptr) return "null";
   const auto minutes = std::chrono::duration<double, std::ratio<60>>(history_->limits().span);
-  return JsonText(json{{"minutes", minutes.count()}, {"problem", recorder_->Problem()}});
+  return JsonText(json{{"minutes", minutes.count()},
+                       {"problem", recorder_->Problem()},
+                       {"shortage", history_->Shortage()}});
 }
 
 HttpResponse HistoryRoutes::Answer(const HttpRequest& request, const Board& board) const {

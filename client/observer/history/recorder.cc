@@ -50,10 +50,10 @@ WatchStream::Listener Recorder::ListenerOf(std::size_t server) {
 }
 
 // Aloud where it is new; mutex_ is held.
-void Recorder::Say(std::string* where, const std::string& problem) {
+void Recorder::Say(std::string* where, const std::string& problem, const char* if_none) {
   if (*where == problem) return;
   *where = problem;
-  std::cerr << "fovea-observer: history: " << (problem.empty() ? "goes on" : problem) << std::endl;
+  std::cerr << "fovea-observer: history: " << (problem.empty() ? if_none : problem) << std::endl;
 }
 
 void Recorder::OnFrame(std::size_t server, v1::WatchedFrame frame) {
@@ -77,6 +77,7 @@ void Recorder::OnFrame(std::size_t server, v1::WatchedFrame frame) {
   }
   const std::lock_guard lock(mutex_);
   Say(&disk_problem_, problem);
+  Say(&shortage_, history_.Shortage(), "holds --history-minutes again");
 }
 
 std::string Recorder::Problem() const {

@@ -23,7 +23,7 @@ class Recorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  // Why nothing is recorded now, or not all; empty where all is well.
+  // Why nothing is recorded now, or not of all servers; empty where all is well.
   std::string Problem() const;
 
  private:
@@ -34,12 +34,12 @@ class Recorder {
 
   WatchStream::Listener ListenerOf(std::size_t server);
   void OnFrame(std::size_t server, v1::WatchedFrame frame);
-  void Say(std::string* where, const std::string& problem);
+  void Say(std::string* where, const std::string& problem, const char* if_none = "goes on");
 
   History& history_;
   mutable std::mutex mutex_;
   std::vector<Server> servers_;
-  std::string disk_problem_;
+  std::string disk_problem_, shortage_;
   std::vector<std::unique_ptr<WatchStream>> streams_;  // last: they use all of the above
 };
 

@@ -21498,7 +21498,7 @@ var MAX_KEPT = 30;
 var REFRESH_MS = 5e3;
 var FRESH_MS = 1e3;
 var SAME_US = 2e6;
-var NONE = { minutes: 0, problem: "", ids: [], objects: [], problems: [] };
+var NONE = { minutes: 0, problem: "", shortage: "", ids: [], objects: [], problems: [] };
 function nearestOf(moments, time) {
   return moments.reduce((best, each) => Math.abs(each - time) < Math.abs(best - time) ? each : best);
 }
@@ -21922,9 +21922,10 @@ var Timeline = class {
   say(from, to, now) {
     const ago = `${spanOf(observerNow() - now / 1e3)} ago`;
     const clock = new Date(now / 1e3).toLocaleTimeString();
-    const { ids, problem } = this.reel.history;
+    const { ids, problem, shortage } = this.reel.history;
+    const short = shortage ? `; it ${shortage}` : "";
     if (!this.reel.isListed) this.text.textContent = "the history is being read";
-    else this.text.textContent = problem ? `nothing is recorded: ${problem}` : `${clock}, ${ago} · ${counted(ids.length, "frame")} recorded`;
+    else this.text.textContent = problem ? `nothing is recorded: ${problem}` : `${clock}, ${ago} · ${counted(ids.length, "frame")} recorded${short}`;
     this.text.classList.toggle("bad", problem !== "");
     this.canvas.setAttribute("aria-valuemin", String(Math.round(from / 1e6)));
     this.canvas.setAttribute("aria-valuemax", String(Math.round(to / 1e6)));

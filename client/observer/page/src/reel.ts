@@ -7,7 +7,7 @@ const MAX_KEPT = 30;
 const REFRESH_MS = 5000;
 const FRESH_MS = 1000; // a list of that age need not be fetched again for a click
 const SAME_US = 2e6; // so near to a frame that is here the history has the same, or such as it
-const NONE: HistoryList = { minutes: 0, problem: "", ids: [], objects: [], problems: [] };
+const NONE: HistoryList = { minutes: 0, problem: "", shortage: "", ids: [], objects: [], problems: [] };
 
 function nearestOf(moments: number[], time: number): number {
   return moments.reduce((best, each) => (Math.abs(each - time) < Math.abs(best - time) ? each : best));

@@ -79,9 +79,10 @@ export class Timeline {
   private say(from: number, to: number, now: number): void {
     const ago = `${spanOf(observerNow() - now / 1000)} ago`;
     const clock = new Date(now / 1000).toLocaleTimeString();
-    const { ids, problem } = this.reel.history;
+    const { ids, problem, shortage } = this.reel.history;
+    const short = shortage ? `; it ${shortage}` : "";
     if (!this.reel.isListed) this.text.textContent = "the history is being read";
-    else this.text.textContent = problem ? `nothing is recorded: ${problem}` : `${clock}, ${ago} · ${counted(ids.length, "frame")} recorded`;
+    else this.text.textContent = problem ? `nothing is recorded: ${problem}` : `${clock}, ${ago} · ${counted(ids.length, "frame")} recorded${short}`;
     this.text.classList.toggle("bad", problem !== "");
     this.canvas.setAttribute("aria-valuemin", String(Math.round(from / 1e6)));
     this.canvas.setAttribute("aria-valuemax", String(Math.round(to / 1e6)));

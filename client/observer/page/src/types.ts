@@ -103,7 +103,7 @@ export interface Who {
   rights: string[];
   robots: string[];
   csrf: string;
-  history: { minutes: number; problem: string } | null; // null: there is none
+  history: { minutes: number; problem: string; shortage: string } | null; // null: there is none
 }
 export interface Option {
   name: string;
@@ -119,6 +119,7 @@ export interface Option {
 export interface HistoryList {
   minutes: number;
   problem: string;
+  shortage: string; // why it holds less than these minutes
   ids: number[];
   objects: number[];
   problems: number[];
