@@ -120,8 +120,10 @@ void FrameAnswerer::Record(const FrameRequest& request, const Caller& caller,
   const Clock::duration took = now - request.received;
   const Clock::time_point turn = request.began == Clock::time_point{} ? now : request.began;
   const std::string frame_id = request.frame != nullptr ? request.frame->id() : "";
+  const std::string peer = caller.robot().empty() ? caller.peer() : "";
   LogFrame({.request_id = caller.request_id(),
             .robot = caller.robot(),
+            .peer = peer,
             .frame_id = frame_id,
             .status = status,
             .detections = detections,

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "server/connections/socket_address.h"
+#include "server/logging/failed_handshakes.h"
 #include "server/logging/log_limiter.h"
 
 namespace fovea::server {
@@ -40,6 +41,16 @@ void SetWindow(int fd, int bytes) {
 void Abort(int fd) {
   const sockaddr none{.sa_family = AF_UNSPEC, .sa_data = {}};
   if (connect(fd, &none, sizeof none) != 0) shutdown(fd, SHUT_RDWR);  // a UNIX socket
+}
+
+// gRPC closes a connection once it has said that a handshake failed. Another one that ends by
+// itself just then may be taken for it.
+void LogStranger(const std::string& peer) {
+  const bool failed = TakeFailedHandshake();
+  LogLimited(failed ? "handshake failed" : "connection of a stranger",
+             failed ? spdlog::level::warn : spdlog::level::debug,
+             "connection of " + peer + " ended before a call was let in" +
+                 (failed ? ", and a handshake has failed" : ""));
 }
 
 }  // namespace
@@ -74,7 +85,10 @@ void ConnectionTable::Remove(int watched) {
   const auto found = connections_.find(watched);
   if (found == connections_.end()) return;
   Connection& connection = found->second;
-  if (!connection.ended) GiveBackPlace(connection);
+  if (!connection.ended) {
+    GiveBackPlace(connection);
+    if (!connection.account.admitted()) LogStranger(connection.peer);
+  }
   const auto by_peer = by_peer_.find(connection.peer);
   if (by_peer != by_peer_.end() && by_peer->second == watched) by_peer_.erase(by_peer);
   connections_.erase(found);

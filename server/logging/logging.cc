@@ -14,6 +14,7 @@
 #include <stop_token>
 
 #include "server/log_exception.h"
+#include "server/logging/failed_handshakes.h"
 #include "server/logging/line_sink.h"
 #include "server/logging/log_limiter.h"
 #include "server/logging/log_record.h"
@@ -28,6 +29,7 @@ void LogOfGrpc(gpr_log_func_args* args) {
     spdlog::debug(message);
     return;
   }
+  if (message.starts_with("grpc: Handshake failed")) NoteFailedHandshake();
   const std::string file = args->file;
   LogLimited("grpc " + file.substr(file.rfind('/') + 1) + ":" + std::to_string(args->line),
              spdlog::level::err, message);

@@ -44,6 +44,8 @@ class Caller {
   // Whose turn the call takes.
   const RobotId& id() const { return admission_.robot; }
   const std::string& request_id() const { return request_id_; }
+  // "ipv4:10.0.0.7:1234".
+  std::string peer() const { return context_->peer(); }
   // Of the caller, where it sends one.
   const std::optional<TraceContext>& trace() const { return trace_; }
   // Whether it only asks for room here, and will not come back by what it is told.

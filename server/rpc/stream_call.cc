@@ -65,7 +65,7 @@ void StreamCall::OnRequest() {
 }
 
 void StreamCall::Refuse(const grpc::Status& status, const char* reason) {
-  LogRefusedStream(caller_.request_id(), caller_.robot(), status);
+  LogRefusedStream(caller_.request_id(), caller_.robot(), caller_.peer(), status);
   environment_.metrics.OnRefused(caller_.robot(), reason);
   Finish(status);
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/options.h"
+#include "server/connections/socket_address.h"
 #include "server/logging/log_limiter.h"
 #include "server/logging/log_record.h"
 #include "server/status.h"
@@ -18,9 +19,10 @@ double Milliseconds(std::chrono::steady_clock::duration duration) {
   return std::chrono::duration<double, std::milli>(duration).count();
 }
 
-// What a caller did wrong, or that he left, he can do as often as he likes.
-void LogFault(const LogRecord& record, const std::string& kind, const std::string& robot) {
-  if (LogLimiter::Global().Admit(kind, spdlog::level::warn, robot)) {
+// What a caller did wrong, or that he left, he can do as often as he likes. `who`: the robot, or
+// the host where there is none.
+void LogFault(const LogRecord& record, const std::string& kind, const std::string& who) {
+  if (LogLimiter::Global().Admit(kind, spdlog::level::warn, who)) {
     record.Log(spdlog::level::warn);
   }
 }
@@ -47,10 +49,15 @@ std::string ChangesOf(const v1::DetectOptions& options) {
   return text;
 }
 
+std::string Who(const std::string& robot, const std::string& peer) {
+  return robot.empty() ? HostOfPeer(peer) : robot;
+}
+
 LogRecord Begin(const FrameRecord& record, const std::string& event, const std::string& title) {
   LogRecord line(event, title);
   line.Text("request", record.request_id).Text("robot", record.robot);
   line.Text("frame", record.frame_id).Word("code", NameOf(record.status.error_code()));
+  if (record.robot.empty()) line.Text("peer", record.peer);
   return line;
 }
 
@@ -69,15 +76,16 @@ void LogSlow(const FrameRecord& record) {
   for (const StageTime& time : record.detections.stage_times) {
     line.Milliseconds(time.stage + "_ms", time.duration_ms);
   }
-  LogFault(line, "slow " + code, record.robot);
+  LogFault(line, "slow " + code, Who(record.robot, record.peer));
 }
 
 void LogEnd(const std::string& event, const std::string& request_id, const std::string& robot,
-            const grpc::Status& status) {
+            const std::string& peer, const grpc::Status& status) {
   const std::string code = NameOf(status.error_code());
   LogRecord line(event);
   line.Text("request", request_id).Text("robot", robot).Word("code", code);
-  LogFault(line.Text("error", status.error_message()), event + " " + code, robot);
+  if (!peer.empty() && robot.empty()) line.Text("peer", peer);
+  LogFault(line.Text("error", status.error_message()), event + " " + code, Who(robot, peer));
 }
 
 }  // namespace
@@ -90,19 +98,20 @@ void LogFrame(const FrameRecord& record, std::chrono::milliseconds slow) {
     line.Milliseconds("total_ms", total_ms).Log(spdlog::level::info);
   } else {
     line.Milliseconds("total_ms", total_ms).Text("error", record.status.error_message());
-    LogFault(line, std::string("frame ") + NameOf(record.status.error_code()), record.robot);
+    LogFault(line, std::string("frame ") + NameOf(record.status.error_code()),
+             Who(record.robot, record.peer));
   }
   if (slow.count() > 0 && record.took > slow) LogSlow(record);
 }
 
 void LogRefusedStream(const std::string& request_id, const std::string& robot,
-                      const grpc::Status& status) {
-  LogEnd("stream", request_id, robot, status);
+                      const std::string& peer, const grpc::Status& status) {
+  LogEnd("stream", request_id, robot, peer, status);
 }
 
 void LogUntakenAnswer(const std::string& request_id, const std::string& robot,
                       const grpc::Status& status) {
-  LogEnd("answer", request_id, robot, status);
+  LogEnd("answer", request_id, robot, /*peer=*/"", status);
 }
 
 }  // namespace fovea::server

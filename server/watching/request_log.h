@@ -15,6 +15,7 @@ namespace fovea::server {
 struct FrameRecord {
   const std::string& request_id;
   const std::string& robot;
+  const std::string& peer;  // which is named where there is no robot
   const std::string& frame_id;
   const grpc::Status& status;
   const Detections& detections;      // where the status is not OK, only times of stages
@@ -33,7 +34,7 @@ void LogFrame(const FrameRecord& record, std::chrono::milliseconds slow);
 // One line, at warning and limited likewise, for a stream that was not let in, or whose caller may
 // not call any more.
 void LogRefusedStream(const std::string& request_id, const std::string& robot,
-                      const grpc::Status& status);
+                      const std::string& peer, const grpc::Status& status);
 
 // The same for an answer that was ready, and whose caller did not take it.
 void LogUntakenAnswer(const std::string& request_id, const std::string& robot,

@@ -169,6 +169,8 @@ TEST(ServerLog, NamesHandshakesThatFail) {
   // In plain text.
   EXPECT_THROW(client::Client(server.address(), OnceOnly()).GetServerInfo(), client::RpcError);
   server.process().AwaitError("error grpc: Handshake failed");
+  server.process().AwaitError(" ended before a call was let in, and a handshake has failed");
+  EXPECT_THAT(Stop(server.process()).err, HasSubstr("warning connection of ipv4:127.0.0.1:"));
 }
 
 TEST(ServerLog, NamesKeysThatNeedARestart) {

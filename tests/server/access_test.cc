@@ -210,13 +210,15 @@ TEST_F(Tokens, WhoHasNoneFindsItsLineInTheLog) {
   const Client client(loopback.server.Address(), With("let-me-out"));
   const CapturedLog log;
   StatusOf([&] { client.Detect(TestRequest(), {.request_id = "my-call"}); });
-  log.Await("request=\"my-call\" robot=\"\" frame=\"\" code=UNAUTHENTICATED");
+  log.Await(
+      "request=\"my-call\" robot=\"\" frame=\"\" code=UNAUTHENTICATED peer=\"ipv4:127.0.0.1:");
   try {
     client.OpenStream(kPatience)->Receive();
     FAIL() << "the stream was let in";
   } catch (const client::RpcError& error) {
     EXPECT_FALSE(error.request_id().empty());
-    log.Await("stream request=\"" + error.request_id() + "\" robot=\"\" code=UNAUTHENTICATED");
+    log.Await("stream request=\"" + error.request_id() + "\" robot=\"\" code=UNAUTHENTICATED" +
+              " peer=\"ipv4:127.0.0.1:");
   }
 }
 

@@ -87,7 +87,8 @@ TEST(RequestLog, NamesStreamsThatWereNotLetIn) {
     StatusOf([&] { client.OpenStream(kPatience)->Receive(); });
   }
   EXPECT_THAT(log.text(), HasSubstr("stream request="));
-  EXPECT_THAT(log.text(), HasSubstr("code=INVALID_ARGUMENT error=\"metadata fovea-robot: must be"));
+  EXPECT_THAT(log.text(), HasSubstr("code=INVALID_ARGUMENT peer=\"ipv4:127.0.0.1:"));
+  EXPECT_THAT(log.text(), HasSubstr(" error=\"metadata fovea-robot: must be"));
 }
 
 TEST(RequestLog, NamesTheLimitThatAMessageMayHavePassed) {
