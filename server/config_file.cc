@@ -80,6 +80,8 @@ std::string ConfigFile::Problem(const CLI::Option* option, const CLI::ConfigItem
       item.inputs != std::vector<std::string>{"false"}) {
     return "must be true or false";
   }
+  const auto most = static_cast<std::size_t>(option->get_expected_max());
+  if (!is_flag && item.inputs.size() > most) return "must be one value, not a list of several";
   for (const std::string& input : item.inputs) {
     const std::string why = input.empty() ? "" : WhyNoNumber("--" + key, input);
     if (!why.empty()) return why + ": \"" + input + "\"";

@@ -46,10 +46,10 @@ TEST_F(CliTest, WritesEveryOutputOfAFrame) {
 }
 
 TEST_F(CliTest, SaysThatAFileMayNotGrow) {
-  const Finished finished = Execute(
-      {"/bin/sh", "-c", "ulimit -f 1; exec \"$0\" \"$@\"", FOVEA_CLI, "detect", "--server",
-       server_.address(), "--intrinsics", "30,30,15.5,11.5", "--color", At("a_color.png"), "--depth",
-       At("a_depth.png"), "--json", At("j.json")});
+  const Finished finished =
+      Execute({"/bin/sh", "-c", "ulimit -f 1; exec \"$0\" \"$@\"", FOVEA_CLI, "detect", "--server",
+               server_.address(), "--intrinsics", "30,30,15.5,11.5", "--color", At("a_color.png"),
+               "--depth", At("a_depth.png"), "--json", At("j.json")});
   ExpectOneLineError(finished, "cannot write " + At("j.json") + ": File too large");
 }
 

@@ -58,6 +58,7 @@ TEST(ServerConfig, ChecksItsConfiguration) {
       {"tokens = \"\"\n", "--tokens: is empty"},
       {"max-message-mib = 010\n", "--max-message-mib: \"010\" begins with a zero"},
       {"\ninsecure = \"\"\n", ":2: \"insecure\" must be true or false"},
+      {"# one\nhold-s = [5, 6]\n", ":2: \"hold-s\" must be one value, not a list of several"},
       {"insecure = 5\n", "\"insecure\" must be true or false"},
       {"\n max-pixel = 1000\n", ":2: \"max-pixel\" is no key; did you mean max-pixels?"},
       {"hold-s = 1\nmrf.lambda = 3\n", ":2: \"mrf.lambda\" is no key; options of the method come"},
