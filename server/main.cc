@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <iostream>
 #include <memory>
@@ -40,31 +41,39 @@ sigset_t BlockSignals() {
   sigaddset(&signals, SIGTERM);
   sigaddset(&signals, SIGINT);
   sigaddset(&signals, SIGHUP);
+  sigaddset(&signals, SIGUSR1);  // which would end it
+  sigaddset(&signals, SIGUSR2);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   return signals;
 }
 
-// A second signal to stop ends the hold. A late one to read files again, or that the process goes
-// on after it was stopped (EINTR), does not.
-void Hold(std::chrono::seconds time, sigset_t signals) {
+// A second signal to stop ends the hold. Another one, or that the process goes on after it was
+// stopped (EINTR), does not.
+void Hold(std::chrono::seconds time) {
   using std::chrono::nanoseconds;
-  sigdelset(&signals, SIGHUP);
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGTERM);
+  sigaddset(&signals, SIGINT);
   const auto end = std::chrono::steady_clock::now() + time;
   timespec left{};
+  int signal = 0;
   do {
     const nanoseconds rest = std::max(end - std::chrono::steady_clock::now(), nanoseconds(0));
     left = {.tv_sec = rest / std::chrono::seconds(1),
             .tv_nsec = (rest % std::chrono::seconds(1)).count()};
-  } while (sigtimedwait(&signals, nullptr, &left) < 0 && errno == EINTR);
+    signal = sigtimedwait(&signals, nullptr, &left);
+  } while (signal < 0 && errno == EINTR);
+  if (signal > 0) spdlog::info("a second signal: no longer serving on");
 }
 
-void StopGently(fovea::server::Server& server, const fovea::server::ServerOptions& options,
-                const sigset_t& signals) {
+void StopGently(fovea::server::Server& server, const fovea::server::ServerOptions& options) {
   spdlog::info("stopping: serving on for {} s as NOT_SERVING, then calls have {} s to finish",
                options.hold_s, options.drain_timeout_s);
   server.StopAdvertising();
-  Hold(std::chrono::seconds(options.hold_s), signals);
-  server.Drain();
+  Hold(std::chrono::seconds(options.hold_s));
+  const std::size_t num_cancelled = server.Drain();
+  spdlog::info("ended: {} calls were cancelled (--drain-timeout-s)", num_cancelled);
 }
 
 void WarnOfTokens(const fovea::server::ServerOptions& options,
@@ -123,10 +132,14 @@ void AnnounceAddress(const std::string& event, const std::string& line,
   fovea::server::LogRecord(event).Text("address", address).Log(spdlog::level::info);
 }
 
+// One that has something to do here.
 int WaitFor(const sigset_t& signals) {
-  int signal = 0;
-  sigwait(&signals, &signal);
-  return signal;
+  while (true) {
+    int signal = 0;
+    sigwait(&signals, &signal);
+    if (signal != SIGUSR1 && signal != SIGUSR2) return signal;
+    spdlog::warn("SIG{} does nothing here; SIGHUP has files read again", sigabbrev_np(signal));
+  }
 }
 
 // Of a thread that could not be started the system says no more than "try again".
@@ -171,7 +184,7 @@ int Run(int argc, char** argv) {
   }
   fovea::server::NotifyStopping();
   life.Watch(nullptr);
-  StopGently(server, *options, signals);
+  StopGently(server, *options);
   return EXIT_SUCCESS;
 }
 

@@ -157,18 +157,16 @@ void Server::AddGauges() {
   metrics_->AddCounter("fovea_connections_ended_total",
                        "Connections that held more, or longer, than they may, or made room",
                        [this] { return static_cast<double>(connections_.counts().ended); });
+  const auto seconds = [](auto t) { return static_cast<double>(t->time_since_epoch().count()); };
   if (credentials_.has_tls()) {
-    metrics_->AddGauge(
-        "fovea_certificate_expiry_timestamp_seconds",
-        "When the server's certificate expires, in seconds since 1970",
-        [this] { return static_cast<double>(CertificateExpiry()->time_since_epoch().count()); });
+    metrics_->AddGauge("fovea_certificate_expiry_timestamp_seconds",
+                       "When the server's certificate expires, in seconds since 1970",
+                       [=, this] { return seconds(credentials_.Expiry()); });
   }
   if (credentials_.authority()) {
-    metrics_->AddGauge(
-        "fovea_client_authority_expiry_timestamp_seconds",
-        "When the first of the authorities of clients expires, in seconds since 1970", [this] {
-          return static_cast<double>(credentials_.AuthorityExpiry()->time_since_epoch().count());
-        });
+    metrics_->AddGauge("fovea_client_authority_expiry_timestamp_seconds",
+                       "When the first of the authorities of clients does",
+                       [=, this] { return seconds(credentials_.AuthorityExpiry()); });
   }
   metrics_->AddGauge("fovea_compute_threads", "Frames that can be computed at once",
                      [this] { return static_cast<double>(limits_.num_threads); });
@@ -268,15 +266,13 @@ std::vector<std::string> Server::Addresses() const {
   return addresses;
 }
 
-void Server::Drain() { Stop(options_.drain_timeout_s); }
-
 void Server::StopAdvertising() {
   serving_ = false;
   server_->GetHealthCheckService()->SetServingStatus(false);
 }
 
-void Server::Stop(int timeout_s) {
-  if (!server_) return;
+std::size_t Server::Stop(int timeout_s) {
+  if (!server_) return 0;
   const std::chrono::seconds patience(timeout_s);
   StopAdvertising();
   access_watch_.reset();
@@ -289,15 +285,15 @@ void Server::Stop(int timeout_s) {
                                              2 * kLastWords] { server_->Shutdown(end); });
   live_calls_.WaitUntilIdle(std::chrono::steady_clock::now() + patience);
   // What is left then is late, has just been refused, or only watches the health.
-  if (shutdown.wait_for(kLastWords) == std::future_status::timeout) {
-    live_calls_.GiveUp();
-    grpc_server_cancel_all_calls(server_->c_server());
-  }
+  const bool late = shutdown.wait_for(kLastWords) == std::future_status::timeout;
+  const std::size_t num_cancelled = late ? live_calls_.GiveUp() : 0;
+  if (late) grpc_server_cancel_all_calls(server_->c_server());
   shutdown.wait();
   server_->Wait();
   live_calls_.WaitUntilNone();
   loop_.reset();
   server_.reset();
+  return num_cancelled;
 }
 
 }  // namespace fovea::server

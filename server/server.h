@@ -76,13 +76,14 @@ class Server {
   void StopAdvertising();
 
   // Refuses new calls with UNAVAILABLE, ends streams after the answer they are at, lets calls under
-  // way finish until the drain timeout and cancels what is left. Returns when all are gone.
-  void Drain();
+  // way finish until the drain timeout and cancels what is left. Returns when all are gone, and how
+  // many were cancelled.
+  std::size_t Drain() { return Stop(options_.drain_timeout_s); }
 
  private:
   void Listen();
   void Serve();
-  void Stop(int timeout_s);
+  std::size_t Stop(int timeout_s);
   void AddGauges();
   void AddTraceCounters();
   void AddWatchCounters();

@@ -6,6 +6,7 @@
 #include <boost/beast/http.hpp>
 #include <boost/beast/ssl.hpp>
 #include <chrono>
+#include <cstring>
 #include <iostream>
 #include <optional>
 #include <stdexcept>
@@ -74,6 +75,7 @@ class HttpServer::Impl {
     asio::signal_set signals(context_, SIGTERM, SIGINT);
     signals.async_wait([this](error_code, int) { context_.stop(); });
     asio::co_spawn(context_, ReadCertificates(), asio::detached);
+    asio::co_spawn(context_, SayWhatDoesNothing(), asio::detached);
     asio::co_spawn(context_, Accept(), asio::detached);
     context_.run();
     handler_.end();
@@ -105,6 +107,14 @@ class HttpServer::Impl {
       } catch (const std::runtime_error& error) {
         std::cerr << "fovea-observer: SIGHUP: " << error.what() << "; all stays as it was\n";
       }
+    }
+  }
+
+  // They would end the program.
+  awaitable<void> SayWhatDoesNothing() {
+    while (true) {
+      const int signal = co_await without_use_.async_wait(use_awaitable);
+      std::cerr << "fovea-observer: SIG" << sigabbrev_np(signal) << " does nothing here\n";
     }
   }
 
@@ -198,7 +208,7 @@ class HttpServer::Impl {
   WaitingConnections waiting_;  // outlives the coroutines, which end with the context
   asio::io_context context_{1};
   asio::thread_pool slow_{8};
-  asio::signal_set hang_up_{context_, SIGHUP};
+  asio::signal_set hang_up_{context_, SIGHUP}, without_use_{context_, SIGUSR1, SIGUSR2};
   std::optional<asio::ssl::context> tls_;
   tcp::acceptor acceptor_{context_};
 };

@@ -46,6 +46,12 @@ void LiveCalls::Check() {
   for (const auto& on_check : on_checks) on_check();
 }
 
+std::size_t LiveCalls::GiveUp() {
+  const std::lock_guard lock(mutex_);
+  given_up_ = true;
+  return begun_.size();
+}
+
 void LiveCalls::WaitUntilIdle(std::chrono::steady_clock::time_point deadline) {
   std::unique_lock lock(mutex_);
   changed_.wait_until(lock, deadline, [this] { return begun_.empty(); });

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -29,8 +30,8 @@ class LiveCalls {
 
   // No more calls begin.
   void Stop();
-  // Those that are left are about to be cancelled.
-  void GiveUp() { given_up_ = true; }
+  // Those that are left are about to be cancelled; how many have begun.
+  std::size_t GiveUp();
   bool given_up() const { return given_up_; }
   // Until no call is left that has begun, or the time has come.
   void WaitUntilIdle(std::chrono::steady_clock::time_point deadline);

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "client/client.h"
 #include "tests/e2e/server_process.h"
@@ -29,6 +30,7 @@ TEST(ServerSignals, HoldsBeforeItStops) {
   server.process().AwaitError("stopping: serving on for 3600 s");
   while (client.IsServing()) std::this_thread::yield();
   server.process().Signal(SIGTERM);
+  server.process().AwaitError("a second signal: no longer serving on");
   EXPECT_EQ(server.process().Wait().exit_code, 0);
 }
 
@@ -44,6 +46,21 @@ TEST(ServerSignals, HoldsOnWhereASecondSignalIsNoneToStop) {
   for (int i = 0; i < 20; ++i) client::Client(server.address(), once).Detect(TestRequest());
   server.process().Signal(SIGINT);
   EXPECT_EQ(server.process().Wait().exit_code, 0);
+}
+
+TEST(ServerSignals, GoesOnAfterThoseThatDoNothing) {
+  ServerProcess server;
+  const client::Client client(server.address(), {.timeout = kPatience});
+  for (const auto& [number, name] :
+       {std::pair(SIGUSR1, "SIGUSR1"), std::pair(SIGUSR2, "SIGUSR2")}) {
+    server.process().Signal(number);
+    server.process().AwaitError(std::string(name) + " does nothing here");
+  }
+  EXPECT_NO_THROW(client.Detect(TestRequest()));
+  server.process().Signal(SIGTERM);
+  const Finished finished = server.process().Wait();
+  EXPECT_EQ(finished.exit_code, 0);
+  EXPECT_THAT(finished.err, HasSubstr("info ended: 0 calls were cancelled (--drain-timeout-s)\n"));
 }
 
 TEST(ServerSignals, ReadsItsLogLevelAgain) {

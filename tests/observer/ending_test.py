@@ -95,3 +95,15 @@ def test_events_end_with_their_session(
             assert rest_of(each)[-3:] == [b"event: ended\n", b"data: {}\n", b"\n"]
         robots.detect("yard", scene.frame())
         assert stays.robot("yard")
+
+
+def test_signals_that_do_nothing_end_nothing(tmp_path: Path) -> None:
+    with (
+        ServerProcess(write_observers(tmp_path)) as server,
+        open(tmp_path / "log", "wb+") as log,
+        ObserverProcess(server.address, stderr=log.fileno()) as observer,
+    ):
+        for number in (signal.SIGUSR1, signal.SIGUSR2):
+            os.kill(observer.pid, number)
+            while f"{number.name} does nothing here" not in (tmp_path / "log").read_text():
+                assert Visitor(observer.address).get("/").status == 200
