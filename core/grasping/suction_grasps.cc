@@ -54,17 +54,30 @@ bool IsEven(const SuctionPatch& patch, const SuctionGripper& cup, float noise_m)
   return patch.unevenness_m < cup.max_unevenness_m + 2 * noise_m && patch.covered >= kLeastCovered;
 }
 
-// Of a few sizes from that of the cup on, the widest that would lie on the object.
-float UsableDiameter(const GraspScene& scene, const DetectedObject& object,
-                     const SuctionPlace& place, const SuctionGripper& cup, float noise_m) {
-  float usable = cup.diameter_m;
+// Of a few sizes from that of the cup on, in its own: the widest that would lie on what is seen of
+// the object, and the widest that would lie on the whole of it, too.
+struct WidestCup {
+  float on_seen = 1, on_whole = 1;
+};
+
+WidestCup WidestAt(const GraspScene& scene, const DetectedObject& object,
+                   const CompletedSolid& solid, const LevelFrame& frame, const SuctionPlace& place,
+                   const SuctionGripper& cup, float noise_m) {
+  constexpr float kAllAround = 0.95F;
+  const bool is_solid_known = solid.IsKnown() && (place.is_inside || !object.shape.hollow);
+  WidestCup widest;
+  bool is_on_whole = true;
   for (const float times : {1.25F, 1.5F, 2.0F, 3.0F}) {
-    const auto wider =
-        PatchAt(scene, object.label, place.pixel, place.center, times * cup.diameter_m);
+    const float diameter = times * cup.diameter_m;
+    const auto wider = PatchAt(scene, object.label, place.pixel, place.center, diameter);
     if (!wider || !IsEven(*wider, cup, noise_m)) break;
-    usable = times * cup.diameter_m;
+    widest.on_seen = times;
+    is_on_whole =
+        is_on_whole && (is_solid_known ? IsOnSolid(object, solid, frame, place, cup, diameter / 2)
+                                       : wider->covered >= kAllAround);
+    if (is_on_whole) widest.on_whole = times;
   }
-  return usable;
+  return widest;
 }
 
 // What a lip does not seal on, or why a place is out of reach. The way that the grid is against and
@@ -145,8 +158,11 @@ std::vector<ScoredGrasp> FindSuctionGrasps(const GraspScene& scene, const Detect
     grasp.unevenness_m = seen.unevenness_m;
     grasp.unseen_contacts = 1 - seen.covered;
     grasp.off_center_m = off_center;
-    grasp.usable_diameter_m = UsableDiameter(scene, object, place, cup, noise);
-    t[kTermUsable] = std::min(2.0F, kCentimetres * (grasp.usable_diameter_m - cup.diameter_m) / 2);
+    const WidestCup widest = WidestAt(scene, object, solid, grid.frame, place, cup, noise);
+    grasp.usable_diameter_m = widest.on_whole * cup.diameter_m;
+    // The model was fitted to what is seen.
+    const float wider_m = widest.on_seen * cup.diameter_m - cup.diameter_m;
+    t[kTermUsable] = std::min(2.0F, kCentimetres * wider_m / 2);
     grasps.push_back(scored);
   }
   return grasps;

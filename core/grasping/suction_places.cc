@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/grasping/sight.h"
 #include "core/types/projection.h"
@@ -126,11 +127,24 @@ std::vector<SuctionPlace> SpotsOf(const DetectedObject& object, const Eigen::Vec
   return spots.places;
 }
 
-// Whether the solid is even to a lip of this radius.
-bool IsEvenAt(const CompletedSolid& solid, const Eigen::Vector3f& center,
-              const Eigen::Vector3f& normal, float radius_m, const SuctionGripper& cup) {
+// The radius of the bottom of what is hollow.
+float InsideOf(const Shape& shape) {
+  return (shape.radii_m.empty() ? shape.radius_m : shape.radii_m.front()) - kWall_m;
+}
+
+// Of the solid under a lip and its middle: heights over the place.
+struct UnderLip {
+  float low = 1, high = -1;  // of the lip
+  float middle = 0;
+};
+
+// None where a part of the lip meets nothing. `u`: across the normal, where the lip is looked at
+// first.
+std::optional<UnderLip> LookUnderLip(const CompletedSolid& solid, const Eigen::Vector3f& center,
+                                     const Eigen::Vector3f& normal, const Eigen::Vector3f& u,
+                                     float radius_m) {
   constexpr float kAbove_m = 0.05F;
-  const Eigen::Vector3f u = normal.unitOrthogonal(), v = normal.cross(u);
+  const Eigen::Vector3f v = normal.cross(u);
   Lines lines;
   for (const auto& [c, s] : kAroundLip) {
     lines.Add(center + radius_m * (c * u + s * v) + kAbove_m * normal, -normal);
@@ -138,15 +152,23 @@ bool IsEvenAt(const CompletedSolid& solid, const Eigen::Vector3f& center,
   lines.Add(center + kAbove_m * normal, -normal);
   std::vector<Span> spans;
   solid.Along(lines, spans);
-  float low = 1, high = -1;
+  UnderLip under;
   for (const Span& span : spans) {
-    if (span.IsEmpty()) return false;
+    if (span.IsEmpty()) return std::nullopt;
     if (&span == &spans.back()) break;
-    low = std::min(low, kAbove_m - span.low);
-    high = std::max(high, kAbove_m - span.low);
+    under.low = std::min(under.low, kAbove_m - span.low);
+    under.high = std::max(under.high, kAbove_m - span.low);
   }
-  if (high - low > 2 * cup.max_unevenness_m) return false;
-  const float rise = kAbove_m - spans.back().low - (low + high) / 2;
+  under.middle = kAbove_m - spans.back().low;
+  return under;
+}
+
+// Whether the solid is even to a lip of this radius.
+bool IsEvenAt(const CompletedSolid& solid, const Eigen::Vector3f& center,
+              const Eigen::Vector3f& normal, float radius_m, const SuctionGripper& cup) {
+  const auto under = LookUnderLip(solid, center, normal, normal.unitOrthogonal(), radius_m);
+  if (!under || under->high - under->low > 2 * cup.max_unevenness_m) return false;
+  const float rise = under->middle - (under->low + under->high) / 2;
   return std::abs(rise) <= cup.max_unevenness_m + cup.max_curvature_per_m * radius_m * radius_m / 2;
 }
 
@@ -193,15 +215,28 @@ std::vector<SuctionPlace> SolidPlaces(const GraspScene& scene, const DetectedObj
   return places;
 }
 
+bool IsOnSolid(const DetectedObject& object, const CompletedSolid& solid, const LevelFrame& frame,
+               const SuctionPlace& place, const SuctionGripper& cup, float radius_m) {
+  constexpr float kCos = 0.923879533F, kSin = 0.382683432F;  // of a sixteenth of a turn
+  if (place.is_inside) return radius_m <= InsideOf(object.shape);
+  const Eigen::Vector3f center = frame.FromCamera(place.center);
+  const Eigen::Vector3f normal = frame.rotation.transpose() * place.normal;
+  const Eigen::Vector3f u = normal.unitOrthogonal(), between = kCos * u + kSin * normal.cross(u);
+  const auto first = LookUnderLip(solid, center, normal, u, radius_m);
+  if (!first) return false;
+  const auto second = LookUnderLip(solid, center, normal, between, radius_m);
+  if (!second) return false;
+  return std::max(first->high, second->high) - std::min(first->low, second->low) <=
+         2 * cup.max_unevenness_m;
+}
+
 float EvenReach(const DetectedObject& object, const CompletedSolid& solid, const LevelFrame& frame,
                 const SuctionPlace& place, const SuctionGripper& cup) {
   constexpr float kMost = 2;
   if (!solid.IsKnown()) return 1;
   const float lip_radius = cup.diameter_m / 2;
   if (place.is_inside) {
-    const float inside =
-        object.shape.radii_m.empty() ? object.shape.radius_m : object.shape.radii_m.front();
-    return std::clamp((inside - kWall_m) / lip_radius, 0.0F, kMost);
+    return std::clamp(InsideOf(object.shape) / lip_radius, 0.0F, kMost);
   }
   const Eigen::Vector3f center = frame.FromCamera(place.center);
   const Eigen::Vector3f normal = frame.rotation.transpose() * place.normal;

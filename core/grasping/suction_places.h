@@ -35,6 +35,12 @@ std::vector<SuctionPlace> SeenPlaces(const GraspScene& scene, const DetectedObje
 std::vector<SuctionPlace> SolidPlaces(const GraspScene& scene, const DetectedObject& object,
                                       const Eigen::Vector3f& approach, float diameter_m);
 
+// Whether a lip of this radius around the place would lie on the completed solid, which is known,
+// as evenly as the cup asks, however the solid is curved. `frame`: that of the solid. What is
+// hollow counts as filled but for places inside.
+bool IsOnSolid(const DetectedObject& object, const CompletedSolid& solid, const LevelFrame& frame,
+               const SuctionPlace& place, const SuctionGripper& cup, float radius_m);
+
 // The radius up to which a lip around the place would lie on the completed solid as evenly as the
 // cup asks, in radii of the cup, up to 2; 0 if not even a small one. 1 where the solid is not
 // known. `frame`: that of the solid.
