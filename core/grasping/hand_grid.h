@@ -33,6 +33,8 @@ struct HandGrid {
   // The height of the plane at a place; a huge one below a plane along which the hand moves in, and
   // everywhere if the hand would come through it.
   float FloorAt(float x, float y) const;
+  // Whether a column's height is that huge one.
+  static bool IsFloorInTheWay(float height) { return height >= -kNothing; }
   float Half() const { return cell_m * static_cast<float>(size) / 2; }
   // Coordinate of the middle of cell i along either axis.
   float MiddleOf(int i) const { return (static_cast<float>(i) + 0.5F) * cell_m - Half(); }

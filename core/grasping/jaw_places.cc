@@ -81,6 +81,13 @@ std::vector<float> TipHeights(const Station& at) {
   return heights;
 }
 
+// Why there is no height for the tips: too little of it is above the floor or, whatever it stands
+// on, the palm comes first.
+Reason WhyNoHeight(const Station& at) {
+  const float reach = TopOf(at.pads) - at.FloorAtMiddle() - kAboveFloor_m;
+  return reach < kLeastGrip_m ? Reason::kTooLow : Reason::kUnlikely;
+}
+
 // Up to how many cells beyond `column`, in steps of `step`, nothing reaches up to the tips.
 int FreeCells(const Station& at, int column, int step, float tip_m, int most) {
   const int columns = static_cast<int>(at.pads.target.size());
@@ -96,6 +103,7 @@ int FreeCells(const Station& at, int column, int step, float tip_m, int most) {
 Reason WhatBlocks(const Station& at, int column, float tip_m) {
   const auto c =
       static_cast<std::size_t>(std::clamp(column, 0, static_cast<int>(at.pads.other.size()) - 1));
+  if (HandGrid::IsFloorInTheWay(at.pads.other[c])) return Reason::kTooLow;
   constexpr float kOnFloor_m = 0.006F;
   const bool is_floor = at.pads.other[c] < at.FloorAtMiddle() + kOnFloor_m;
   return is_floor && tip_m < at.FloorAtMiddle() + kOnFloor_m ? Reason::kTooLow : Reason::kNeighbor;
@@ -109,7 +117,9 @@ bool PalmFits(const Station& at, const Run& run, JawPlace& place, Failures& fail
   const float target = Highest(at.palm.target, middle - half, middle + half);
   const float other = Highest(at.palm.other, middle - half, middle + half);
   place.palm_gap_m = std::min(kFarthestTold_m, palm_m - std::max(target, other));
-  if (other > palm_m) {
+  if (HandGrid::IsFloorInTheWay(other)) {
+    failures.Add(Reason::kTooLow);
+  } else if (other > palm_m) {
     const bool on_it = Highest(at.pads.other, run.first, run.last) > palm_m;
     failures.Add(on_it ? Reason::kCovered : Reason::kNeighbor);
   }
@@ -131,7 +141,10 @@ void TryRun(const Station& at, const Run& run, bool is_part, float tip_m, Failur
             std::vector<JawPlace>& places) {
   const float width = static_cast<float>(run.last - run.first + 1) * at.grid.cell_m;
   if (width > at.gripper.max_opening_m) return failures.Add(Reason::kTooWide);
-  if (IsCovered(at, run, tip_m)) return failures.Add(Reason::kCovered);
+  if (IsCovered(at, run, tip_m)) {
+    const bool is_floor = HandGrid::IsFloorInTheWay(Highest(at.pads.other, run.first, run.last));
+    return failures.Add(is_floor ? Reason::kTooLow : Reason::kCovered);
+  }
   const float beside =
       (OpenedAround(width, at.gripper) - width) / 2 + at.gripper.finger_thickness_m;
   const int needed = at.CellsIn(beside - at.grid.cell_m / 2);
@@ -197,7 +210,7 @@ void FindJawPlaces(const HandGrid& grid, const TurnedGrid& turned, const JawGrip
     HighestOf(turned, at.first_row, at.last_row, at.pads);
     HighestOf(turned, row(at.across_m - half_palm), row(at.across_m + half_palm), at.palm);
     const std::vector<float> heights = TipHeights(at);
-    if (heights.empty()) failures.Add(Reason::kTooLow);
+    if (heights.empty()) failures.Add(WhyNoHeight(at));
     for (const float height : heights) TryHeight(at, height, failures, places);
   }
 }

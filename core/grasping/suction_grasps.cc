@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "core/grasping/suction_patch.h"
 #include "core/grasping/suction_places.h"
@@ -80,21 +79,30 @@ WidestCup WidestAt(const GraspScene& scene, const DetectedObject& object,
   return widest;
 }
 
-// What a lip does not seal on, or why a place is out of reach. The way that the grid is against and
-// the preferred one are the same or both ends of how far the gripper may tilt.
-std::optional<NoGrasp::Reason> WhyNot(const SuctionPlace& place, const Gripper& gripper,
-                                      const Eigen::Vector3f& approach,
-                                      const Eigen::Vector3f& preferred, float noise_m) {
-  const auto& cup = std::get<SuctionGripper>(gripper.hand);
-  const bool is_uneven = place.of_solid
-                             ? place.seen.unevenness_m > cup.max_unevenness_m + 2 * noise_m
-                             : !IsEven(place.seen, cup, noise_m);
-  if (is_uneven || place.curvature_per_m > kMostCurvature * cup.max_curvature_per_m) {
-    return NoGrasp::Reason::kNoSeal;
-  }
+bool Seals(const SuctionPlace& place, const SuctionGripper& cup, float noise_m) {
+  const bool is_even = place.of_solid
+                           ? place.seen.unevenness_m <= cup.max_unevenness_m + 2 * noise_m
+                           : IsEven(place.seen, cup, noise_m);
+  return is_even && place.curvature_per_m <= kMostCurvature * cup.max_curvature_per_m;
+}
+
+// Whether a cup reaches the place. The way that the grid is against and the preferred one are the
+// same or both ends of how far the gripper may tilt.
+bool IsWithinReach(const SuctionPlace& place, const Gripper& gripper,
+                   const Eigen::Vector3f& approach, const Eigen::Vector3f& preferred) {
   const float cosine = -std::max(place.normal.dot(approach), place.normal.dot(preferred));
-  const bool is_sloped = cosine < std::cos(gripper.max_tilt_rad);
-  return is_sloped ? std::optional(NoGrasp::Reason::kSloped) : std::nullopt;
+  return cosine >= std::cos(gripper.max_tilt_rad);
+}
+
+// What is in the way of the tube.
+NoGrasp::Reason WhatBlocksTube(const HandGrid& grid, const Eigen::Vector3f& center) {
+  constexpr float kOnPatch_m = 0.006F;
+  const Eigen::Vector3f at = grid.frame.FromCamera(center);
+  const int x = grid.CellAt(at.x()), y = grid.CellAt(at.y());
+  if (x < 0 || y < 0 || x >= grid.size || y >= grid.size) return NoGrasp::Reason::kNeighbor;
+  const float other = grid.At(y, x).other;
+  if (HandGrid::IsFloorInTheWay(other)) return NoGrasp::Reason::kTooLow;
+  return other > at.z() + kOnPatch_m ? NoGrasp::Reason::kCovered : NoGrasp::Reason::kNeighbor;
 }
 
 }  // namespace
@@ -113,20 +121,28 @@ std::vector<ScoredGrasp> FindSuctionGrasps(const GraspScene& scene, const Detect
   for (int i = 0; i < num_missed; ++i) failures.Add(NoGrasp::Reason::kTooLittleSeen);
   const auto of_solid = SolidPlaces(scene, object, approach, cup.diameter_m);
   places.insert(places.end(), of_solid.begin(), of_solid.end());
+  const bool any_within_reach = std::any_of(places.begin(), places.end(), [&](const auto& place) {
+    return IsWithinReach(place, gripper, approach, preferred);
+  });
   std::vector<ScoredGrasp> grasps;
   for (const SuctionPlace& place : places) {
     InterruptionPoint();
     const Eigen::Vector3f& normal = place.normal;
     const float noise = kNoise_m + kNoisePerM * place.center.z() * place.center.z();
-    if (const auto reason = WhyNot(place, gripper, approach, preferred, noise)) {
-      if (!place.of_solid) failures.Add(*reason);
+    if (!IsWithinReach(place, gripper, approach, preferred)) {
+      // The front of a box says nothing of its top.
+      if (!place.of_solid && !any_within_reach) failures.Add(NoGrasp::Reason::kSloped);
+      continue;
+    }
+    if (!Seals(place, cup, noise)) {
+      if (!place.of_solid) failures.Add(NoGrasp::Reason::kNoSeal);
       continue;
     }
     const float back_m = PreGraspDistance(object, solid, grid.frame, place.center);
     const float gap =
         TubeGap(grid, place.center, normal, cup.diameter_m / 2, std::max(kTube_m, back_m));
     if (gap < 0) {
-      failures.Add(NoGrasp::Reason::kNeighbor);
+      failures.Add(WhatBlocksTube(grid, place.center));
       continue;
     }
     const Eigen::Vector3f to_middle = object.box.center - place.center;
@@ -147,6 +163,7 @@ std::vector<ScoredGrasp> FindSuctionGrasps(const GraspScene& scene, const Detect
     t[kTermDisagrees] = normal.cross(seen.normal).norm();
     t[kTermEvenReach] = EvenReach(object, solid, grid.frame, place, cup);
     t[kTermInside] = place.is_inside ? 1 : 0;
+    if (t[kTermEvenReach] < 1) failures.Add(NoGrasp::Reason::kNoSeal);  // over an edge
     Grasp& grasp = scored.grasp;
     grasp.kind = Grasp::Kind::kSuction;
     grasp.gripper = index;

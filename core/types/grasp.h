@@ -53,12 +53,12 @@ struct NoGrasp {
     kTooWide,   // for the opening, wherever it could be taken
     kNeighbor,  // something else is in the way
     kCovered,   // something lies on it
-    kTooLow,    // the fingers would touch what it stands on
-    kSloped,    // its sides would slip out of the fingers
+    kTooLow,    // the hand would touch what it stands on
+    kSloped,    // its sides would slip out of the fingers; suction: no face is within reach
     kCut,       // it is truncated where it would be taken
     kTooLittleSeen,
     kNoSeal,    // suction: no patch is flat and wide enough
-    kUnlikely,  // there are candidates, and none is likely to succeed
+    kUnlikely,  // there are candidates, and none is likely to succeed; or fingers are too short
   };
   std::size_t gripper = 0;
   Reason reason = Reason::kTooLittleSeen;
