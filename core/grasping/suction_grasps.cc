@@ -86,12 +86,25 @@ bool Seals(const SuctionPlace& place, const SuctionGripper& cup, float noise_m) 
   return is_even && place.curvature_per_m <= kMostCurvature * cup.max_curvature_per_m;
 }
 
+// A lip gives way: a gripper that may tilt less than this takes what is no more out of true.
+constexpr float kLipGives_rad = 0.05F;
+
 // Whether a cup reaches the place. The way that the grid is against and the preferred one are the
 // same or both ends of how far the gripper may tilt.
 bool IsWithinReach(const SuctionPlace& place, const Gripper& gripper,
                    const Eigen::Vector3f& approach, const Eigen::Vector3f& preferred) {
   const float cosine = -std::max(place.normal.dot(approach), place.normal.dot(preferred));
-  return cosine >= std::cos(gripper.max_tilt_rad);
+  return cosine >= std::cos(std::max(gripper.max_tilt_rad, kLipGives_rad));
+}
+
+// Out of the place: its normal or, where the gripper may not tilt that far, as near to it as it
+// may.
+Eigen::Vector3f AxisAt(const SuctionPlace& place, const Gripper& gripper,
+                       const Eigen::Vector3f& preferred) {
+  const float along = -place.normal.dot(preferred), most = std::cos(gripper.max_tilt_rad);
+  if (along >= most) return place.normal;
+  const Eigen::Vector3f aside = (place.normal + along * preferred).normalized();
+  return std::sqrt(1 - most * most) * aside - most * preferred;
 }
 
 // What is in the way of the tube.
@@ -127,7 +140,7 @@ std::vector<ScoredGrasp> FindSuctionGrasps(const GraspScene& scene, const Detect
   std::vector<ScoredGrasp> grasps;
   for (const SuctionPlace& place : places) {
     InterruptionPoint();
-    const Eigen::Vector3f& normal = place.normal;
+    const Eigen::Vector3f normal = AxisAt(place, gripper, preferred);
     const float noise = kNoise_m + kNoisePerM * place.center.z() * place.center.z();
     if (!IsWithinReach(place, gripper, approach, preferred)) {
       // The front of a box says nothing of its top.

@@ -46,5 +46,24 @@ TEST(SuctionGrasps, NoCupThatIsSaidToFitHangsOverAnEdge) {
   EXPECT_FLOAT_EQ(widest_m, 0.06F);  // in the middle, three times as wide
 }
 
+TEST(SuctionGrasps, AnAxisThatCannotTiltTakesWhatIsLevelButForItsNoise) {
+  Gripper gripper = CupOf(0.03F);
+  const Eigen::Vector3f up =
+      TakenByCup(Thing(ShapeKind::kBox, {0.12, 0.1, 0.08}, {0, 0}, 0), gripper).box.rotation.col(2);
+  const Eigen::Vector3f aside = up.unitOrthogonal();
+  for (const float tilt_rad : {0.0F, 0.01F}) {
+    for (const float off_rad : {0.0F, 0.03F, 0.1F}) {
+      gripper.max_tilt_rad = tilt_rad;
+      gripper.approach = -std::cos(off_rad) * up + std::sin(off_rad) * aside;
+      const DetectedObject box =
+          TakenByCup(Thing(ShapeKind::kBox, {0.12, 0.1, 0.08}, {0, 0}, 0), gripper);
+      EXPECT_EQ(box.grasps.empty(), off_rad > 0.05F) << tilt_rad << " " << off_rad;
+      for (const Grasp& grasp : box.grasps) {
+        EXPECT_LE((grasp.approach - *gripper.approach).norm(), tilt_rad + 1e-5F) << off_rad;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace fovea
