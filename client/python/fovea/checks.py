@@ -35,8 +35,10 @@ def positive(value: Any, field: str, name: str) -> float:
 
 
 def _is_finite(value: Any) -> bool:
+    """True and False are integers to Python, and no numbers to who gives a length."""
     try:
-        return isinstance(value, _REAL) and math.isfinite(value)
+        is_number = isinstance(value, _REAL) and not isinstance(value, bool)
+        return is_number and math.isfinite(value)
     except OverflowError:  # an integer beyond what a float holds
         return False
 

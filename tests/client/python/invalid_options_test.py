@@ -76,6 +76,8 @@ LOCAL_OPTIONS += [
     _of_gripper(".approach", "shape (1,), not (3,)", approach=(1,)),
     _of_gripper(".max_grasps", "0 is not a whole number from 1", max_grasps=0),
     _of_gripper(".max_tilt_rad", "nan is not a finite number", max_tilt_rad=np.nan),
+    _of_gripper(".min_probability", "True is not a finite number", min_probability=True),
+    _of_gripper(".jaw.max_opening_m", "max_opening_m=True is not", max_opening_m=True),
 ]
 
 
