@@ -84,7 +84,7 @@ Gripper GripperFromProto(const v1::Gripper& proto, const std::string& path) {
   if (proto.has_approach()) {
     const Eigen::Vector3d approach = FromProto(proto.approach());
     RequireField(std::abs(approach.norm() - 1) < kUnit, path + ".approach",
-                 "must be a unit vector");
+                 "must be a unit vector; its length is " + std::to_string(approach.norm()));
     gripper.approach = approach.normalized().cast<float>();
   }
   if (proto.has_max_tilt_rad()) {

@@ -64,8 +64,9 @@ TEST(Grippers, AWrongFieldIsNamed) {
               StartsWith("options.grasps.grippers[0].jaw.friction: "));
   EXPECT_THAT(error_of([](auto& g) { g.mutable_suction()->set_diameter_m(1); }),
               StartsWith("options.grasps.grippers[0].suction.diameter_m: "));
-  EXPECT_THAT(error_of([](auto& g) { g.mutable_approach()->set_x(2); }),
-              StartsWith("options.grasps.grippers[0].approach: "));
+  EXPECT_THAT(
+      error_of([](auto& g) { g.mutable_approach()->set_x(2); }),
+      StartsWith("options.grasps.grippers[0].approach: must be a unit vector; its length is 2"));
   EXPECT_THAT(error_of([](auto& g) { g.set_max_tilt_rad(2); }),
               StartsWith("options.grasps.grippers[0].max_tilt_rad: "));
   EXPECT_THAT(error_of([](auto& g) { g.set_max_grasps(21); }),
