@@ -96,8 +96,8 @@ bool JawCloser::AgreeWithColumns() const {
   return agree(0) && agree(1);
 }
 
-// `is_exact`: of a solid; then the levels next to the first to touch tell how it slopes even where
-// they lie far behind it. `sign`: of where the finger comes from, against closing.
+// `is_exact`: of a solid; then the levels and rows next to the first to touch tell how it slopes
+// even where they lie far behind it. `sign`: of where the finger comes from, against closing.
 void JawCloser::SetContact(const Reaches& reaches, const JawPlace& place, float sign, float patch_m,
                            bool is_exact, JawContact& contact) {
   constexpr float kNextLevel_m = 0.0065F;
@@ -106,13 +106,17 @@ void JawCloser::SetContact(const Reaches& reaches, const JawPlace& place, float 
     if (reach.outwards_m > first.outwards_m) first = reach;
   }
   const float farthest = first.outwards_m;
+  const float next_row_m = 1.3F * gripper_.finger_width_m / (kRows - 1);
   constexpr float kFar_m = 1;
   Span across = {kFar_m, -kFar_m}, above = {kFar_m, -kFar_m};
   contact.places.clear();
   near_.clear();
   for (const PadReach& reach : reaches) {
-    const bool is_next = is_exact && reach.across_m == first.across_m &&
-                         std::abs(reach.height_m - first.height_m) < kNextLevel_m;
+    const bool is_next_level = reach.across_m == first.across_m &&
+                               std::abs(reach.height_m - first.height_m) < kNextLevel_m;
+    const bool is_next_row =
+        reach.height_m == first.height_m && std::abs(reach.across_m - first.across_m) < next_row_m;
+    const bool is_next = is_exact && (is_next_level || is_next_row);
     if (reach.outwards_m < farthest - 2 * patch_m && !is_next) continue;
     near_.push_back(reach);
     if (reach.outwards_m < farthest - patch_m) continue;
@@ -122,6 +126,7 @@ void JawCloser::SetContact(const Reaches& reaches, const JawPlace& place, float 
     contact.places.push_back(
         turned_.ToGrid(sign * reach.outwards_m, reach.across_m, reach.height_m));
   }
+  contact.is_exact = is_exact;
   contact.along_m = sign * farthest;
   contact.share =
       std::clamp((across.high - across.low) / std::max(gripper_.finger_width_m, 1e-4F), 0.0F, 1.0F);

@@ -17,6 +17,7 @@ struct JawContact {
   float slope_across = 0;      // of the surface there against the pad, as a tangent: across the pad
   float slope_down = 0;        // and along it
   float share = 0;             // of the pad's width that touches
+  bool is_exact = false;       // of a solid that is known, not of columns
   Span across_m, above_tip_m;  // where it touches: across the pads, and from the tip up
   std::vector<Eigen::Vector3f> places;  // that touch, in the grid's frame
 };

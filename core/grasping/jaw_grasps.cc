@@ -117,7 +117,9 @@ struct Turn {
 
 void AddGrasp(const Turn& turn, const JawPlace& place, const std::array<JawContact, 2>& contacts,
               const GraspTerms& of_object, JawHand& hand) {
-  constexpr float kTooSteep = 1.5F;  // times the friction coefficient
+  // Times the friction coefficient: of what columns tell, and of a solid.
+  constexpr float kTooSteep = 1.5F, kTooSteepOfSolid = 1.1F;
+  constexpr float kFittedFriction = 0.5F;
   const float width = contacts[1].along_m - contacts[0].along_m;
   const float middle = (contacts[1].along_m + contacts[0].along_m) / 2;
   if (contacts[0].places.empty() || contacts[1].places.empty() || width <= 0) return;
@@ -128,7 +130,8 @@ void AddGrasp(const Turn& turn, const JawPlace& place, const std::array<JawConta
   };
   const float across = steepest(contacts[0].slope_across, contacts[1].slope_across, line.x());
   const float down = steepest(contacts[0].slope_down, contacts[1].slope_down, line.y());
-  if (std::max(across, down) > kTooSteep * hand.jaw.friction) {
+  const float too_steep = contacts[0].is_exact ? kTooSteepOfSolid : kTooSteep;
+  if (std::max(across, down) > too_steep * hand.jaw.friction) {
     return hand.failures.Add(NoGrasp::Reason::kSloped);
   }
   ScoredGrasp scored;
@@ -138,8 +141,10 @@ void AddGrasp(const Turn& turn, const JawPlace& place, const std::array<JawConta
   t[kTermClearance] = kCentimetres * place.clearance_m;
   t[kTermTipGap] = kCentimetres * place.tip_gap_m;
   t[kTermPalmGap] = kCentimetres * place.palm_gap_m;
-  t[kTermSlopeAcross] = across;
-  t[kTermSlopeDown] = down;
+  // The model was fitted with one friction: what is half as rough slips on half the slope.
+  const float steeper = kFittedFriction / std::max(0.001F, hand.jaw.friction);
+  t[kTermSlopeAcross] = steeper * across;
+  t[kTermSlopeDown] = steeper * down;
   t[kTermContactWidth] = std::min(contacts[0].share, contacts[1].share);
   t[kTermContactDepth] =
       kCentimetres * std::min({0.025F, contacts[0].above_tip_m.high, contacts[1].above_tip_m.high});

@@ -90,6 +90,14 @@ TEST_F(AroundACylinder, WhatIsBesideTheMiddleSlopes) {
   EXPECT_NEAR(contacts[1].share, 0, 1e-6F);  // its edge alone touches
 }
 
+// 50 mm from it, what is in front of the next row of the pad lies 8 mm behind the first.
+TEST_F(AroundACylinder, WhereOneRowTouchesTheNextTellsTheSlope) {
+  for (const JawContact& contact : CloseOn(0.05F, false)) {
+    EXPECT_NEAR(std::abs(contact.along_m), 0.03F, 1e-6F);
+    EXPECT_LT(contact.slope_across, -1.2F);
+  }
+}
+
 TEST_F(AroundACylinder, OfAPartTheColumnsTell) {
   const auto contacts = CloseOn(0, true);
   EXPECT_NEAR(contacts[0].along_m, -0.05F, grid_.cell_m);

@@ -264,9 +264,9 @@ TEST(PlanGrasps, WhoAllowsLessLikelyGraspsGetsMore) {
   careful.max_grasps = bold.max_grasps = 20;
   careful.min_probability = 0.9F;
   bold.min_probability = 0.05F;
-  // Hardly narrower than the hand: its grasps are not likely.
+  // Wider than the hand, which holds it above its middle, where it slopes nearly too much.
   const auto objects =
-      Plan({Thing(ShapeKind::kBox, {0.14, 0.083, 0.1}, {0, 0}, 0)}, {careful, bold});
+      Plan({Thing(ShapeKind::kSphere, {0.089, 0.089, 0.089}, {0, 0}, 0)}, {careful, bold});
   int num_careful = 0, num_bold = 0, num_unlikely = 0;
   for (const Grasp& grasp : objects[0].grasps) {
     (grasp.gripper == 0 ? num_careful : num_bold) += 1;
