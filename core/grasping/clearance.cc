@@ -64,17 +64,26 @@ class Nearest {
         hand_(hand),
         floor_(objects[target].box) {}
 
-  // Some of the pixels, then all around the nearest of these.
+  // Some of the pixels, then all around those beside which something nearer may be.
   void LookAtPoints() {
     constexpr int kMostPixels = 900;
+    constexpr std::size_t kMostPlaces = 12;
     const cv::Rect part = PartAround(scene_, hand_);
     const int step = std::max(1, cvCeil(std::sqrt(part.area() / static_cast<double>(kMostPixels))));
-    const TwoNearest some = NearestIn(part, step);
-    squared_ = some.second;
-    if (step == 1 || some.first == kFarthestSquared) return;
-    const cv::Rect around(some.pixel - cv::Point(step, step),
-                          some.pixel + cv::Point(step + 1, step + 1));
-    squared_ = std::min(squared_, NearestIn(part & around, 1).second);
+    std::vector<Place> places;
+    squared_ = NearestIn(part, step, places);
+    if (step == 1) return;
+    std::sort(places.begin(), places.end(),
+              [](const Place& a, const Place& b) { return a.least_m < b.least_m; });
+    places.resize(std::min(places.size(), kMostPlaces));
+    std::vector<Place> ignored;
+    const int half = step / 2 + 1;
+    for (const Place& place : places) {
+      if (place.least_m > std::sqrt(squared_)) break;
+      const cv::Rect around(place.pixel - cv::Point(half, half),
+                            place.pixel + cv::Point(half + 1, half + 1));
+      squared_ = std::min(squared_, NearestIn(part & around, 1, ignored));
+    }
   }
 
   // Where it was not seen to be missing.
@@ -104,21 +113,30 @@ class Nearest {
   // Squared distances, no farther than what is told.
   struct TwoNearest {
     float first = kFarthestSquared, second = kFarthestSquared;
-    cv::Point pixel;  // of the first
   };
 
-  TwoNearest NearestIn(const cv::Rect& part, int step) const {
+  // A pixel, and how near to the hand what is seen around it may be.
+  struct Place {
+    float least_m = 0;
+    cv::Point pixel;
+  };
+
+  // The second smallest squared distance: the smallest may be noise. Appends to `places` the pixels
+  // between which something may be that is near enough to be told of.
+  float NearestIn(const cv::Rect& part, int step, std::vector<Place>& places) const {
     TwoNearest nearest;
     for (int row = part.y; row < part.br().y; row += step) {
       for (int first = part.x; first < part.br().x; first += step * SweptHand::kTogether) {
-        LookAtSome({first, row}, part.br().x, step, nearest);
+        LookAtSome({first, row}, part.br().x, step, nearest, places);
       }
     }
-    return nearest;
+    return nearest.second;
   }
 
   // Pixels of a row from the first on.
-  void LookAtSome(const cv::Point& first, int end, int step, TwoNearest& nearest) const {
+  void LookAtSome(const cv::Point& first, int end, int step, TwoNearest& nearest,
+                  std::vector<Place>& places) const {
+    constexpr float kSlanted = 1.5F;  // farther apart than on what faces the camera
     const auto* points = scene_.points.ptr<Eigen::Vector3f>(first.y) + first.x;
     SweptHand::Each x, y, z;
     const int num = std::min(SweptHand::kTogether, (end - first.x + step - 1) / step);
@@ -127,13 +145,14 @@ class Nearest {
       x[i] = point.x(), y[i] = point.y(), z[i] = point.z();
     }
     const SweptHand::Each squared = hand_.SquaredDistances(x, y, z);
+    const float apart = kSlanted * static_cast<float>((step - 1) / scene_.intrinsics.fx_px);
     for (int i = 0; i < num; ++i) {
+      const float within = kFarthestClearance_m + apart * z[i];
       const cv::Point pixel(first.x + i * step, first.y);
-      if (squared[i] >= nearest.second || !Counts(pixel.y, pixel.x)) continue;
-      nearest.second = std::max(nearest.first, squared[i]);
-      if (squared[i] >= nearest.first) continue;
-      nearest.first = squared[i];
-      nearest.pixel = pixel;
+      if (!(squared[i] < within * within) || !Counts(pixel.y, pixel.x)) continue;
+      if (step > 1) places.push_back({std::sqrt(squared[i]) - apart * z[i], pixel});
+      nearest.second = std::min(nearest.second, std::max(nearest.first, squared[i]));
+      nearest.first = std::min(nearest.first, squared[i]);
     }
   }
 

@@ -93,6 +93,21 @@ TEST(ClearanceOf, CountsWhatIsBesideAndUnderTheFingers) {
   EXPECT_NEAR(scene.Clearance(), 0.005F, kPixel_m);
 }
 
+// Some of the pixels are looked at first: where they meet the farther of two things nearly at its
+// edge and the nearer one not so, that is the nearer one still.
+TEST(ClearanceOf, CountsTheNearerOfTwoThingsWhereverTheirEdgesAre) {
+  for (int left = 0; left < 4; ++left) {
+    for (int right = 0; right < 4; ++right) {
+      TakenFromAbove scene;
+      const float nearer_m = 0.006F + kPixel_m * static_cast<float>(right);
+      const float farther_m = nearer_m + 0.003F + kPixel_m * static_cast<float>(left);
+      scene.Add({0.0525F + nearer_m, -0.01F}, {0.1F, 0.01F}, 0.89F, 2);
+      scene.Add({-0.1F, -0.01F}, {-0.0525F - farther_m, 0.01F}, 0.89F, 2);
+      EXPECT_NEAR(scene.Clearance(), nearer_m, kPixel_m) << left << " " << right;
+    }
+  }
+}
+
 TEST(ClearanceOf, CountsWhatIsInTheWayIn) {
   TakenFromAbove scene;  // 0.1 m long, before palm and fingers
   scene.Add({0.0605F, -0.01F}, {0.1F, 0.01F}, 0.8F, 2);
