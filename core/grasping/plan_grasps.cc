@@ -27,6 +27,13 @@ float ReachOf(const Gripper& gripper) {
   return std::visit([](const auto& hand) { return ExtentOf(hand); }, gripper.hand) + kRoom_m;
 }
 
+// Hands of which none needs more than twice the room of another share a grid, and so do all that
+// need little: a much wider one would have coarser cells.
+int WidthClassOf(const Gripper& gripper) {
+  constexpr float kLittle_m = 0.12F;
+  return std::max(0, std::ilogb(2 * ReachOf(gripper) / kLittle_m));
+}
+
 // The ways in that are tried: the preferred one, and where the gripper may tilt nearly that far,
 // away from the camera, as level as it may.
 std::vector<Eigen::Vector3f> ApproachesOf(const Gripper& gripper, const Eigen::Vector3f& up,
@@ -53,9 +60,7 @@ class Planner {
  public:
   Planner(const GraspScene& scene, const std::vector<Gripper>& grippers,
           const std::vector<DetectedObject>& objects)
-      : scene_(scene), grippers_(grippers), objects_(objects) {
-    for (const Gripper& gripper : grippers) reach_m_ = std::max(reach_m_, ReachOf(gripper));
-  }
+      : scene_(scene), grippers_(grippers), objects_(objects) {}
 
   // What was found for each gripper, and what failed.
   struct Found {
@@ -66,9 +71,11 @@ class Planner {
   std::vector<Found> PlanFor(std::size_t target) const {
     std::vector<Found> found(grippers_.size());
     const Target at = {target, TermsOfObject(scene_, objects_[target])};
-    for (const auto& [approach, grippers] : GrippersByApproach(objects_[target])) {
+    for (const auto& [approach, width_class, grippers] : GroupsFor(objects_[target])) {
       InterruptionPoint();
-      const HandGrid grid = BuildHandGrid(scene_, objects_, target, approach, reach_m_);
+      float reach_m = 0;
+      for (const std::size_t g : grippers) reach_m = std::max(reach_m, ReachOf(grippers_[g]));
+      const HandGrid grid = BuildHandGrid(scene_, objects_, target, approach, reach_m);
       FindWithJaws(at, grippers, grid, found);
       FindWithCups(at, grippers, grid, found);
     }
@@ -83,16 +90,23 @@ class Planner {
     GraspTerms terms;
   };
 
-  // Those that move in the same way share a grid.
-  std::vector<std::pair<Eigen::Vector3f, std::vector<std::size_t>>> GrippersByApproach(
-      const DetectedObject& object) const {
-    std::vector<std::pair<Eigen::Vector3f, std::vector<std::size_t>>> groups;
+  // Those that move in the same way and are about as wide share a grid.
+  struct Group {
+    Eigen::Vector3f approach;
+    int width_class;
+    std::vector<std::size_t> grippers;
+  };
+
+  std::vector<Group> GroupsFor(const DetectedObject& object) const {
+    std::vector<Group> groups;
     for (std::size_t g = 0; g < grippers_.size(); ++g) {
+      const int width_class = WidthClassOf(grippers_[g]);
       for (const Eigen::Vector3f& approach : ApproachesOf(grippers_[g], scene_.up, object)) {
-        auto known = std::find_if(groups.begin(), groups.end(),
-                                  [&](const auto& entry) { return entry.first == approach; });
-        if (known == groups.end()) known = groups.insert(groups.end(), {approach, {}});
-        known->second.push_back(g);
+        auto known = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
+          return group.approach == approach && group.width_class == width_class;
+        });
+        if (known == groups.end()) known = groups.insert(known, {approach, width_class, {}});
+        known->grippers.push_back(g);
       }
     }
     return groups;
@@ -129,7 +143,6 @@ class Planner {
   const GraspScene& scene_;
   const std::vector<Gripper>& grippers_;
   const std::vector<DetectedObject>& objects_;
-  float reach_m_ = 0;
 };
 
 NoGrasp::Reason ReasonOf(const Planner::Found& found, const DetectedObject& object) {
