@@ -170,7 +170,7 @@ void AddGrasp(const Turn& turn, const JawPlace& place, const std::array<JawConta
   grasp.opening_m = width;
   grasp.pre_grasp_opening_m = opened;
   grasp.pre_grasp_distance_m = std::max(kLeastPreGrasp_m, place.depth_m + kPreGraspBeyond_m);
-  grasp.unseen_contacts = t[kTermUnseenContacts];
+  grasp.unseen_contacts = turn.object.depth_missing ? 1 : t[kTermUnseenContacts];
   scored.family = FamilyOf(grasp.kind);
   hand.grasps.push_back(scored);
 }

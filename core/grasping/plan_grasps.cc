@@ -56,6 +56,12 @@ std::vector<Eigen::Vector3f> ApproachesOf(const Gripper& gripper, const Eigen::V
   return approaches;
 }
 
+// Of what has no depth its box is a guess, which the model knows nothing of.
+void DoubtAll(std::vector<ScoredGrasp>& grasps) {
+  constexpr float kHeld = 0.6F;  // of those that it calls sure
+  for (ScoredGrasp& scored : grasps) scored.grasp.probability *= kHeld;
+}
+
 class Planner {
  public:
   Planner(const GraspScene& scene, const std::vector<Gripper>& grippers,
@@ -80,7 +86,10 @@ class Planner {
       FindWithCups(at, grippers, grid, found);
     }
     const GraspModel& model = FittedGraspModel();
-    for (Found& own : found) model.SetProbabilities(own.grasps);
+    for (Found& own : found) {
+      model.SetProbabilities(own.grasps);
+      if (objects_[target].depth_missing) DoubtAll(own.grasps);
+    }
     return found;
   }
 

@@ -146,7 +146,9 @@ CompletedSolid::CompletedSolid(const DetectedObject& object, const LevelFrame& f
     return;
   }
   if (has_axis || shape.kind == Shape::Kind::kSphere) center_ = frame.FromCamera(shape.center);
-  is_known_ = shape.kind != Shape::Kind::kOther || shape.form != Shape::Form::kUnknown;
+  // Of what has no depth nothing but the box is known: its points are a guess at the box's front.
+  is_known_ = object.depth_missing || shape.kind != Shape::Kind::kOther ||
+              shape.form != Shape::Form::kUnknown;
   pieces_ = PiecesOf(object);
 }
 

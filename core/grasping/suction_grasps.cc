@@ -186,7 +186,7 @@ std::vector<ScoredGrasp> FindSuctionGrasps(const GraspScene& scene, const Detect
     grasp.pre_grasp_distance_m = back_m;
     grasp.clearance_m = gap;
     grasp.unevenness_m = seen.unevenness_m;
-    grasp.unseen_contacts = 1 - seen.covered;
+    grasp.unseen_contacts = object.depth_missing ? 1 : 1 - seen.covered;
     grasp.off_center_m = off_center;
     const WidestCup widest = WidestAt(scene, object, solid, grid.frame, place, cup, noise);
     grasp.usable_diameter_m = widest.on_whole * cup.diameter_m;

@@ -41,6 +41,16 @@ TEST(GraspRequests, WhatIsSmoothIsNotHeldWhereItSlopes) {
   EXPECT_FALSE(GraspsOf(box, {FingersThatOpen(0.085F, 0.25F)}).empty());
 }
 
+TEST(GraspRequests, NothingIsSeenAndLittleSureWithoutDepth) {
+  const scenes::Body box = Thing(ShapeKind::kBox, {0.1, 0.06, 0.1}, {0, 0}, 0);
+  const auto grasps = GraspsOf(box, {FingersThatOpen(0.14F)}, true);
+  EXPECT_FALSE(grasps.empty());
+  for (const Grasp& grasp : grasps) {
+    EXPECT_EQ(grasp.unseen_contacts, 1);
+    EXPECT_LE(grasp.probability, 0.6F);
+  }
+}
+
 TEST(GraspRequests, AMuchWiderHandBesideItChangesNothing) {
   const scenes::Body box = Thing(ShapeKind::kBox, {0.1, 0.06, 0.1}, {0, 0}, 0, 0.4);
   const Gripper jaw = FingersThatOpen(0.085F);
