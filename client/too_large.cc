@@ -17,7 +17,8 @@ std::string Mebibytes(std::uint64_t bytes) {
 
 }  // namespace
 
-// The text is that of gRPC 1.51; others stay as they are.
+// The text is that of gRPC 1.51; others stay as they are. A frame is taken for an answer where the
+// server takes exactly as much as this client.
 grpc::Status SayingWhatIsTooLarge(const grpc::Status& status, int max_answer_mib) {
   std::uint64_t size = 0, most = 0;
   const std::string text = status.error_message();

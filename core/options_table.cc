@@ -229,7 +229,7 @@ const std::vector<OptionEntry>& OptionTable() {
              [](auto& o) { return &o.objects.selection.max_objects; }),
       OfBoth("objects.min_pixels", 0, 100000, "smaller objects are dropped; pixels at 640x480",
              [](auto& o) { return &o.objects.selection.min_pixels; }),
-      OfBoth("objects.box.max_gap_m", 0, 1, "a box reaches down to a support this close; metres",
+      OfBoth("objects.box.max_gap_m", 0, 1, "a box ends at a support this close; metres",
              [](auto& o) { return &o.objects.box.max_gap_m; }),
   };
   return table;

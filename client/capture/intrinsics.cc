@@ -51,8 +51,9 @@ KnownIntrinsics ReadIntrinsics(const IntrinsicsFlags& flags) {
   if (!flags.calibration_path.empty()) {
     known.camera = cli::IntrinsicsInFile(flags.calibration_path);
   }
-  if (!flags.numbers_or_file.empty())
+  if (!flags.numbers_or_file.empty()) {
     known.camera = cli::ReadIntrinsics(flags.numbers_or_file, "--intrinsics");
+  }
   return known;
 }
 

@@ -204,8 +204,8 @@ std::string History::Shortage() const {
   return fmt::format("holds less than {:g} minutes: {}", minutes.count(), shortage_);
 }
 
-void History::DropAll(Robots::iterator robot) {
-  for (std::size_t left = robot->second.frames.size(); left > 0; --left) DropOldest(robot);
+void History::DropAll(Robots::iterator robot, const char* why) {
+  for (std::size_t left = robot->second.frames.size(); left > 0; --left) DropForRoom(robot, why);
 }
 
 // Before a frame of this size is written, so that what is on disk never takes more than it may.
@@ -235,7 +235,7 @@ void History::Bound(const std::string& name) {
   while (robots_.size() > limits_.max_robots) {
     const auto quietest = std::ranges::min_element(
         robots_, {}, [](const auto& each) { return each.second.frames.back().id; });
-    DropAll(quietest);
+    DropAll(quietest, "it has the most robots");
   }
   while (num_frames_ > limits_.max_frames || bytes_ > limits_.max_bytes) {
     DropForRoom(Oldest(), bytes_ > limits_.max_bytes ? kTooLittle : "it has the most frames");

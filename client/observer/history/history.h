@@ -95,7 +95,7 @@ class History {
   void Write(const HistoryRecord& record, std::uint64_t id, std::uint64_t bytes);
   void DropOldest(Robots::iterator robot);
   void DropForRoom(Robots::iterator robot, const char* why);
-  void DropAll(Robots::iterator robot);
+  void DropAll(Robots::iterator robot, const char* why);
   Robots::iterator Oldest();  // the robot that has the oldest frame; there must be one
   void MakeRoom(const std::string& robot, std::uint64_t bytes);
   void Bound(const std::string& robot);
