@@ -43,14 +43,12 @@ void Abort(int fd) {
   if (connect(fd, &none, sizeof none) != 0) shutdown(fd, SHUT_RDWR);  // a UNIX socket
 }
 
-// gRPC closes a connection once it has said that a handshake failed. Another one that ends by
-// itself just then may be taken for it.
-void LogStranger(const std::string& peer) {
-  const bool failed = TakeFailedHandshake();
+void LogStranger(const std::string& peer, bool failed) {
   LogLimited(failed ? "handshake failed" : "connection of a stranger",
              failed ? spdlog::level::warn : spdlog::level::debug,
              "connection of " + peer + " ended before a call was let in" +
-                 (failed ? ", and a handshake has failed" : ""));
+                 (failed ? ", and a handshake has failed" : ""),
+             HostOfPeer(peer));
 }
 
 }  // namespace
@@ -85,9 +83,13 @@ void ConnectionTable::Remove(int watched) {
   const auto found = connections_.find(watched);
   if (found == connections_.end()) return;
   Connection& connection = found->second;
+  // gRPC closes a connection once it has said that a handshake failed. Another one that ends just
+  // then may be taken for it. Calls of UNIX sockets are those of all of them.
+  const bool is_stranger = !connection.account.admitted();
+  const bool failed = (is_stranger || IsUnixPeer(connection.peer)) && TakeFailedHandshake();
   if (!connection.ended) {
     GiveBackPlace(connection);
-    if (!connection.account.admitted()) LogStranger(connection.peer);
+    if (is_stranger) LogStranger(connection.peer, failed);
   }
   const auto by_peer = by_peer_.find(connection.peer);
   if (by_peer != by_peer_.end() && by_peer->second == watched) by_peer_.erase(by_peer);

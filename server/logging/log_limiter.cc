@@ -21,17 +21,17 @@ void LogLeftOut(const std::string& kind, std::uint64_t count, spdlog::level::lev
 }  // namespace
 
 bool LogLimiter::Admit(const std::string& kind, spdlog::level::level_enum level,
-                       const std::string& robot, Clock::time_point now) {
+                       const std::string& who, Clock::time_point now) {
   Summarize(now);
   const std::lock_guard lock(mutex_);
   const auto [found, is_new] = kinds_.try_emplace(kind);
   Kind& of_kind = found->second;
   if (is_new) of_kind.since = now;
   of_kind.level = level;
-  const bool is_first = !robot.empty() && !of_kind.robots.contains(robot);
-  if (of_kind.written < kLines + (is_first ? kMostRobots : 0)) {
+  const bool is_first = !who.empty() && !of_kind.callers.contains(who);
+  if (of_kind.written < kLines + (is_first ? kMostCallers : 0)) {
     ++of_kind.written;
-    if (is_first) of_kind.robots.insert(robot);
+    if (is_first) of_kind.callers.insert(who);
     return true;
   }
   ++of_kind.left_out;
@@ -57,8 +57,8 @@ LogLimiter& LogLimiter::Global() {
 }
 
 void LogLimited(const std::string& kind, spdlog::level::level_enum level,
-                const std::string& message) {
-  if (!LogLimiter::Global().Admit(kind, level)) return;
+                const std::string& message, const std::string& who) {
+  if (!LogLimiter::Global().Admit(kind, level, who)) return;
   const std::size_t size = message.find_last_not_of('\n') + 1;  // what OpenCV says ends a line
   spdlog::log(level, flags::OneLine(message.substr(0, size)));
 }

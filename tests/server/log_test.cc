@@ -168,7 +168,7 @@ TEST(LogLimiter, ARobotThatFloodsHidesNoOther) {
   // Nor do names by the thousand fill the log.
   int written = 0;
   for (int i = 0; i < 1000; ++i) written += admits("name" + std::to_string(i)) ? 1 : 0;
-  EXPECT_EQ(written, LogLimiter::kMostRobots - 1);
+  EXPECT_EQ(written, LogLimiter::kMostCallers - 1);
 }
 
 TEST(LogRecord, TakesTextFromOutsideThatIsHarmless) {
