@@ -3,6 +3,7 @@
 #include <google/protobuf/util/time_util.h>
 
 #include <chrono>
+#include <memory>
 
 #include "server/error_details.h"
 
@@ -21,13 +22,15 @@ grpc::Status StatusOfGreatAge() {
 }
 
 void SetError(const grpc::Status& status, v1::DetectStreamResponse* response) {
-  response->mutable_error()->set_code(status.error_code());
-  response->mutable_error()->set_message(status.error_message());
-  response->mutable_error()->set_field(FieldOf(status));
+  auto error = std::make_unique<v1::FrameError>();  // all of it or, without memory, none
+  error->set_code(status.error_code());
+  error->set_message(status.error_message());
+  error->set_field(FieldOf(status));
   if (const auto retry_after = RetryAfterOf(status)) {
-    *response->mutable_error()->mutable_retry_after() =
+    *error->mutable_retry_after() =
         google::protobuf::util::TimeUtil::MillisecondsToDuration(retry_after->count());
   }
+  response->set_allocated_error(error.release());
 }
 
 }  // namespace fovea::server

@@ -221,6 +221,11 @@ void StreamCall::DeliverOrEnd() {
 void StreamCall::Deliver() {
   if (listening_) pick_ = environment_.picks->Take(caller_.robot());
   if (pick_) *response_.mutable_pick() = pick_->pick();
+  // There was no memory even to say so.
+  if (response_.outcome_case() == v1::DetectStreamResponse::OUTCOME_NOT_SET) {
+    SetError({grpc::StatusCode::INTERNAL, "internal error; the server's log says more"},
+             &response_);
+  }
   if (response_.has_error()) response_.mutable_error()->set_request_id(caller_.request_id());
   const grpc::ByteBuffer bytes = BytesOf(response_);
   response_ = {};
@@ -246,16 +251,32 @@ void StreamCall::ComputeOrSayWhyNot() {
   try {
     status = Compute(received, began);
   } catch (...) {  // there may be no memory for the message itself
+    response_.clear_outcome();
     status = StatusOfCurrentException();
     environment_.answerer.Refuse({.received = received.at, .began = began}, caller_, status);
   }
-  if (!status.ok()) SetError(status, &response_);
+  if (status.ok()) return;
+  response_.clear_outcome();
+  SetError(status, &response_);
+}
+
+// Without memory for the message its options hold all the same, as those of dropped frames do.
+grpc::Status StreamCall::ParseOrKeepOptions(ReceivedFrame& received,
+                                            v1::DetectStreamRequest* request) {
+  std::optional<std::string> given = OptionBytesOf(received.bytes);
+  try {
+    return Parse(&received.bytes, request);
+  } catch (...) {
+    std::optional<std::string>& newest = given ? given : received.options;
+    if (newest && v1::DetectOptions().ParseFromString(*newest)) options_ = std::move(*newest);
+    throw;
+  }
 }
 
 grpc::Status StreamCall::Compute(ReceivedFrame& received,
                                  std::chrono::steady_clock::time_point began) {
   v1::DetectStreamRequest request;
-  grpc::Status status = received.room ? Parse(&received.bytes, &request) : StatusOfNoRoom();
+  grpc::Status status = received.room ? ParseOrKeepOptions(received, &request) : StatusOfNoRoom();
   received.bytes.Clear();
   received.room.reset();
   response_.set_frame_id(request.frame().id());

@@ -47,6 +47,7 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   void Deliver();
   void ComputeOrSayWhyNot();  // the newest frame into response_
   grpc::Status Compute(ReceivedFrame& received, std::chrono::steady_clock::time_point began);
+  grpc::Status ParseOrKeepOptions(ReceivedFrame& received, v1::DetectStreamRequest* request);
   void Proceed();                     // whatever comes next; mutex_ is held
   void TakeTurn();                    // mutex_ is held
   grpc::Status StatusOfGone() const;  // whoever has ended it

@@ -19,12 +19,26 @@ namespace {
 
 constexpr std::size_t kAny = std::numeric_limits<std::size_t>::max();
 std::atomic<std::size_t> largest_block = kAny;
+std::atomic<int> num_failing_after = 0;  // of the blocks that the same thread wants next
+thread_local int num_failing = 0;
+
+void* BlockOrNull(std::size_t size) {
+  if (size > largest_block) {
+    num_failing = num_failing_after;
+    return nullptr;
+  }
+  if (num_failing > 0) {
+    --num_failing;
+    return nullptr;
+  }
+  return std::malloc(std::max<std::size_t>(size, 1));
+}
 
 }  // namespace
 
 // Of the whole program: there is no other way to have the parser of messages find no memory.
 void* operator new(std::size_t size) {
-  void* const block = size <= largest_block ? std::malloc(std::max<std::size_t>(size, 1)) : nullptr;
+  void* const block = BlockOrNull(size);
   if (block == nullptr) throw std::bad_alloc();
   return block;
 }
@@ -39,7 +53,10 @@ using ::testing::HasSubstr;
 // As long as it lives there is none for an image of this size, which gRPC's own buffers hold.
 class ShortMemory {
  public:
-  ShortMemory() { largest_block = kImage / 2; }
+  explicit ShortMemory(int more_failures = 0) {
+    num_failing_after = more_failures;
+    largest_block = kImage / 2;
+  }
   ~ShortMemory() { largest_block = kAny; }
   ShortMemory(const ShortMemory&) = delete;
   ShortMemory& operator=(const ShortMemory&) = delete;
@@ -86,6 +103,7 @@ TEST(ShortMemory, IsTheAnswerToAFrameOfAStreamThatFindsNone) {
     const auto stream = loopback.client.OpenStream(kPatience);
     v1::DetectStreamRequest request;
     *request.mutable_frame() = ShortMemory::LargeFrame();
+    request.mutable_options()->set_return_masks(true);
     {
       const ShortMemory until_answered;
       ASSERT_TRUE(stream->Send(request));
@@ -93,10 +111,24 @@ TEST(ShortMemory, IsTheAnswerToAFrameOfAStreamThatFindsNone) {
     }
     ExpectAnswered(*loopback.server.metrics(), 1);
     *request.mutable_frame() = TestFrame();
+    request.clear_options();
     ASSERT_TRUE(stream->Send(request));
-    EXPECT_TRUE(stream->Receive()->has_detections());
+    const auto answer = stream->Receive();
+    ASSERT_EQ(answer->detections().objects_size(), 1);
+    EXPECT_TRUE(answer->detections().objects(0).has_mask()) << "its options hold";
   }
   EXPECT_THAT(log.text(), HasSubstr(kSays));
+}
+
+TEST(ShortMemory, HasAnAnswerEvenWhereThereIsNoneToSayWhy) {
+  const CapturedLog log;
+  Loopback loopback(FindOne);
+  const auto stream = loopback.client.OpenStream(kPatience);
+  v1::DetectStreamRequest request;
+  *request.mutable_frame() = ShortMemory::LargeFrame();
+  const ShortMemory until_answered(/*more_failures=*/1);
+  ASSERT_TRUE(stream->Send(request));
+  EXPECT_EQ(stream->Receive()->error().code(), grpc::StatusCode::INTERNAL);
 }
 
 }  // namespace
