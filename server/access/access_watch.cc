@@ -45,7 +45,7 @@ void AccessWatch::Look() {
   }
   check_calls_();
   constexpr std::chrono::hours kRemind{24};
-  if (now - reminded_ >= kRemind) Remind();
+  if (!reminded_ || now - *reminded_ >= kRemind) Remind();
 }
 
 void AccessWatch::Remind() {

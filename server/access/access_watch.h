@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -31,7 +32,8 @@ class AccessWatch {
   GateKeeper& gate_keeper_;
   const ObserverGate& observer_gate_;
   const std::function<void()> check_calls_;
-  std::chrono::steady_clock::time_point reloaded_, reminded_;
+  std::chrono::steady_clock::time_point reloaded_;
+  std::optional<std::chrono::steady_clock::time_point> reminded_;  // none: it is due
   std::string fault_;  // of the files, as it was said last; empty = none
   std::jthread thread_;
 };
