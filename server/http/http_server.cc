@@ -36,7 +36,8 @@ constexpr std::chrono::milliseconds kAfterFailure{100};
 // Few where few files may be open: who looks at metrics does not take those of callers.
 std::size_t MaxConnections() {
   constexpr long kFewest = 4, kMost = 64, kShare = 8;
-  return static_cast<std::size_t>(std::clamp(sysconf(_SC_OPEN_MAX) / kShare, kFewest, kMost));
+  const long files = sysconf(_SC_OPEN_MAX);  // below 0: any number
+  return static_cast<std::size_t>(files < 0 ? kMost : std::clamp(files / kShare, kFewest, kMost));
 }
 
 using Response = http::response<http::string_body>;
