@@ -71,8 +71,8 @@ void LogSlow(const FrameRecord& record) {
   if (record.options != nullptr) {
     line.Text("profile", ProfileOf(*record.options)).Text("options", ChangesOf(*record.options));
   }
-  const bool had_turn = !record.detections.stage_times.empty();
-  if (!had_turn) line.Milliseconds("queue_ms", Milliseconds(record.queued));
+  const bool was_looked_at = !record.detections.stage_times.empty();
+  if (!was_looked_at) line.Milliseconds("queue_ms", Milliseconds(record.queued));
   for (const StageTime& time : record.detections.stage_times) {
     line.Milliseconds(time.stage + "_ms", time.duration_ms);
   }
