@@ -92,6 +92,9 @@ Recording Record(const Flags& flags, const std::vector<ServerLink>& servers) {
 
 int Serve(const Flags& flags) {
   std::signal(SIGPIPE, SIG_IGN);  // a reader of the log that has gone is an error like others
+  // They would end it while it reads its history; HttpServer says that they do nothing.
+  std::signal(SIGUSR1, SIG_IGN);
+  std::signal(SIGUSR2, SIG_IGN);
   fovea::cli::CheckServerAddress(flags.connection.server);
   fovea::flags::RequireListenAddress("--listen", flags.listen);
   RequireProtection(flags);

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
+import subprocess
 import time
 from pathlib import Path
 from typing import Any
@@ -105,5 +106,24 @@ def test_signals_that_do_nothing_end_nothing(tmp_path: Path) -> None:
     ):
         for number in (signal.SIGUSR1, signal.SIGUSR2):
             os.kill(observer.pid, number)
+            end = time.monotonic() + PATIENCE
             while f"{number.name} does nothing here" not in (tmp_path / "log").read_text():
                 assert Visitor(observer.address).get("/").status == 200
+                assert time.monotonic() < end, "the log does not say so"
+
+
+def test_signals_that_do_nothing_end_nothing_at_the_start(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "token")
+    history = ["--history", tmp_path / "history", "--history-token-file", tmp_path / "token"]
+    command = [os.environ["FOVEA_OBSERVER"], "--server", "127.0.0.1:1", "--listen", "127.0.0.1:0"]
+    process = subprocess.Popen([*command, *history], stdout=subprocess.PIPE, text=True)
+    try:
+        with open(tmp_path / "token", "w") as token:  # which it waits for
+            for number in (signal.SIGUSR1, signal.SIGUSR2):
+                os.kill(process.pid, number)
+            token.write("token-of-it")
+        assert process.stdout is not None
+        assert process.stdout.readline().startswith("open http")
+    finally:
+        process.kill()
+        process.wait()
