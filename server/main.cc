@@ -1,5 +1,6 @@
 // fovea-server: flags → options → server → wait for a signal → drain.
 #include <signal.h>
+#include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -73,7 +74,8 @@ void StopGently(fovea::server::Server& server, const fovea::server::ServerOption
   server.StopAdvertising();
   Hold(std::chrono::seconds(options.hold_s));
   const std::size_t num_cancelled = server.Drain();
-  spdlog::info("ended: {} calls were cancelled (--drain-timeout-s)", num_cancelled);
+  spdlog::info("ended: {} cancelled (--drain-timeout-s)",
+               num_cancelled == 1 ? "1 call was" : fmt::format("{} calls were", num_cancelled));
 }
 
 void WarnOfTokens(const fovea::server::ServerOptions& options,
