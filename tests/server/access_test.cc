@@ -233,17 +233,6 @@ TEST_F(Tokens, Expire) {
   EXPECT_EQ(CodeOf(Client(loopback.server.Address(), With("other"))), grpc::StatusCode::OK);
 }
 
-TEST_F(Tokens, AreTakenOverWhenReloaded) {
-  Loopback loopback(FindOne, options_);
-  const Client kitchen(loopback.server.Address(), With("let-me-in"));
-  folder_.Write("tokens", "nonsense");
-  EXPECT_THROW(loopback.server.ReloadAccess(), std::invalid_argument);
-  EXPECT_EQ(CodeOf(kitchen), grpc::StatusCode::OK);
-  folder_.Write("tokens", LineOf("hall", "other"));
-  loopback.server.ReloadAccess();
-  EXPECT_EQ(CodeOf(kitchen), grpc::StatusCode::UNAUTHENTICATED);
-}
-
 TEST_F(Tokens, StayWhereTheFileOfObserversHasAMistake) {
   options_.observers = folder_.Write("observers", "");
   Loopback loopback(FindOne, options_);

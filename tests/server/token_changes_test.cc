@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <functional>
+#include <stdexcept>
 #include <string>
 
 #include "server/access/certificates.h"
@@ -42,6 +43,18 @@ class TokenChanges : public ::testing::Test {
   const TemporaryFolder folder_;
   server::ServerOptions options_ = LoopbackOptions();
 };
+
+TEST_F(TokenChanges, AreTakenOverWhenReloaded) {
+  Loopback loopback(FindOne, options_);
+  const Client client = Kitchen(loopback);
+  const auto detect = [&] { client.Detect(TestRequest()); };
+  WriteTokens("nonsense");
+  EXPECT_THROW(loopback.server.ReloadAccess(), std::invalid_argument);
+  EXPECT_NO_THROW(detect());
+  WriteTokens(std::string("hall ") + kOther);
+  loopback.server.ReloadAccess();
+  EXPECT_EQ(StatusOf(detect).error_code(), grpc::StatusCode::UNAUTHENTICATED);
+}
 
 TEST_F(TokenChanges, ARemovedTokenEndsItsStreams) {
   Loopback loopback(FindOne, options_);
