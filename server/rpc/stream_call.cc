@@ -5,7 +5,6 @@
 
 #include "server/error_details.h"
 #include "server/rpc/option_bytes.h"
-#include "server/rpc/parse.h"
 #include "server/rpc/stream_answer.h"
 #include "server/rpc/untaken_answer.h"
 #include "server/status.h"
@@ -260,34 +259,14 @@ void StreamCall::ComputeOrSayWhyNot() {
   SetError(status, &response_);
 }
 
-// Without memory for the message its options hold all the same, as those of dropped frames do.
-grpc::Status StreamCall::ParseOrKeepOptions(ReceivedFrame& received,
-                                            v1::DetectStreamRequest* request) {
-  std::optional<std::string> given = OptionBytesOf(received.bytes);
-  try {
-    return Parse(&received.bytes, request);
-  } catch (...) {
-    std::optional<std::string>& newest = given ? given : received.options;
-    if (newest && v1::DetectOptions().ParseFromString(*newest)) options_ = std::move(*newest);
-    throw;
-  }
-}
-
 grpc::Status StreamCall::Compute(ReceivedFrame& received,
                                  std::chrono::steady_clock::time_point began) {
   v1::DetectStreamRequest request;
-  grpc::Status status = received.room ? ParseOrKeepOptions(received, &request) : StatusOfNoRoom();
+  grpc::Status status = received.room ? options_.Parse(&received, &request) : StatusOfNoRoom();
   received.bytes.Clear();
   received.room.reset();
   response_.set_frame_id(request.frame().id());
-  if (status.ok() && request.has_options()) {
-    options_ = request.options().SerializeAsString();
-  } else {
-    v1::DetectOptions& options = *request.mutable_options();
-    const bool has_others = received.options && options.ParseFromString(*received.options);
-    if (has_others) options_ = std::move(*received.options);
-    if (!has_others) options.ParseFromString(options_);
-  }
+  options_.Complete(received, &request);
   const FrameRequest frame{.frame = request.has_frame() ? &request.frame() : nullptr,
                            .options = &request.options(),
                            .received = received.at,

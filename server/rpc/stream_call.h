@@ -14,6 +14,7 @@
 #include "server/rpc/caller.h"
 #include "server/rpc/detection_service.h"
 #include "server/rpc/newest_frame.h"
+#include "server/rpc/stream_options.h"
 #include "server/rpc/transfer_limit.h"
 #include "server/stream_tracker.h"
 
@@ -47,7 +48,6 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   void Deliver();
   void ComputeOrSayWhyNot();  // the newest frame into response_
   grpc::Status Compute(ReceivedFrame& received, std::chrono::steady_clock::time_point began);
-  grpc::Status ParseOrKeepOptions(ReceivedFrame& received, v1::DetectStreamRequest* request);
   void Proceed();                     // whatever comes next; mutex_ is held
   void TakeTurn();                    // mutex_ is held
   grpc::Status StatusOfGone() const;  // whoever has ended it
@@ -63,7 +63,7 @@ class StreamCall : public std::enable_shared_from_this<StreamCall> {
   grpc::ServerAsyncReaderWriter<grpc::ByteBuffer, grpc::ByteBuffer> stream_{&context_};
   grpc::ByteBuffer bytes_;             // of the message that is being read
   v1::DetectStreamResponse response_;  // of the frame that is worked on
-  std::string options_;                // the last ones given, up to that frame, in few bytes
+  StreamOptions options_;              // that hold
   StreamTracker tracker_;              // of the frames that were answered
   PickBoard::Listening listening_;     // null where the stream takes no picks
   PickBoard::TakenPtr pick_;           // in response_
