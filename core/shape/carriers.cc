@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
+#include <opencv2/imgproc.hpp>
 
 #include "core/relations/rests_on.h"
 
@@ -10,34 +12,44 @@ namespace fovea {
 namespace {
 
 constexpr float kMaxGap_m = 0.04F;  // where masks reach beyond their things or end before
-// Of an object's points that are above what it stands on; the least of what holds it if nothing
-// else does.
-constexpr float kMinOverlap = 0.3F, kLeastOverlap = 0.1F;
 
-// Of the lowest point that was seen.
-float HeightAboveSupport(const DetectedObject& object, const SupportSurface& support) {
-  const OrientedBox& box = object.visible_box;
-  return support.HeightOf(box.center - box.rotation.col(2) * (box.size_m.z() / 2));
+// Whether the object's middle, as far as it is seen, is above the other's footprint, so that it
+// does not topple off.
+bool IsBalancedOn(const DetectedObject& object, const DetectedObject& other) {
+  constexpr float kMargin_m = 0.015F;
+  const Eigen::Vector3f off =
+      other.box.rotation.transpose() * (object.visible_box.center - other.box.center);
+  const Eigen::Array2f beside = off.head<2>().array().abs();
+  const Eigen::Array2f half = other.box.size_m.head<2>().array() / 2 + kMargin_m;
+  return other.yaw_is_arbitrary ? beside.matrix().norm() <= half.x() : (beside <= half).all();
 }
 
-// Share of the points that are above the box.
-float ShareAbove(const std::vector<ColoredPoint>& cloud, const OrientedBox& box) {
-  std::size_t above = 0;
-  for (const ColoredPoint& p : cloud) {
-    const Eigen::Vector3f at =
-        box.rotation.transpose() * (Eigen::Vector3f(p.x, p.y, p.z) - box.center);
-    above += 2 * std::abs(at.x()) <= box.size_m.x() && 2 * std::abs(at.y()) <= box.size_m.y() &&
-                     at.z() >= box.size_m.z() / 2 - kContact_m
-                 ? 1
-                 : 0;
-  }
-  return static_cast<float>(above) / static_cast<float>(std::max<std::size_t>(cloud.size(), 1));
+// Share of the smaller footprint that both have in common.
+float FootprintOverlap(const OrientedBox& a, const OrientedBox& b) {
+  const float smaller = std::min(a.size_m.x() * a.size_m.y(), b.size_m.x() * b.size_m.y());
+  if (smaller <= 0) return 0;
+  const Eigen::Vector3f at = a.rotation.transpose() * (b.center - a.center);
+  const Eigen::Vector3f along = a.rotation.transpose() * b.rotation.col(0);
+  const float turn_deg = std::atan2(along.y(), along.x()) * 180 / std::numbers::pi_v<float>;
+  std::vector<cv::Point2f> corners;
+  cv::rotatedRectangleIntersection({{0, 0}, {a.size_m.x(), a.size_m.y()}, 0},
+                                   {{at.x(), at.y()}, {b.size_m.x(), b.size_m.y()}, turn_deg},
+                                   corners);
+  if (corners.empty()) return 0;
+  std::vector<cv::Point2f> outline;
+  cv::convexHull(corners, outline);
+  return static_cast<float>(cv::contourArea(outline)) / smaller;
 }
 
 }  // namespace
 
 float HeightAlong(const Eigen::Vector3f& up, const OrientedBox& box, float share) {
   return up.dot(box.center) + (share - 0.5F) * box.size_m.z();
+}
+
+float HeightAboveSupport(const DetectedObject& object, const SupportSurface& support) {
+  const OrientedBox& box = object.visible_box;
+  return support.HeightOf(box.center - box.rotation.col(2) * (box.size_m.z() / 2));
 }
 
 Touch Touching(const DetectedObject& object, const std::vector<DetectedObject>& others,
@@ -49,9 +61,16 @@ Touch Touching(const DetectedObject& object, const std::vector<DetectedObject>& 
   const float bottom = HeightAlong(up, object.visible_box, 0);
   // What rises higher stands beside it.
   const auto may_carry = [&](int label) {
-    if (label == 0) return false;
-    const OrientedBox& seen = others[static_cast<std::size_t>(label) - 1].visible_box;
-    return HeightAlong(up, seen, 1) < bottom + kContact_m && !RestsOn(others, label, object.label);
+    if (label == 0 || label == object.label) return false;
+    const DetectedObject& other = others[static_cast<std::size_t>(label) - 1];
+    return HeightAlong(up, other.visible_box, 1) < bottom + kContact_m &&
+           IsBalancedOn(object, other) && !RestsOn(others, other.label, object.label);
+  };
+  const auto carrier_at = [&](const OutlinePoint& point) -> std::optional<int> {
+    if (may_carry(point.label_beyond)) return point.label_beyond;
+    if (!support || std::abs(support->HeightOf(point.beyond)) <= kContact_m) return 0;
+    const bool is_beside = point.label_beyond != 0 && point.label_beyond != object.label;
+    return is_beside ? std::nullopt : std::optional(kNothing);
   };
   std::map<int, int> touches;
   int ends = 0, touching = 0;
@@ -59,9 +78,10 @@ Touch Touching(const DetectedObject& object, const std::vector<DetectedObject>& 
     if (!point.is_own_end || std::isnan(point.beyond.z())) continue;
     ++ends;
     if (std::abs(up.dot(point.beyond) - bottom) > kContact_m) continue;
-    ++touching;
-    const bool is_on_support = !support || std::abs(support->HeightOf(point.beyond)) <= kContact_m;
-    ++touches[may_carry(point.label_beyond) ? point.label_beyond : is_on_support ? 0 : kNothing];
+    if (const std::optional<int> carrier = carrier_at(point)) {
+      ++touching;
+      ++touches[*carrier];
+    }
   }
   if (touching == 0 || static_cast<float>(touching) < kMinShare * static_cast<float>(ends)) {
     return {};
@@ -83,8 +103,8 @@ std::vector<Carrier> CarriersOf(const DetectedObject& object,
   for (const std::size_t i : lower) {
     const DetectedObject& other = others[i];
     const float drop = bottom - HeightAlong(up, other.box, 1);
-    if (drop < -kMaxGap_m || RestsOn(others, other.label, object.label)) continue;
-    if (ShareAbove(object.cloud, other.box) < kMinOverlap) continue;
+    if (drop < -kMaxGap_m || !IsBalancedOn(object, other)) continue;
+    if (RestsOn(others, other.label, object.label)) continue;
     carriers.push_back({other.label, drop});
   }
   std::stable_sort(carriers.begin(), carriers.end(),
@@ -97,16 +117,18 @@ std::vector<Carrier> CarriersOf(const DetectedObject& object,
 std::optional<int> HeldBy(const DetectedObject& object, const std::vector<DetectedObject>& others,
                           const std::vector<std::size_t>& lower,
                           const std::optional<SupportSurface>& support) {
-  const Eigen::Vector3f up = object.visible_box.rotation.col(2);
-  const float bottom = HeightAlong(up, object.visible_box, 0);
+  constexpr float kMaxAir_m = 0.05F;  // below what is seen of it, by the solid that it is taken for
+  constexpr float kMinOverlap = 0.05F;
+  const Eigen::Vector3f up = object.box.rotation.col(2);
+  const float bottom = HeightAlong(up, object.box, 0);
   if (!support || HeightAboveSupport(object, *support) <= kContact_m) return std::nullopt;
-  float most = kLeastOverlap;
+  float most = kMinOverlap;
   std::optional<int> held_by;
   for (const std::size_t i : lower) {
     const DetectedObject& other = others[i];
-    if (std::abs(bottom - HeightAlong(up, other.box, 1)) > kMaxGap_m) continue;
-    if (RestsOn(others, other.label, object.label)) continue;
-    const float share = ShareAbove(object.cloud, other.box);
+    const float gap = bottom - HeightAlong(up, other.box, 1);
+    if (gap < -kMaxGap_m || gap > kMaxAir_m || RestsOn(others, other.label, object.label)) continue;
+    const float share = FootprintOverlap(object.box, other.box);
     if (share <= most) continue;
     most = share;
     held_by = other.label;

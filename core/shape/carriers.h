@@ -21,27 +21,31 @@ struct Carrier {
 // The height of a box's bottom (`share` 0), top (1) or what is between, against gravity.
 float HeightAlong(const Eigen::Vector3f& up, const OrientedBox& box, float share);
 
+// Of the object's lowest point that was seen.
+float HeightAboveSupport(const DetectedObject& object, const SupportSurface& support);
+
 struct Touch {
   bool is_seen = false;        // else the object is seen to end in the air
   std::optional<int> carrier;  // 0: the support; nothing: what is seen there carries nothing
 };
 
 // What touches the object from below: where it ends, something at the height of its lowest points
-// is seen beyond. Most of it is of the carrier; what is neither an object that ends there nor on
-// the support stands beside it, or is of the object itself.
+// is seen beyond. Most of it is of the carrier: an object that ends there and that it is balanced
+// on, or the support. Other objects stand beside it and say nothing.
 Touch Touching(const DetectedObject& object, const std::vector<DetectedObject>& others,
                const std::vector<OutlinePoint>& outline,
                const std::optional<SupportSurface>& support);
 
-// The highest of the objects below it, then the support. `lower`: those of `others` that begin
-// below the object, with completed boxes.
+// The highest of the objects below it that it is balanced on, then the support. `lower`: those of
+// `others` whose tops are lower than the object's, with completed boxes and shapes.
 std::vector<Carrier> CarriersOf(const DetectedObject& object,
                                 const std::vector<DetectedObject>& others,
                                 const std::vector<std::size_t>& lower,
                                 const std::optional<SupportSurface>& support);
 
-// Nothing stays in the air: what is seen high above its support and explained without anything
-// below it stands on that of the lower objects that it is most above, if on any. Returns its label.
+// Nothing stays in the air: what is high above its support, and explained by a solid (`box`) that
+// nothing touches from below, stands on that of the lower objects whose footprint it shares most
+// of, if of any. Returns its label.
 std::optional<int> HeldBy(const DetectedObject& object, const std::vector<DetectedObject>& others,
                           const std::vector<std::size_t>& lower,
                           const std::optional<SupportSurface>& support);

@@ -16,6 +16,8 @@ namespace {
 
 // Of an explanation against which something is seen.
 constexpr float kCostOfFloating = 0.05F;
+// How much better without anything below it than on its support must be what nothing holds.
+constexpr float kCostOfStanding = 0.1F;
 
 std::vector<std::vector<OutlinePoint>> OutlinesOf(const RgbdFrame& frame, const PixelPoints& points,
                                                   const Detections& detections) {
@@ -30,15 +32,16 @@ std::vector<std::vector<OutlinePoint>> OutlinesOf(const RgbdFrame& frame, const 
   return outlines;
 }
 
-// Those that begin lowest first.
+// Those that end lowest first: what stands on something is higher, though its lowest points, as
+// measured, may not be, as on a book.
 std::vector<std::size_t> LowestFirst(const Detections& detections) {
   const std::vector<DetectedObject>& objects = detections.objects;
   const Eigen::Vector3f up = -detections.gravity.direction;
   std::vector<std::size_t> order(objects.size());
   std::iota(order.begin(), order.end(), 0);
-  const auto bottom = [&](std::size_t i) { return HeightAlong(up, objects[i].visible_box, 0); };
+  const auto top = [&](std::size_t i) { return HeightAlong(up, objects[i].visible_box, 1); };
   std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return bottom(a) < bottom(b); });
+                   [&](std::size_t a, std::size_t b) { return top(a) < top(b); });
   return order;
 }
 
@@ -48,6 +51,15 @@ struct Explanation {
   std::optional<int> carrier;  // 0: a support
 };
 
+// The solid that stands this far below where the object's points end.
+Explanation StandingAt(float drop_m, std::optional<int> carrier, const DetectedObject& object,
+                       const std::vector<OutlinePoint>& outline,
+                       const CameraIntrinsics& intrinsics) {
+  LevelFrame under = FrameUnder(object.visible_box);
+  under.origin -= under.rotation.col(2) * drop_m;
+  return {FitShape(object, outline, intrinsics, under), under, carrier};
+}
+
 // The solid that stands where the object's points end, or that reaches down to a carrier, whichever
 // explains more.
 Explanation Explain(const DetectedObject& object, const std::vector<OutlinePoint>& outline,
@@ -55,12 +67,10 @@ Explanation Explain(const DetectedObject& object, const std::vector<OutlinePoint
                     const std::vector<Carrier>& carriers) {
   std::optional<Explanation> best;
   const auto consider = [&](float drop_m, std::optional<int> carrier, float extra_cost) {
-    LevelFrame under = FrameUnder(object.visible_box);
-    under.origin -= under.rotation.col(2) * drop_m;
-    FittedShape shape = FitShape(object, outline, intrinsics, under);
-    shape.cost += extra_cost;
-    if (best && best->shape.cost <= shape.cost) return;
-    best = Explanation{std::move(shape), under, carrier};
+    Explanation explained = StandingAt(drop_m, carrier, object, outline, intrinsics);
+    explained.shape.cost += extra_cost;
+    if (best && best->shape.cost <= explained.shape.cost) return;
+    best = std::move(explained);
   };
   const float nearest = carriers.empty() ? 1 : carriers.front().drop_m;
   if (nearest < kContact_m) {
@@ -97,12 +107,20 @@ void CompleteObjects(const RgbdFrame& frame, const PixelPoints& points,
       done.push_back(i);
       continue;
     }
-    Explanation explained = Explain(object, outlines[i], frame.intrinsics,
-                                    Touching(object, objects, outlines[i], supports[i]),
+    const Touch touching = Touching(object, objects, outlines[i], supports[i]);
+    Explanation explained = Explain(object, outlines[i], frame.intrinsics, touching,
                                     CarriersOf(object, objects, done, supports[i]));
-    if (!explained.carrier) explained.carrier = HeldBy(object, objects, done, supports[i]);
-    if (explained.carrier) object.stands_on.push_back(*explained.carrier);
     SetShape(explained.shape, explained.frame, object);
+    if (!explained.carrier) explained.carrier = HeldBy(object, objects, done, supports[i]);
+    if (!explained.carrier && !touching.is_seen && supports[i]) {
+      const float drop_m = HeightAboveSupport(object, *supports[i]);
+      Explanation standing = StandingAt(drop_m, 0, object, outlines[i], frame.intrinsics);
+      if (standing.shape.cost < explained.shape.cost + kCostOfStanding) {
+        explained = std::move(standing);
+        SetShape(explained.shape, explained.frame, object);
+      }
+    }
+    if (explained.carrier) object.stands_on.push_back(*explained.carrier);
     SetUnseenShare(detections.labels, frame.intrinsics, explained.shape, explained.frame, object);
     done.push_back(i);
   }

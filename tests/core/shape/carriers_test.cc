@@ -59,12 +59,37 @@ TEST_F(TwoSheets, DoNotCarryWhatTheyStandOnByAnother) {
   EXPECT_EQ(HeldBy(sheets_[0], sheets_, {1}, floor_), std::nullopt);
 }
 
+TEST_F(TwoSheets, DoNotCarryWhatWouldToppleOffThem) {
+  sheets_[0].visible_box.center.x() = 0.11F;
+  EXPECT_EQ(Touching(sheets_[0], sheets_, {edge_}, floor_).carrier, 2);
+  EXPECT_EQ(CarriersOf(sheets_[0], sheets_, {1}, floor_).front().label, 2);
+  sheets_[0].visible_box.center.x() = 0.12F;
+  EXPECT_FALSE(Touching(sheets_[0], sheets_, {edge_}, floor_).is_seen);
+  EXPECT_EQ(CarriersOf(sheets_[0], sheets_, {1}, floor_).front().label, 0);
+}
+
+TEST_F(TwoSheets, OfRoundThingsNotTheCornersOfTheirBoxes) {
+  sheets_[0].visible_box.center += Vector3f(0.1F, 0, 0.1F);
+  EXPECT_EQ(CarriersOf(sheets_[0], sheets_, {1}, floor_).front().label, 2);
+  sheets_[1].yaw_is_arbitrary = true;
+  EXPECT_EQ(CarriersOf(sheets_[0], sheets_, {1}, floor_).front().label, 0);
+}
+
+TEST_F(TwoSheets, HoldWhatOverhangsThemAndNothingElse) {
+  sheets_[0].box.center.x() = 0.18F;  // a tenth of it is above the other
+  EXPECT_EQ(HeldBy(sheets_[0], sheets_, {1}, floor_), 2);
+  sheets_[0].box.center.x() = 0.195F;
+  EXPECT_EQ(HeldBy(sheets_[0], sheets_, {1}, floor_), std::nullopt);
+}
+
 TEST_F(TwoSheets, AreNotOnTheSupportBecauseSomethingHigherIsBesideThem) {
   sheets_[1] = Slab(2, 0, 0.1F);
-  EXPECT_TRUE(Touching(sheets_[0], sheets_, {edge_}, floor_).is_seen);
-  EXPECT_EQ(Touching(sheets_[0], sheets_, {edge_}, floor_).carrier, std::nullopt);
-  edge_.label_beyond = 0;
-  EXPECT_EQ(Touching(sheets_[0], sheets_, {edge_}, floor_).carrier, std::nullopt);
+  EXPECT_FALSE(Touching(sheets_[0], sheets_, {edge_}, floor_).is_seen);
+  for (const int label : {0, 1}) {
+    edge_.label_beyond = label;
+    EXPECT_TRUE(Touching(sheets_[0], sheets_, {edge_}, floor_).is_seen) << label;
+    EXPECT_EQ(Touching(sheets_[0], sheets_, {edge_}, floor_).carrier, std::nullopt) << label;
+  }
 }
 
 TEST_F(TwoSheets, StandOnTheSupportThatIsSeenBesideThem) {

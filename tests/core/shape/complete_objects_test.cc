@@ -161,6 +161,43 @@ TEST(CompleteObjects, AThingStandsOnTheOneBelowIt) {
   EXPECT_EQ(found.objects[2].stands_on, std::vector<int>{0});
 }
 
+// Its lowest points, as measured, are lower than those of the top of the book, which is all that is
+// seen of that.
+TEST(CompleteObjects, AThingStandsOnABook) {
+  ThingsOnFloor things =
+      CompleteThings({Thing(ShapeKind::kBox, {0.08, 0.08, 0.12}, {0, 0}, 0.02),
+                      Thing(ShapeKind::kBox, {0.25, 0.2, 0.02}, {0, 0}, 0)},
+                     40);
+  std::vector<DetectedObject>& objects = things.detections.objects;
+  const Eigen::Vector3f up = -things.detections.gravity.direction;
+  for (DetectedObject& object : objects) object.stands_on.clear();
+  objects[1].visible_box.center += up * (objects[1].visible_box.size_m.z() / 2 - 0.001F);
+  objects[1].visible_box.size_m.z() = 0.002F;
+  const SupportSurface floor = {up, -HeightAlong(up, objects[1].box, 0), 1000};
+  CompleteObjects(things.frame, {things.frame.depth_m, things.frame.intrinsics}, {floor, floor},
+                  things.detections);
+  EXPECT_EQ(objects[0].stands_on, std::vector<int>{2});
+}
+
+TEST(CompleteObjects, ATrayOverhangsTheCanThatIsHiddenBelowIt) {
+  const Detections found =
+      CompleteThings({Thing(ShapeKind::kCylinder, {0.06, 0.06, 0.12}, {0, 0}, 0),
+                      Thing(ShapeKind::kBox, {0.24, 0.18, 0.03}, {0, 0}, 0.12)},
+                     35)
+          .detections;
+  EXPECT_EQ(found.objects[1].stands_on, std::vector<int>{1});
+  EXPECT_LT(found.objects[1].box.size_m.z(), 0.06F);
+}
+
+TEST(CompleteObjects, ABoxBesideABowlDoesNotStandOnIt) {
+  const Detections found =
+      CompleteThings({Thing(ShapeKind::kBox, {0.08, 0.08, 0.1}, {0.12, 0.05}, 0),
+                      Thing(ShapeKind::kBowl, {0.16, 0.16, 0.06}, {0, 0}, 0, 0, 0.004)},
+                     30)
+          .detections;
+  EXPECT_EQ(found.objects[0].stands_on, std::vector<int>{0});
+}
+
 TEST(CompleteObjects, ARodLiesOnACanThatIsMuchShorter) {
   const Detections found =
       CompleteThings({Thing(ShapeKind::kCylinder, {0.06, 0.06, 0.1}, {0, 0}, 0),
