@@ -13,15 +13,30 @@ namespace {
 
 constexpr float kMaxGap_m = 0.04F;  // where masks reach beyond their things or end before
 
+// Whether a point is above the object's footprint, or beside it by no more than a margin.
+bool IsAbove(const DetectedObject& object, const Eigen::Vector3f& p, float margin_m) {
+  const OrientedBox& box = object.box;
+  const Eigen::Array2f beside =
+      (box.rotation.transpose() * (p - box.center)).head<2>().array().abs();
+  const Eigen::Array2f half = box.size_m.head<2>().array() / 2 + margin_m;
+  return object.yaw_is_arbitrary ? beside.matrix().norm() <= half.x() : (beside <= half).all();
+}
+
 // Whether the object's middle, as far as it is seen, is above the other's footprint, so that it
 // does not topple off.
 bool IsBalancedOn(const DetectedObject& object, const DetectedObject& other) {
   constexpr float kMargin_m = 0.015F;
-  const Eigen::Vector3f off =
-      other.box.rotation.transpose() * (object.visible_box.center - other.box.center);
-  const Eigen::Array2f beside = off.head<2>().array().abs();
-  const Eigen::Array2f half = other.box.size_m.head<2>().array() / 2 + kMargin_m;
-  return other.yaw_is_arbitrary ? beside.matrix().norm() <= half.x() : (beside <= half).all();
+  return IsAbove(other, object.visible_box.center, kMargin_m);
+}
+
+// Whether enough of it is above the other that it may lie across that and something else.
+bool LiesAcross(const DetectedObject& object, const DetectedObject& other) {
+  constexpr float kMinShare = 0.3F;
+  const auto above =
+      std::count_if(object.cloud.begin(), object.cloud.end(), [&](const ColoredPoint& p) {
+        return IsAbove(other, {p.x, p.y, p.z}, 0);
+      });
+  return static_cast<float>(above) >= kMinShare * static_cast<float>(object.cloud.size());
 }
 
 // Share of the smaller footprint that both have in common.
@@ -64,13 +79,8 @@ Touch Touching(const DetectedObject& object, const std::vector<DetectedObject>& 
     if (label == 0 || label == object.label) return false;
     const DetectedObject& other = others[static_cast<std::size_t>(label) - 1];
     return HeightAlong(up, other.visible_box, 1) < bottom + kContact_m &&
-           IsBalancedOn(object, other) && !RestsOn(others, other.label, object.label);
-  };
-  const auto carrier_at = [&](const OutlinePoint& point) -> std::optional<int> {
-    if (may_carry(point.label_beyond)) return point.label_beyond;
-    if (!support || std::abs(support->HeightOf(point.beyond)) <= kContact_m) return 0;
-    const bool is_beside = point.label_beyond != 0 && point.label_beyond != object.label;
-    return is_beside ? std::nullopt : std::optional(kNothing);
+           (IsBalancedOn(object, other) || LiesAcross(object, other)) &&
+           !RestsOn(others, other.label, object.label);
   };
   std::map<int, int> touches;
   int ends = 0, touching = 0;
@@ -78,10 +88,9 @@ Touch Touching(const DetectedObject& object, const std::vector<DetectedObject>& 
     if (!point.is_own_end || std::isnan(point.beyond.z())) continue;
     ++ends;
     if (std::abs(up.dot(point.beyond) - bottom) > kContact_m) continue;
-    if (const std::optional<int> carrier = carrier_at(point)) {
-      ++touching;
-      ++touches[*carrier];
-    }
+    ++touching;
+    const bool is_on_support = !support || std::abs(support->HeightOf(point.beyond)) <= kContact_m;
+    ++touches[may_carry(point.label_beyond) ? point.label_beyond : is_on_support ? 0 : kNothing];
   }
   if (touching == 0 || static_cast<float>(touching) < kMinShare * static_cast<float>(ends)) {
     return {};
@@ -99,11 +108,14 @@ std::vector<Carrier> CarriersOf(const DetectedObject& object,
                                 const std::optional<SupportSurface>& support) {
   const Eigen::Vector3f up = object.box.rotation.col(2);
   const float bottom = HeightAlong(up, object.visible_box, 0);
+  constexpr float kMaxSunk_m = 0.01F;  // else it stands beside what it is not balanced on
   std::vector<Carrier> carriers;
   for (const std::size_t i : lower) {
     const DetectedObject& other = others[i];
     const float drop = bottom - HeightAlong(up, other.box, 1);
-    if (drop < -kMaxGap_m || !IsBalancedOn(object, other)) continue;
+    if (drop < -kMaxGap_m) continue;
+    if (!IsBalancedOn(object, other) && (drop < -kMaxSunk_m || !LiesAcross(object, other)))
+      continue;
     if (RestsOn(others, other.label, object.label)) continue;
     carriers.push_back({other.label, drop});
   }

@@ -30,13 +30,13 @@ struct Touch {
 };
 
 // What touches the object from below: where it ends, something at the height of its lowest points
-// is seen beyond. Most of it is of the carrier: an object that ends there and that it is balanced
-// on, or the support. Other objects stand beside it and say nothing.
+// is seen beyond. Most of it is of the carrier: an object that ends there, or the support. What is
+// neither stands beside it, or is of the object itself.
 Touch Touching(const DetectedObject& object, const std::vector<DetectedObject>& others,
                const std::vector<OutlinePoint>& outline,
                const std::optional<SupportSurface>& support);
 
-// The highest of the objects below it that it is balanced on, then the support. `lower`: those of
+// The highest of the objects below that it is balanced on, or may lie across, then the support. `lower`: those of
 // `others` whose tops are lower than the object's, with completed boxes and shapes.
 std::vector<Carrier> CarriersOf(const DetectedObject& object,
                                 const std::vector<DetectedObject>& others,

@@ -59,19 +59,37 @@ TEST_F(TwoSheets, DoNotCarryWhatTheyStandOnByAnother) {
   EXPECT_EQ(HeldBy(sheets_[0], sheets_, {1}, floor_), std::nullopt);
 }
 
+// Its points are above the other sheet, or not.
+DetectedObject At(float x_m, float z_m, DetectedObject sheet) {
+  sheet.visible_box.center.x() += x_m;
+  sheet.visible_box.center.z() += z_m;
+  for (ColoredPoint& p : sheet.cloud) p.x += x_m, p.z += z_m;
+  return sheet;
+}
+
 TEST_F(TwoSheets, DoNotCarryWhatWouldToppleOffThem) {
-  sheets_[0].visible_box.center.x() = 0.11F;
-  EXPECT_EQ(Touching(sheets_[0], sheets_, {edge_}, floor_).carrier, 2);
-  EXPECT_EQ(CarriersOf(sheets_[0], sheets_, {1}, floor_).front().label, 2);
-  sheets_[0].visible_box.center.x() = 0.12F;
-  EXPECT_FALSE(Touching(sheets_[0], sheets_, {edge_}, floor_).is_seen);
-  EXPECT_EQ(CarriersOf(sheets_[0], sheets_, {1}, floor_).front().label, 0);
+  const DetectedObject sheet = sheets_[0];
+  for (const auto& [x_m, carrier] : {std::pair(0.11F, 2), {0.12F, 0}}) {
+    sheets_[0] = At(x_m, 0, sheet);
+    EXPECT_EQ(CarriersOf(sheets_[0], sheets_, {1}, floor_).front().label, carrier) << x_m;
+    EXPECT_EQ(Touching(sheets_[0], sheets_, {edge_}, floor_).carrier == 2, carrier == 2) << x_m;
+  }
 }
 
 TEST_F(TwoSheets, OfRoundThingsNotTheCornersOfTheirBoxes) {
-  sheets_[0].visible_box.center += Vector3f(0.1F, 0, 0.1F);
+  sheets_[0] = At(0.09F, 0.09F, sheets_[0]);
   EXPECT_EQ(CarriersOf(sheets_[0], sheets_, {1}, floor_).front().label, 2);
   sheets_[1].yaw_is_arbitrary = true;
+  EXPECT_EQ(CarriersOf(sheets_[0], sheets_, {1}, floor_).front().label, 0);
+}
+
+// Of which a third is above one of them.
+TEST_F(TwoSheets, CarryTogetherWhatLiesAcross) {
+  sheets_[0] = At(0.15F, 0, sheets_[0]);
+  EXPECT_EQ(CarriersOf(sheets_[0], sheets_, {1}, floor_).front().label, 0);
+  for (std::size_t i = 0; i < 7; ++i) sheets_[0].cloud[i].x = 0.05F;
+  EXPECT_EQ(CarriersOf(sheets_[0], sheets_, {1}, floor_).front().label, 2);
+  sheets_[0].visible_box.center.y() += 0.02F;  // it ends lower than the other's top
   EXPECT_EQ(CarriersOf(sheets_[0], sheets_, {1}, floor_).front().label, 0);
 }
 
@@ -84,8 +102,7 @@ TEST_F(TwoSheets, HoldWhatOverhangsThemAndNothingElse) {
 
 TEST_F(TwoSheets, AreNotOnTheSupportBecauseSomethingHigherIsBesideThem) {
   sheets_[1] = Slab(2, 0, 0.1F);
-  EXPECT_FALSE(Touching(sheets_[0], sheets_, {edge_}, floor_).is_seen);
-  for (const int label : {0, 1}) {
+  for (const int label : {0, 1, 2}) {
     edge_.label_beyond = label;
     EXPECT_TRUE(Touching(sheets_[0], sheets_, {edge_}, floor_).is_seen) << label;
     EXPECT_EQ(Touching(sheets_[0], sheets_, {edge_}, floor_).carrier, std::nullopt) << label;

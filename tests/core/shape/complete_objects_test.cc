@@ -189,15 +189,6 @@ TEST(CompleteObjects, ATrayOverhangsTheCanThatIsHiddenBelowIt) {
   EXPECT_LT(found.objects[1].box.size_m.z(), 0.06F);
 }
 
-TEST(CompleteObjects, ABoxBesideABowlDoesNotStandOnIt) {
-  const Detections found =
-      CompleteThings({Thing(ShapeKind::kBox, {0.08, 0.08, 0.1}, {0.12, 0.05}, 0),
-                      Thing(ShapeKind::kBowl, {0.16, 0.16, 0.06}, {0, 0}, 0, 0, 0.004)},
-                     30)
-          .detections;
-  EXPECT_EQ(found.objects[0].stands_on, std::vector<int>{0});
-}
-
 TEST(CompleteObjects, ARodLiesOnACanThatIsMuchShorter) {
   const Detections found =
       CompleteThings({Thing(ShapeKind::kCylinder, {0.06, 0.06, 0.1}, {0, 0}, 0),
