@@ -36,8 +36,9 @@ Touch Touching(const DetectedObject& object, const std::vector<DetectedObject>& 
                const std::vector<OutlinePoint>& outline,
                const std::optional<SupportSurface>& support);
 
-// The highest of the objects below that it is balanced on, or may lie across, then the support. `lower`: those of
-// `others` whose tops are lower than the object's, with completed boxes and shapes.
+// The highest of the objects below that it is balanced on, or may lie across, then the support.
+// `lower`: those of `others` whose tops are lower than the object's, with completed boxes and
+// shapes.
 std::vector<Carrier> CarriersOf(const DetectedObject& object,
                                 const std::vector<DetectedObject>& others,
                                 const std::vector<std::size_t>& lower,

@@ -164,10 +164,9 @@ TEST(CompleteObjects, AThingStandsOnTheOneBelowIt) {
 // Its lowest points, as measured, are lower than those of the top of the book, which is all that is
 // seen of that.
 TEST(CompleteObjects, AThingStandsOnABook) {
-  ThingsOnFloor things =
-      CompleteThings({Thing(ShapeKind::kBox, {0.08, 0.08, 0.12}, {0, 0}, 0.02),
-                      Thing(ShapeKind::kBox, {0.25, 0.2, 0.02}, {0, 0}, 0)},
-                     40);
+  ThingsOnFloor things = CompleteThings({Thing(ShapeKind::kBox, {0.08, 0.08, 0.12}, {0, 0}, 0.02),
+                                         Thing(ShapeKind::kBox, {0.25, 0.2, 0.02}, {0, 0}, 0)},
+                                        40);
   std::vector<DetectedObject>& objects = things.detections.objects;
   const Eigen::Vector3f up = -things.detections.gravity.direction;
   for (DetectedObject& object : objects) object.stands_on.clear();
