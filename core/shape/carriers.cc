@@ -11,7 +11,9 @@
 namespace fovea {
 namespace {
 
-constexpr float kMaxGap_m = 0.04F;  // where masks reach beyond their things or end before
+// How much lower than a carrier's top: masks reach beyond their things or end before; what is
+// neither balanced on it nor across it is beside it if it is much lower.
+constexpr float kMaxSunk_m = 0.04F, kMaxSunkBeside_m = 0.01F;
 
 // Whether a point is above the object's footprint, or beside it by no more than a margin.
 bool IsAbove(const DetectedObject& object, const Eigen::Vector3f& p, float margin_m) {
@@ -29,14 +31,20 @@ bool IsBalancedOn(const DetectedObject& object, const DetectedObject& other) {
   return IsAbove(other, object.visible_box.center, kMargin_m);
 }
 
-// Whether enough of it is above the other that it may lie across that and something else.
-bool LiesAcross(const DetectedObject& object, const DetectedObject& other) {
-  constexpr float kMinShare = 0.3F;
+// Share of the object's points that are above the other.
+float ShareAbove(const DetectedObject& object, const DetectedObject& other) {
   const auto above =
       std::count_if(object.cloud.begin(), object.cloud.end(), [&](const ColoredPoint& p) {
         return IsAbove(other, {p.x, p.y, p.z}, 0);
       });
-  return static_cast<float>(above) >= kMinShare * static_cast<float>(object.cloud.size());
+  return static_cast<float>(above) /
+         static_cast<float>(std::max<std::size_t>(object.cloud.size(), 1));
+}
+
+// Whether enough of it is above the other that it may lie across that and something else.
+bool LiesAcross(const DetectedObject& object, const DetectedObject& other) {
+  constexpr float kMinShare = 0.3F;
+  return ShareAbove(object, other) >= kMinShare;
 }
 
 // Share of the smaller footprint that both have in common.
@@ -108,14 +116,13 @@ std::vector<Carrier> CarriersOf(const DetectedObject& object,
                                 const std::optional<SupportSurface>& support) {
   const Eigen::Vector3f up = object.box.rotation.col(2);
   const float bottom = HeightAlong(up, object.visible_box, 0);
-  constexpr float kMaxSunk_m = 0.01F;  // else it stands beside what it is not balanced on
   std::vector<Carrier> carriers;
   for (const std::size_t i : lower) {
     const DetectedObject& other = others[i];
     const float drop = bottom - HeightAlong(up, other.box, 1);
-    if (drop < -kMaxGap_m) continue;
-    if (!IsBalancedOn(object, other) && (drop < -kMaxSunk_m || !LiesAcross(object, other)))
-      continue;
+    const bool is_balanced = IsBalancedOn(object, other);
+    if (drop < -(is_balanced ? kMaxSunk_m : kMaxSunkBeside_m)) continue;
+    if (!is_balanced && !LiesAcross(object, other)) continue;
     if (RestsOn(others, other.label, object.label)) continue;
     carriers.push_back({other.label, drop});
   }
@@ -130,7 +137,7 @@ std::optional<int> HeldBy(const DetectedObject& object, const std::vector<Detect
                           const std::vector<std::size_t>& lower,
                           const std::optional<SupportSurface>& support) {
   constexpr float kMaxAir_m = 0.05F;  // below what is seen of it, by the solid that it is taken for
-  constexpr float kMinOverlap = 0.05F;
+  constexpr float kMinOverlap = 0.05F, kMinShareAbove = 0.1F;
   const Eigen::Vector3f up = object.box.rotation.col(2);
   const float bottom = HeightAlong(up, object.box, 0);
   if (!support || HeightAboveSupport(object, *support) <= kContact_m) return std::nullopt;
@@ -139,7 +146,10 @@ std::optional<int> HeldBy(const DetectedObject& object, const std::vector<Detect
   for (const std::size_t i : lower) {
     const DetectedObject& other = others[i];
     const float gap = bottom - HeightAlong(up, other.box, 1);
-    if (gap < -kMaxGap_m || gap > kMaxAir_m || RestsOn(others, other.label, object.label)) continue;
+    const bool is_beside =
+        !IsBalancedOn(object, other) && ShareAbove(object, other) <= kMinShareAbove;
+    if (gap > kMaxAir_m || gap < -(is_beside ? kMaxSunkBeside_m : kMaxSunk_m)) continue;
+    if (RestsOn(others, other.label, object.label)) continue;
     const float share = FootprintOverlap(object.box, other.box);
     if (share <= most) continue;
     most = share;
