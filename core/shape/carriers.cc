@@ -83,12 +83,18 @@ Touch Touching(const DetectedObject& object, const std::vector<DetectedObject>& 
   const Eigen::Vector3f up = object.visible_box.rotation.col(2);
   const float bottom = HeightAlong(up, object.visible_box, 0);
   // What rises higher stands beside it.
-  const auto may_carry = [&](int label) {
+  const auto can_carry = [&](int label) {
     if (label == 0 || label == object.label) return false;
     const DetectedObject& other = others[static_cast<std::size_t>(label) - 1];
     return HeightAlong(up, other.visible_box, 1) < bottom + kContact_m &&
-           (IsBalancedOn(object, other) || LiesAcross(object, other)) &&
-           !RestsOn(others, other.label, object.label);
+           !RestsOn(others, label, object.label) &&
+           (IsBalancedOn(object, other) || LiesAcross(object, other));
+  };
+  std::map<int, bool> known;  // each label is looked at once
+  const auto may_carry = [&](int label) {
+    const auto [entry, is_new] = known.try_emplace(label, false);
+    if (is_new) entry->second = can_carry(label);
+    return entry->second;
   };
   std::map<int, int> touches;
   int ends = 0, touching = 0;
