@@ -69,7 +69,8 @@ BoxUncertainty InCamera(const BoxUncertainty& level, const LevelFrame& frame, bo
 
 void SetShape(const FittedShape& fitted, const LevelFrame& frame, DetectedObject& object) {
   Solid solid = fitted.fit.solid;
-  Shape& shape = object.shape;
+  object.yaw_is_arbitrary = false;
+  Shape& shape = object.shape = {};
   shape.kind = fitted.kind;
   shape.confidence = fitted.confidence;
   shape.residual_m = fitted.fit.residual_m;

@@ -9,9 +9,9 @@
 
 namespace fovea {
 
-// Fills `shape`, `box` and `yaw_is_arbitrary`. What is round about the upright has its box's x axis
-// point away from the camera. A shape of kind kOther keeps the box of what was seen, down to the
-// plane of the frame.
+// Fills `shape`, `box` and `yaw_is_arbitrary`, whatever they were. What is round about the upright
+// has its box's x axis point away from the camera. A shape of kind kOther keeps the box of what was
+// seen, down to the plane of the frame.
 void SetShape(const FittedShape& fitted, const LevelFrame& frame, DetectedObject& object);
 
 // Fills `unseen_share` from points that are spread over the solid: those that face away from the

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/shape/carriers.h"
+#include "core/shape/completed.h"
 #include "tests/core/shape/things_on_floor.h"
 #include "tests/support/compound_parts.h"
 
@@ -232,6 +233,20 @@ TEST(CompleteObjects, WhatHasNoDepthCarriesAsWell) {
   CompleteObjects(things.frame, {things.frame.depth_m, things.frame.intrinsics}, {floor, floor},
                   things.detections);
   EXPECT_EQ(objects[1].stands_on, std::vector<int>{1});
+}
+
+TEST(SetShape, LeavesNothingOfTheShapeBefore) {
+  DetectedObject object;
+  object.visible_box.size_m = {0.1F, 0.1F, 0.1F};
+  object.yaw_is_arbitrary = true;
+  object.shape.kind = Shape::Kind::kRevolution;
+  object.shape.hollow = true;
+  object.shape.radii_m = {0.05F, 0.06F};
+  SetShape(FittedShape{}, FrameUnder(object.visible_box), object);
+  EXPECT_EQ(object.shape.kind, Shape::Kind::kOther);
+  EXPECT_FALSE(object.shape.hollow);
+  EXPECT_TRUE(object.shape.radii_m.empty());
+  EXPECT_FALSE(object.yaw_is_arbitrary);
 }
 
 }  // namespace
