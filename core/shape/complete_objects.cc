@@ -16,7 +16,7 @@ namespace {
 
 // Of an explanation against which something is seen.
 constexpr float kCostOfFloating = 0.05F;
-// How much more what nothing holds may cost on its support than in the air.
+// How much more what nothing holds may cost on its support than in the air, floating included.
 constexpr float kCostOfStanding = 0.1F;
 
 std::vector<std::vector<OutlinePoint>> OutlinesOf(const RgbdFrame& frame, const PixelPoints& points,
