@@ -11,6 +11,7 @@
 #include "tests/server/detectors.h"
 #include "tests/server/frames.h"
 #include "tests/server/loopback.h"
+#include "tests/server/metric_value.h"
 
 namespace fovea::client {
 namespace {
@@ -43,11 +44,11 @@ TEST(BetterServer, IsOneThatHasNothingToDoWhereFramesWaitAtTheOwn) {
     streams.back()->Send(request);
   }
   gate.WaitUntilBegun();
-  while (busy.client.GetStatistics().frames_waiting() < 2) std::this_thread::yield();
+  testing::AwaitMetric(*busy.server.metrics(), "fovea_frames_waiting", 2);
   EXPECT_FALSE(better.Find(own));  // it is not known yet how fast that is
   gate.Let();
   gate.WaitUntilBegun();
-  while (busy.client.GetStatistics().frames_answered().empty()) std::this_thread::yield();
+  testing::AwaitMetric(*busy.server.metrics(), "fovea_frames_answered_total", 1);
   const auto found = better.Find(own);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->name, "ipv4:" + idle.server.Address());

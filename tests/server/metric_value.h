@@ -26,7 +26,8 @@ inline double MetricValue(const server::Metrics& metrics, const std::string& nam
   return sum;
 }
 
-// Returns once it has that value; a hang means that it never does.
+// Returns once it has that value; a hang means that it never does. It asks the server's memory:
+// calls as fast as this would be taken for a flood, and their connection ended.
 inline void AwaitMetric(const server::Metrics& metrics, const std::string& name, double value) {
   while (MetricValue(metrics, name) != value) std::this_thread::yield();
 }
