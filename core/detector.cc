@@ -12,6 +12,7 @@
 #include "core/exposure.h"
 #include "core/grasping/plan_grasps.h"
 #include "core/object_surroundings.h"
+#include "core/objects/mask_holes.h"
 #include "core/paper/detect_as_paper.h"
 #include "core/pixel_blocks.h"
 #include "core/planning/collision_primitives.h"
@@ -111,8 +112,10 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& op
   const cv::Mat depth_of_blocks = ChannelZ(scene.points);
   const cv::Mat near = counts.num_too_far > 0 ? DepthUpTo(depth, options.max_depth_m) : depth;
   const cv::Mat shown = FillFromBlocks(near, depth_of_blocks, scene.standing, blocks);
-  result.labels = LabelsOfPixels(LabelImage(scene.grid, search.found.objects), depth_of_blocks,
-                                 shown, options.max_depth_m, blocks);
+  cv::Mat label_of_block = LabelImage(scene.grid, search.found.objects);
+  FillMaskHoles(scene.lab, label_of_block);
+  result.labels =
+      LabelsOfPixels(label_of_block, depth_of_blocks, shown, options.max_depth_m, blocks);
   RefitToPixels({near, frame.intrinsics}, blocks, options.support, scene.supports, result);
   DescribeObjects(
       frame, {shown, frame.intrinsics}, {search.saliency, blocks.edge_px},
