@@ -37,15 +37,6 @@ std::vector<Bounds> BoundsOfLabels(const cv::Mat& labels) {
   return bounds;
 }
 
-// 255 in the mask (CV_8UC1, 0 and 255) and all that it encloses; none of it is at the end of the
-// image but where the mask is.
-cv::Mat Filled(const cv::Mat& mask) {
-  cv::Mat padded;
-  cv::copyMakeBorder(mask, padded, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
-  cv::floodFill(padded, {0, 0}, 128);
-  return padded(cv::Rect({1, 1}, mask.size())) != 128;
-}
-
 double Distance(const cv::Scalar& a, const cv::Scalar& b) {
   constexpr double kLightness = 100.0 / 255;  // LabOf stretches it
   return std::hypot(kLightness * (a[0] - b[0]), a[1] - b[1], a[2] - b[2]);
@@ -53,7 +44,14 @@ double Distance(const cv::Scalar& a, const cv::Scalar& b) {
 
 // `lab` and `labels`: of the bounds and what is around them.
 void FillHolesOf(int label, const cv::Mat& lab, cv::Mat& labels) {
-  const cv::Mat mask = labels == label, filled = Filled(mask), free = labels == 0;
+  constexpr int kOutside = 128;  // neither the object nor enclosed by it
+  const cv::Mat mask = labels == label;
+  cv::Mat padded;
+  cv::copyMakeBorder(mask, padded, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
+  cv::floodFill(padded, {0, 0}, kOutside);
+  if (cv::countNonZero(padded) == static_cast<int>(padded.total())) return;
+
+  const cv::Mat filled = padded(cv::Rect({1, 1}, mask.size())) != kOutside, free = labels == 0;
   cv::Mat parts, bounds, middles;
   const int num_parts = cv::connectedComponentsWithStats(filled & free, parts, bounds, middles, 4);
   if (num_parts == 1) return;  // the first is what is no hole
