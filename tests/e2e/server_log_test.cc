@@ -125,7 +125,7 @@ TEST(ServerLog, IsJsonWhereAskedFor) {
   ServerProcess server({"--log-format", "json", "--slow-ms", "1"});
   DetectTwice(server.address());
   std::istringstream lines(Stop(server.process()).err);
-  std::vector<std::string> events;
+  std::vector<std::string> events, profiles;
   for (std::string line; std::getline(lines, line);) {
     const auto object = nlohmann::json::parse(line);
     EXPECT_TRUE(object.contains("time") && object.contains("level")) << line;
@@ -134,10 +134,12 @@ TEST(ServerLog, IsJsonWhereAskedFor) {
       EXPECT_EQ(object.at("address"), server.address());
     }
     if (events.back() == "slow") {
-      EXPECT_EQ(object.at("profile"), "default");
+      // On a busy machine the frame that is refused is slow, too, and has none.
+      profiles.push_back(object.value("profile", "none"));
       EXPECT_GT(object.at("total_ms"), 0);
     }
   }
+  EXPECT_THAT(profiles, Contains("default"));
   for (const char* event : {"message", "configuration", "listening", "frame", "slow"}) {
     EXPECT_THAT(events, Contains(event));
   }

@@ -195,13 +195,20 @@ def test_traces_the_steps(client: fovea.Client, scene: Scene, profile: str) -> N
     assert 0 < trace.hypotheses.max() <= len(trace.seeds)
     assert 0 < trace.segments.max() <= found.diagnostics.num_segments
     assert trace.merged.max() <= trace.segments.max()
-    # Each object consists of whole segments where depth was measured, but for flying pixels.
+    # Each object consists of whole segments where depth was measured, but for flying pixels, and of
+    # what these enclose.
     labels = found.label_image()
-    for segment in np.unique(trace.segments[labels > 0]):
+    for segment in set(np.unique(trace.segments[labels > 0])) - {0}:
         of_segment = labels[(trace.segments == segment) & (scene.depth > 0)]
-        own = of_segment.max()
-        assert segment > 0 and set(of_segment) <= {0, own}
-        assert (of_segment == own).mean() > 0.9
+        assert set(of_segment) <= {0, of_segment.max()}
+        assert (of_segment > 0).mean() > 0.9
+    for label in np.unique(labels[labels > 0]):
+        own = labels == label
+        rows, columns = np.nonzero(own & (trace.segments > 0))
+        holes = np.argwhere(own & (trace.segments == 0))
+        assert len(holes) < len(rows)
+        assert (holes > (rows.min(), columns.min())).all()
+        assert (holes < (rows.max(), columns.max())).all()
 
 
 def test_tells_what_it_rejected(client: fovea.Client, scene: Scene) -> None:
