@@ -39,6 +39,7 @@ class FrameFeed:
         self.waiting_since: float | None = None  # None = there is no answer to come
         self._frames = iter(frames)
         self._options = options
+        self._refused_options: InvalidArgument | None = None  # of those that hold
         self._picks = picks
         self._every_frame = every_frame
         self._lock = threading.Lock()
@@ -152,14 +153,27 @@ class FrameFeed:
         frame, options = item if isinstance(item, tuple) and len(item) == 2 else (item, None)
         if not isinstance(frame, Frame):
             raise TypeError(f"frames must be fovea.Frame, not {type(frame).__name__}")
+        if options is not None:
+            self._take(options)
+        error: InvalidArgument | None
         try:
-            if options is not None:
-                self._options = options_to_proto(options)
-            return self._request_with(frame.to_proto()), None
+            proto, error = frame.to_proto(), self._refused_options
+        except InvalidArgument as of_frame:
+            error = of_frame
+        if error is None:
+            return self._request_with(proto), None
+        # It keeps its place: the server refuses it, and its answer gets this error.
+        frame_id = "" if error.field == "frame.id" else frame.id
+        return self._request_with(frame_pb2.Frame(id=frame_id)), error
+
+    def _take(self, options: DetectOptions) -> None:
+        """Options that are refused hold, too, as at the server: the frame that they came with may be
+        dropped, and nobody would hear of it."""
+        self._refused_options = None
+        try:
+            self._options = options_to_proto(options)
         except InvalidArgument as error:
-            # It keeps its place: the server refuses it, and its answer gets this error.
-            frame_id = "" if error.field == "frame.id" else frame.id
-            return self._request_with(frame_pb2.Frame(id=frame_id)), error
+            self._refused_options = error
 
     def _request_with(self, frame: frame_pb2.Frame) -> Request:
         """Each holds what the first of a connection has to say, since any may be that."""

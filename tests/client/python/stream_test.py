@@ -9,6 +9,7 @@ import sys
 import time
 from collections.abc import Iterator
 from threading import Event, get_ident
+from typing import Any
 
 import numpy as np
 import pytest
@@ -123,17 +124,25 @@ def test_options_hold_for_all_frames(client: fovea.Client, scene: Scene) -> None
 
 def test_options_of_a_frame_hold_from_there_on(client: fovea.Client, scene: Scene) -> None:
     one = fovea.DetectOptions(parameters={"objects.max_objects": 1})
-    wrong = fovea.DetectOptions(profile=5)  # type: ignore[arg-type]
-    frames = [scene.frame(), (scene.frame(), one), (scene.frame(), wrong), scene.frame()]
+    frames = [scene.frame(), (scene.frame(), one), scene.frame()]
     answers = list(client.stream(frames, every_frame=True))
-    assert [answer.error and answer.error.field for answer in answers] == [
-        None,
-        None,
-        "options.profile",
-        None,
-    ]
     assert len(answers[0].detections.objects) > 1
-    assert [len(answers[i].detections.objects) for i in (1, 3)] == [1, 1]
+    assert [len(answers[i].detections.objects) for i in (1, 2)] == [1, 1]
+
+
+@pytest.mark.parametrize(
+    "wrong", [{"profile": 5}, {"parameters": {"no.such": 1}}], ids=["here", "by_the_server"]
+)
+def test_options_that_are_refused_hold_too(
+    client: fovea.Client, scene: Scene, wrong: dict[str, Any]
+) -> None:
+    frame, good = scene.frame(id="f"), fovea.DetectOptions()
+    frames = [frame, (frame, fovea.DetectOptions(**wrong)), frame, (frame, good), frame]
+    answers = list(client.stream(frames, every_frame=True))
+    assert [answer.error is None for answer in answers] == [True, False, False, True, True]
+    assert {answer.frame_id for answer in answers} == {"f"}
+    for answer in answers[1:3]:
+        assert answer.error.field.startswith("options.p")
 
 
 def test_no_frames_no_answers(client: fovea.Client) -> None:
