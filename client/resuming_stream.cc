@@ -131,6 +131,7 @@ void ResumingStream::Resume(const DetectStream& broken) {
   const std::shared_ptr<Server> next = AwaitConnection();
   std::unique_lock lock(mutex_);
   if (changed_.wait_for(lock, wait, [this] { return canceled_.load(); })) throw;
+  if (Clock::now() >= deadline_) throw;  // a stream without time would not say what is wrong
   GoOn(next ? next : server_);
 }
 

@@ -154,6 +154,15 @@ TEST(ResumingStream, GivesUpInTheEnd) {
             grpc::StatusCode::UNAVAILABLE);
 }
 
+TEST(ResumingStream, SaysWhatBrokeItWhenItsTimeIsOver) {
+  const HeldAddress nobody;
+  const auto stream =
+      Client(nobody.Text(), RetryingLong()).OpenResumingStream(std::chrono::seconds(1));
+  const grpc::Status status = testing::StatusOf([&] { stream->Receive(); });
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::UNAVAILABLE);
+  EXPECT_THAT(status.error_message(), ::testing::HasSubstr("onnect"));
+}
+
 // Takes streams and never reads what comes.
 class Deaf final : public v1::DetectionService::Service {
   using Stream = grpc::ServerReaderWriter<v1::DetectStreamResponse, v1::DetectStreamRequest>;
