@@ -255,4 +255,8 @@ TEST(Topics, AreChosenByName) {
 }
 
 }  // namespace
+  EXPECT_EQ(InfoTopic({"/a/camera_info", "/a/depth_camera_info"}, "/a/image_raw"),
+            "/a/camera_info");
+  EXPECT_EQ(InfoTopic({"/a/depth_info", "/a/rgb_info"}, "/a/rgb"), "/a/rgb_info");
+  EXPECT_EQ(InfoTopic({"/a/left_info", "/a/right_info"}, "/a/image"), "") << "either may be meant";
 }  // namespace fovea::cli::small_bags
