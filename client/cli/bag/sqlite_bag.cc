@@ -106,7 +106,9 @@ class SqliteBag : public BagFile {
 
   std::map<std::int64_t, Topic> ReadTopics() const {
     const Query query = Prepare("SELECT id, name, type, serialization_format FROM topics");
-    const auto text = [&](int column) { return std::string(Bytes(query.get(), column)); };
+    const auto text = [&](int column) {
+      return std::string(Bytes(query.get(), column).substr(0, kLongestName));
+    };
     std::map<std::int64_t, Topic> topics;
     int result = sqlite3_step(query.get());
     for (; result == SQLITE_ROW; result = sqlite3_step(query.get())) {
