@@ -54,6 +54,13 @@ std::string ReadFlagFile(const std::string& flag, const std::string& path) {
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(flag + ": " + error.what());
   }
+std::string ReadTextOfFolder(const std::string& path) {
+  if (!std::filesystem::is_regular_file(path)) {
+    throw std::runtime_error(path + " is no regular file");
+  }
+  return ReadFile(path, kLargestText);
+}
+
 }
 
 void WriteFile(const std::string& path, const std::string& bytes) {

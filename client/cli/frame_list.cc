@@ -80,8 +80,7 @@ FrameList ListByName(const fs::path& folder) {
 
 // Lines "time path", whose path may have spaces in it; # begins a comment.
 std::vector<TimedImage> ReadTumList(const fs::path& list) {
-  std::string text = ReadFile(list.string());
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // some editors begin files with it
+  std::string text = ReadTextOfFolder(list.string());
   if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
   std::istringstream lines(text);
   std::vector<TimedImage> images;
