@@ -117,8 +117,19 @@ std::size_t JobsOf(const Run& run) {
   }
 }
 
+// Where a frame has waited for the server in vain, those after it do not: one attempt tells.
+void RequireServer(const Run& run) {
+  if (run.is_there) return;
+  try {
+    run.client.IsServing();
+  } catch (const client::RpcError& error) {
+    if (error.code() == grpc::StatusCode::UNAVAILABLE) throw;
+  }
+}
+
 v1::DetectResponse Ask(const Run& run, const v1::DetectRequest& request) {
   using std::chrono::steady_clock;
+  RequireServer(run);
   const steady_clock::time_point end = steady_clock::now() + run.timeout;
   while (true) {
     try {
