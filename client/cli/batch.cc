@@ -264,7 +264,7 @@ void SetDepthFrom(const FrameList& list, const Batch& batch, FrameSettings* sett
 bool DetectFolder(const client::Client& client, const Batch& batch, FrameSettings settings,
                   std::chrono::milliseconds timeout,
                   const std::function<std::string(const client::RpcError&)>& explain) {
-  FrameList list = batch.list ? *batch.list : ListFrames(batch.input);
+  FrameList list = batch.list;
   for (const std::string& note : list.notes) PrintNote(note);
   if (const std::size_t renamed = NameApart(list.frames); renamed > 0) {
     PrintNote(fmt::format("frames whose name is taken: {}; they are called NAME_2, NAME_3, ...",
