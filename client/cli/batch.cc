@@ -117,8 +117,19 @@ std::size_t JobsOf(const Run& run) {
   }
 }
 
+// Where a frame has waited for the server in vain, those after it do not: one attempt tells.
+void RequireServer(const Run& run) {
+  if (run.is_there) return;
+  try {
+    run.client.IsServing();
+  } catch (const client::RpcError& error) {
+    if (error.code() == grpc::StatusCode::UNAVAILABLE) throw;
+  }
+}
+
 v1::DetectResponse Ask(const Run& run, const v1::DetectRequest& request) {
   using std::chrono::steady_clock;
+  RequireServer(run);
   const steady_clock::time_point end = steady_clock::now() + run.timeout;
   while (true) {
     try {
@@ -253,7 +264,7 @@ void SetDepthFrom(const FrameList& list, const Batch& batch, FrameSettings* sett
 bool DetectFolder(const client::Client& client, const Batch& batch, FrameSettings settings,
                   std::chrono::milliseconds timeout,
                   const std::function<std::string(const client::RpcError&)>& explain) {
-  FrameList list = batch.list ? *batch.list : ListFrames(batch.input);
+  FrameList list = batch.list;
   for (const std::string& note : list.notes) PrintNote(note);
   if (const std::size_t renamed = NameApart(list.frames); renamed > 0) {
     PrintNote(fmt::format("frames whose name is taken: {}; they are called NAME_2, NAME_3, ...",

@@ -14,9 +14,9 @@ namespace fovea::cli {
 
 // What to do with a folder of frames.
 struct Batch {
-  std::string input;                     // as ListFrames reads it
+  std::string input;                     // for people and --resume
   std::string color_topic, depth_topic;  // of a bag
-  std::optional<FrameList> list;         // what `input` holds, where that is known already
+  FrameList list;                        // what `input` holds
   std::string output;                    // made where it is missing; empty = no files
   bool labels = true, overlays = true;
   OverlayExtras extras;

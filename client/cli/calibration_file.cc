@@ -73,6 +73,12 @@ std::optional<v1::LensDistortion> DistortionOf(const YAML::Node& yaml,
 Calibration FromMatrix(const YAML::Node& node, const char* name) {
   const auto matrix = node.as<std::vector<double>>();
   if (matrix.size() != 9) throw std::runtime_error(std::string(name) + " must have 9 numbers");
+  constexpr double kMostSkew_px = 1;
+  const auto is_none = [&](int place) { return std::abs(matrix[place]) < kMostSkew_px; };
+  if (!(is_none(1) && is_none(3) && is_none(6) && is_none(7))) {
+    throw std::runtime_error(std::string(name) +
+                             " is not fx 0 cx, 0 fy cy, 0 0 1, row by row (skew is not supported)");
+  }
   Calibration calibration;
   calibration.fx = matrix[0];
   calibration.fy = matrix[4];
@@ -109,7 +115,10 @@ Calibration ParseCameraInfo(const YAML::Node& yaml) {
 
 Calibration ParseRos(const std::string& text) {
   const YAML::Node yaml = YAML::Load(text);
-  if (yaml.IsMap() && (yaml["k"] || yaml["K"])) return ParseCameraInfo(yaml);
+  if (!yaml.IsMap()) {
+    throw std::runtime_error("it is neither FX,FY,CX,CY nor YAML or JSON of a camera");
+  }
+  if (yaml["k"] || yaml["K"]) return ParseCameraInfo(yaml);
   Calibration calibration =
       FromMatrix(Field(Field(yaml, "camera_matrix"), "data"), "camera_matrix");
   calibration.width = Field(yaml, "image_width").as<int>();
@@ -142,7 +151,10 @@ void CheckSize(const Calibration& c) {
 
 Calibration Parse(const std::string& text) {
   const char first = text[std::min(text.find_first_not_of(" \t\r\n"), text.size() - 1)];
-  if ((first >= '0' && first <= '9') || first == '.') return ParseLine(text);
+  const bool is_list = text.find(':') == std::string::npos && text.find(',') != std::string::npos;
+  if ((first >= '0' && first <= '9') || first == '.' || (first == '-' && is_list)) {
+    return ParseLine(text);
+  }
   const auto json = first == '{' ? nlohmann::json::parse(text) : nlohmann::json();
   const bool is_ours = json.is_object() && !json.contains("k") && !json.contains("K");
   // JSON is YAML, too.
@@ -172,7 +184,8 @@ Calibration CalibrationOf(const v1::CameraIntrinsics& k, const cv::Size& size) {
 }
 
 Calibration ReadCalibration(const std::string& path) {
-  const std::string text = ReadFile(path, kLargestText);
+  std::string text = ReadFile(path, kLargestText);
+  if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
   try {
     Calibration calibration = Parse(text);
     Check(calibration);

@@ -178,11 +178,12 @@ int DetectMany(const DetectFlags& flags, const client::Client& client) {
   Batch batch = BatchOf(flags);
   std::optional<Bag> bag;
   batch.sent_before = IsBundle(flags.input);
-  if (batch.sent_before) batch.list = ListBundle(flags.input);
   Require(
       IsBag(flags.input) || batch.sent_before || (flags.color_topic + flags.depth_topic).empty(),
       "--color-topic and --depth-topic are for bags, not for folders of images");
-  if (IsBag(flags.input)) {
+  if (batch.sent_before) {
+    batch.list = ListBundle(flags.input);
+  } else if (IsBag(flags.input)) {
     bag = OpenBag(flags.input,
                   {flags.color_topic, flags.depth_topic, flags.depth_unit_m.value_or(kMillimetre)});
     PrintNote(fmt::format("colour of {}, depth of {}", bag->color_topic, bag->depth_topic));
@@ -190,7 +191,9 @@ int DetectMany(const DetectFlags& flags, const client::Client& client) {
     batch.color_topic = bag->color_topic;
     batch.depth_topic = bag->depth_topic;
     const std::string note = NoteOfUnregistered(*bag);
-    if (flags.depth_intrinsics.empty() && !note.empty()) batch.list->notes.push_back(note);
+    if (flags.depth_intrinsics.empty() && !note.empty()) batch.list.notes.push_back(note);
+  } else {
+    batch.list = ListFrames(flags.input);
   }
   const bool all_done =
       DetectFolder(client, batch, SettingsOf(flags, bag), TimeoutOf(flags),

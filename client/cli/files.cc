@@ -25,6 +25,12 @@ void RequireSize(const std::string& path, std::uintmax_t size, std::uintmax_t mo
       (mib < 1024 ? std::to_string(mib) + " MiB" : std::to_string(mib / 1024) + " GiB"));
 }
 
+// Nobody may take it for all of it. Devices and pipes stay.
+void RemoveHalf(const std::string& path) {
+  std::error_code error;
+  if (std::filesystem::is_regular_file(path, error)) std::filesystem::remove(path, error);
+}
+
 }  // namespace
 
 std::string ReadFile(const std::string& path, std::uintmax_t most) {
@@ -48,6 +54,13 @@ std::string ReadFile(const std::string& path, std::uintmax_t most) {
   return bytes;
 }
 
+std::string ReadTextOfFolder(const std::string& path) {
+  if (!std::filesystem::is_regular_file(path)) {
+    throw std::runtime_error(path + " is no regular file");
+  }
+  return ReadFile(path, kLargestText);
+}
+
 std::string ReadFlagFile(const std::string& flag, const std::string& path) {
   try {
     return ReadFile(path, kLargestText);
@@ -59,9 +72,14 @@ std::string ReadFlagFile(const std::string& flag, const std::string& path) {
 void WriteFile(const std::string& path, const std::string& bytes) {
   errno = 0;
   std::ofstream file(path, std::ios::binary);
+  if (!file) FailOn("cannot write", path);
   file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   file.close();
-  if (!file) FailOn("cannot write", path);
+  if (file) return;
+  const int why = errno;
+  RemoveHalf(path);
+  errno = why;
+  FailOn("cannot write", path);
 }
 
 cv::Mat DecodeColor(const std::string& file, const std::string& path) {

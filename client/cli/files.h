@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <opencv2/core/mat.hpp>
 #include <string>
+#include <string_view>
 
 namespace fovea::cli {
 
@@ -12,8 +13,14 @@ namespace fovea::cli {
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 30;
 constexpr std::uintmax_t kLargestText = std::uintmax_t{16} << 20;
 
+// Some editors begin files with it.
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 // Of up to `most` bytes, so that a device without an end is refused, too.
 std::string ReadFile(const std::string& path, std::uintmax_t most = kLargestFile);
+// Text of a file that comes with a folder: a pipe would be waited for, and a device may have no
+// end.
+std::string ReadTextOfFolder(const std::string& path);
 // Text of the file that a flag names, which the error names, too.
 std::string ReadFlagFile(const std::string& flag, const std::string& path);
 void WriteFile(const std::string& path, const std::string& bytes);

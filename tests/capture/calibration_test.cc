@@ -152,6 +152,17 @@ TEST_F(CalibrationTest, ReadsNumbersAlone) {
   ExpectRefused("525 0 319.5\n0 525 239.5\n0 0 1\n", "are more than one line FX,FY,CX,CY");
 }
 
+// Some editors begin files with it.
+TEST_F(CalibrationTest, ReadsPastAByteOrderMark) {
+  const std::string mark = "\xEF\xBB\xBF";
+  EXPECT_EQ(ReadCalibration(folder_.Write("c.txt", mark + "525,526,1,2\n")).fy, 526);
+  EXPECT_EQ(ReadCalibration(folder_.Write("c.json", mark + R"({"fx": 1, "fy": 7, "cx": 1, "cy": 1,
+            "width": 4, "height": 4})"))
+                .fy,
+            7);
+  EXPECT_EQ(ReadCalibration(folder_.Write("c.yaml", mark + kRos)).fx, 540.5);
+}
+
 TEST_F(CalibrationTest, ReadsWhatItWrites) {
   const Calibration written{
       .fx = 525.25,
@@ -184,7 +195,8 @@ TEST_F(CalibrationTest, ReadsWhatItWrites) {
 
 TEST_F(CalibrationTest, SaysWhatIsMissing) {
   ExpectRefused("image_width: 640\n", "it has no camera_matrix");
-  ExpectRefused("just text", "it has no camera_matrix");
+  ExpectRefused("just text", "it is neither FX,FY,CX,CY nor YAML or JSON of a camera");
+  ExpectRefused("-525,525,319.5,239.5", "focal lengths must be above 0");
   ExpectRefused("a: [", "c.yaml");
   ExpectRefused("{\"fx\": 1}", "fy");
   ExpectRefused("camera_matrix: {data: [1, 2]}", "camera_matrix must have 9 numbers");
@@ -196,6 +208,12 @@ TEST_F(CalibrationTest, SaysWhatIsMissing) {
       "camera_matrix: {data: [1, 0, 1, 0, 1, 1, 0, 0, 1]}\nimage_width: 0\n"
       "image_height: 3\n",
       "width and height must be above 0");
+  for (const char* matrix : {"525, 0, 0, 0, 525, 0, 319.5, 239.5, 1",  // column by column
+                             "525, 12, 319.5, 0, 525, 239.5, 0, 0, 1"}) {
+    ExpectRefused("camera_matrix: {data: [" + std::string(matrix) +
+                      "]}\nimage_width: 640\nimage_height: 480\n",
+                  "camera_matrix is not fx 0 cx, 0 fy cy, 0 0 1, row by row");
+  }
   EXPECT_THROW(ReadCalibration(folder_.At("none")), std::runtime_error);
 }
 

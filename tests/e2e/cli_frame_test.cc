@@ -51,6 +51,7 @@ TEST_F(CliTest, SaysThatAFileMayNotGrow) {
                server_.address(), "--intrinsics", "30,30,15.5,11.5", "--color", At("a_color.png"),
                "--depth", At("a_depth.png"), "--json", At("j.json")});
   ExpectOneLineError(finished, "cannot write " + At("j.json") + ": File too large");
+  EXPECT_FALSE(std::filesystem::exists(At("j.json"))) << "half of it";
 }
 
 // Whose links lead to no file where it is a pipe.

@@ -93,6 +93,9 @@ TEST_F(CliTest, SaysInOneLineWhatIsWrong) {
                      "cannot read " + At("none.png"));
   ExpectOneLineError(Detect({"--color", Folder(), "--depth", At("a_depth.png")}), "is a folder");
   ExpectOneLineError(Detect({"--input", At("none"), "--output", At("out")}), "cannot read");
+  Write("b.bag", "#ROSBAG V2.0");
+  ExpectOneLineError(Execute({FOVEA_CLI, "detect", "--input", At("b.bag"), "--output", At("out")}),
+                     "bags of ROS 1 have to be converted");
   fs::create_directory(At("empty"));
   ExpectOneLineError(Detect({"--input", At("empty"), "--output", At("out")}), "no NAME_color.png");
 }

@@ -40,6 +40,9 @@ struct Index {
   std::map<std::string, BrokenImages, std::less<>> broken;             // by topic
 };
 
+// A few bytes of a compressed chunk may be any number of images, and texts of any size.
+constexpr std::size_t kLargestInfo = std::size_t{1} << 16;
+
 std::int64_t TimeOf(const Header& header, const BagMessage& message) {
   constexpr std::int64_t kLatest = 4'000'000'000'000'000'000;  // the year 2096
   const std::int64_t time = header.stamp_ns != 0 ? header.stamp_ns : message.log_time_ns;
@@ -52,13 +55,19 @@ std::string Seconds(std::int64_t time_ns) {
   return fmt::format("{}.{:09}", time_ns / kNsPerSecond, time_ns % kNsPerSecond);
 }
 
+void RequireFewer(std::size_t num_images, std::size_t most) {
+  if (num_images <= most) return;
+  // No std::invalid_argument, which is one damaged record.
+  throw std::runtime_error(fmt::format("it has more than {} images: split it", most));
+}
+
 void Note(const BagMessage& message, const NamedBagFile& bag, Index* index) {
   const bool compressed = message.type == kCompressed;
   const bool is_image = compressed || message.type == kImage;
   if (message.encoding != "cdr" || (!is_image && message.type != kInfo)) return;
   const std::string topic(message.topic);
   if (!is_image) {
-    index->infos.try_emplace(topic, message.data);
+    index->infos.try_emplace(topic, message.data.substr(0, kLargestInfo));
     return;
   }
   std::vector<TimedImage>& images = index->images[topic];
@@ -66,7 +75,7 @@ void Note(const BagMessage& message, const NamedBagFile& bag, Index* index) {
   try {
     const Header header = HeaderOf(message.data);
     const std::int64_t time = TimeOf(header, message);
-    index->frames.try_emplace(topic, header.frame);
+    index->frames.try_emplace(topic, header.frame.substr(0, kLongestName));
     const std::string path = bag.name + ": " + image;
     index->places[path] = {bag.file, message.place, compressed};
     images.push_back({time, Seconds(time), path});
@@ -83,10 +92,14 @@ std::vector<std::string> TopicsOf(const Index& index) {
 }
 
 // What is wrong with the bag, for people.
-std::vector<std::string> NoteAll(const std::vector<NamedBagFile>& files, Index* index) {
+std::vector<std::string> NoteAll(const std::vector<NamedBagFile>& files, std::size_t most_images,
+                                 Index* index) {
   std::vector<std::string> faults;
   for (const NamedBagFile& bag : files) {
-    const auto note = [&](const BagMessage& message) { Note(message, bag, index); };
+    const auto note = [&](const BagMessage& message) {
+      Note(message, bag, index);
+      RequireFewer(index->places.size(), most_images);
+    };
     for (const std::string& fault : bag.file->ForEachMessage(note)) {
       faults.push_back(bag.name + " " + fault);
     }
@@ -114,7 +127,7 @@ void NoteBroken(const Index& index, Bag* bag) {
 
 Bag ReadBag(const std::vector<NamedBagFile>& files, const BagFlags& flags) {
   Index index;
-  const std::vector<std::string> faults = NoteAll(files, &index);
+  const std::vector<std::string> faults = NoteAll(files, flags.most_images, &index);
   const std::vector<std::string> all = TopicsOf(index);
   if (all.empty()) {
     std::string why = "it has no images of ROS 2";

@@ -1,6 +1,7 @@
 // The frames of a ROS 2 bag.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,6 +22,8 @@ struct NamedBagFile {
 struct BagFlags {
   std::string color_topic = {}, depth_topic = {};
   double depth_unit_m = 0.001;
+  // In all topics: each takes half a kilobyte of memory, and some bytes of a chunk.
+  std::size_t most_images = 2'000'000;
 };
 
 struct Bag {
@@ -34,7 +37,7 @@ struct Bag {
 // are depth (where there are several, those with "aligned" or "registered"), the others, but for
 // infrared ones, colour. Images are paired by the times of their headers, else of the recorder.
 // Throws std::invalid_argument: why it has no frames, and the topics where it is not clear which
-// are meant.
+// are meant. Throws std::runtime_error where it has more images than flags allow.
 Bag ReadBag(const std::vector<NamedBagFile>& files, const BagFlags& flags);
 
 // For people, where both headers name a frame and not the same one; else empty.

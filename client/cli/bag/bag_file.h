@@ -1,6 +1,7 @@
 // A file of messages that ROS 2 recorded, whatever its format.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -22,6 +23,9 @@ struct BagMessage {
   std::string_view data;
   MessagePlace place;
 };
+
+// Of topics, as DDS has it; what is longer is damage, or an attempt to take all memory.
+inline constexpr std::size_t kLongestName = 256;
 
 class BagFile {
  public:

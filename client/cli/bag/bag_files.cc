@@ -9,6 +9,7 @@
 #include "client/cli/bag/mcap.h"
 #include "client/cli/bag/sqlite_bag.h"
 #include "client/cli/endings.h"
+#include "client/cli/files.h"
 
 namespace fovea::cli {
 namespace {
@@ -40,7 +41,7 @@ Paths FilesByName(const fs::path& folder) {
 Paths FilesByMetadata(const fs::path& folder) {
   Paths files;
   try {
-    const YAML::Node metadata = YAML::LoadFile(folder / kMetadata);
+    const YAML::Node metadata = YAML::Load(ReadTextOfFolder(folder / kMetadata));
     for (const YAML::Node& path : metadata["rosbag2_bagfile_information"]["relative_file_paths"]) {
       files.push_back(folder / fs::path(path.as<std::string>()).filename());
     }

@@ -136,17 +136,21 @@ class Parser {
   void AddSchema(std::string_view content) {
     ByteReader reader(content);
     const auto id = reader.Number<std::uint16_t>();
-    schemas_[id] = reader.Text();
+    schemas_[id] = reader.Text().substr(0, kLongestName);  // what is longer is no image
   }
 
   void AddChannel(std::string_view content) {
     ByteReader reader(content);
     const auto id = reader.Number<std::uint16_t>();
     const auto schema = schemas_.find(reader.Number<std::uint16_t>());
+    const std::string_view topic = reader.Text();
+    if (topic.size() > kLongestName) {
+      throw std::invalid_argument(fmt::format("a topic has more than {} letters", kLongestName));
+    }
     Channel& channel = channels_[id];
     channel.type = schema == schemas_.end() ? "" : schema->second;
-    channel.topic = reader.Text();
-    channel.encoding = reader.Text();
+    channel.topic = topic;
+    channel.encoding = reader.Text().substr(0, kLongestName);
   }
 
   void AddMessage(std::string_view content, std::uint64_t place, MessagePlace chunk) {

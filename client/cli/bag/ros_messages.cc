@@ -44,7 +44,13 @@ class CdrReader {
  private:
   static std::string_view Body(std::string_view message) {
     constexpr std::string_view kLittleEndian("\x00\x01", 2);
+    constexpr std::string_view kZstd("\x28\xB5\x2F\xFD", 4);
     constexpr std::size_t kHead = 4;
+    if (message.starts_with(kZstd)) {
+      throw std::invalid_argument(
+          "its messages are compressed one by one (compression mode MESSAGE), which is not read: "
+          "convert it with ros2 bag convert");
+    }
     if (message.size() < kHead || !message.starts_with(kLittleEndian)) {
       throw std::invalid_argument("a message is not in little-endian CDR");
     }
@@ -60,6 +66,11 @@ Header ReadHeader(CdrReader& reader) {
   const std::int64_t nanoseconds = reader.Number<std::uint32_t>();
   return {seconds * kNsPerSecond + nanoseconds, std::string(reader.Text())};
 }
+
+constexpr const char* kColor = "colour that is read (rgb8, bgr8, 8UC3, rgba8, bgra8, mono8, 8UC1)";
+constexpr const char* kDepth = "depth that is read (16UC1, mono16, 32FC1)";
+constexpr const char* kColorFile = "colour that is read (JPEG, PNG)";
+constexpr const char* kDepthFile = "depth that is read (PNG, compressedDepth of 16UC1 or 32FC1)";
 
 std::invalid_argument NoUse(const char* what, std::string_view encoding) {
   return std::invalid_argument(std::string("an image of encoding \"") +
@@ -182,7 +193,7 @@ std::string ColorFile(std::string_view message, bool compressed) {
   if (compressed) {
     const auto [format, file] = ReadCompressed(message);
     if (file.starts_with("\xff\xd8\xff") || file.starts_with(kPng)) return std::string(file);
-    throw NoUse("colour", format);
+    throw NoUse(kColorFile, format);
   }
   const Raw raw = ReadImage(message);
   const std::string_view encoding = raw.encoding;
@@ -191,7 +202,7 @@ std::string ColorFile(std::string_view message, bool compressed) {
   if (encoding == "bgra8") return EncodePng(Converted(PixelsOf(raw, CV_8UC4), cv::COLOR_BGRA2BGR));
   if (encoding == "rgba8") return EncodePng(Converted(PixelsOf(raw, CV_8UC4), cv::COLOR_RGBA2BGR));
   if (encoding == "mono8" || encoding == "8UC1") return EncodePng(PixelsOf(raw, CV_8UC1));
-  throw NoUse("colour", encoding);
+  throw NoUse(kColor, encoding);
 }
 
 std::string DepthFile(std::string_view message, bool compressed, double unit_m) {
@@ -203,14 +214,14 @@ std::string DepthFile(std::string_view message, bool compressed, double unit_m) 
     }
     if (format.starts_with("16UC1; compressedDepth")) file = png;
     if (file.starts_with(kPng)) return std::string(file);
-    throw NoUse("depth", format);
+    throw NoUse(kDepthFile, format);
   }
   const Raw raw = ReadImage(message);
   if (raw.big_endian) throw std::invalid_argument("depth is big-endian");
   if (raw.encoding == "16UC1" || raw.encoding == "mono16")
     return EncodePng(PixelsOf(raw, CV_16UC1));
   if (raw.encoding == "32FC1") return EncodePng(UnitsOf(PixelsOf(raw, CV_32FC1), unit_m));
-  throw NoUse("depth", raw.encoding);
+  throw NoUse(kDepth, raw.encoding);
 }
 
 Calibration CameraInfo(std::string_view message, bool rectified) {

@@ -19,18 +19,25 @@ struct Close {
 using Database = std::unique_ptr<sqlite3, Close>;
 using Query = std::unique_ptr<sqlite3_stmt, Close>;
 
+// Of a question; a journal is only looked at then.
 [[noreturn]] void Fail(sqlite3* database) {
   if (sqlite3_errcode(database) == SQLITE_NOTADB) {
     throw std::invalid_argument("it is no SQLite database");
   }
-  throw std::invalid_argument(sqlite3_errmsg(database));
+  const int code = sqlite3_errcode(database) & 0xFF;  // without what it says in detail
+  const std::string what = sqlite3_errmsg(database);
+  if (code != SQLITE_READONLY && code != SQLITE_CANTOPEN) throw std::invalid_argument(what);
+  throw std::invalid_argument(
+      what +
+      ": its recorder was killed or keeps a journal beside it; copy both to a folder that may be "
+      "written to, and complete it there with: sqlite3 FILE .schema");
 }
 
 Database Open(const std::string& path) {
   sqlite3* opened = nullptr;
   const int result = sqlite3_open_v2(path.c_str(), &opened, SQLITE_OPEN_READONLY, nullptr);
   Database database(opened);
-  if (result != SQLITE_OK) Fail(opened);
+  if (result != SQLITE_OK) throw std::invalid_argument(sqlite3_errmsg(opened));
   // What a stranger's database may bring: expressions in its tables, values of any size.
   sqlite3_db_config(opened, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   sqlite3_db_config(opened, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
@@ -106,7 +113,9 @@ class SqliteBag : public BagFile {
 
   std::map<std::int64_t, Topic> ReadTopics() const {
     const Query query = Prepare("SELECT id, name, type, serialization_format FROM topics");
-    const auto text = [&](int column) { return std::string(Bytes(query.get(), column)); };
+    const auto text = [&](int column) {
+      return std::string(Bytes(query.get(), column).substr(0, kLongestName));
+    };
     std::map<std::int64_t, Topic> topics;
     int result = sqlite3_step(query.get());
     for (; result == SQLITE_ROW; result = sqlite3_step(query.get())) {

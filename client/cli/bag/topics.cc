@@ -27,6 +27,25 @@ Topics Only(const Topics& topics, bool (*holds)(const std::string&), bool wanted
   return found;
 }
 
+bool IsInfoOfDepth(const std::string& info) {
+  return info.find("depth", info.rfind('/') + 1) != std::string::npos;
+}
+
+// Those in the namespace of the colour topic, the innermost that has any.
+Topics Innermost(const Topics& infos, const std::string& color_topic) {
+  Topics found;
+  std::size_t longest = 0;
+  for (const std::string& info : infos) {
+    const std::size_t slash = info.rfind('/');
+    if (slash == std::string::npos || slash < longest) continue;
+    if (!color_topic.starts_with(info.substr(0, slash + 1))) continue;
+    if (slash > longest) found.clear();
+    found.push_back(info);
+    longest = slash;
+  }
+  return found;
+}
+
 // Those, where there are some.
 Topics Rather(const Topics& topics, bool (*holds)(const std::string&), bool wanted) {
   Topics found = Only(topics, holds, wanted);
@@ -65,16 +84,12 @@ std::string DepthTopic(const Topics& topics, const std::string& wanted) {
 bool IsRectified(const std::string& color_topic) { return Has(color_topic, "/image_rect"); }
 
 std::string InfoTopic(const Topics& infos, const std::string& color_topic) {
-  std::string best;
-  std::size_t longest = 0;
-  for (const std::string& info : infos) {
-    const std::size_t slash = info.rfind('/');
-    if (slash == std::string::npos || slash < longest) continue;
-    if (!color_topic.starts_with(info.substr(0, slash + 1))) continue;
-    best = info;
-    longest = slash;
+  const Topics beside = Innermost(infos, color_topic);
+  for (const std::string& info : beside) {
+    if (info.ends_with("/camera_info")) return info;  // the name that ROS gives it
   }
-  return best;
+  const Topics color = Only(beside, IsInfoOfDepth, false);
+  return color.size() == 1 ? color.front() : std::string();
 }
 
 }  // namespace fovea::cli

@@ -15,8 +15,9 @@ std::string DepthTopic(const std::vector<std::string>& topics, const std::string
 // Whether its images are undistorted already, by the name that ROS gives them ("image_rect…").
 bool IsRectified(const std::string& color_topic);
 
-// The one of `infos` (with camera_info) whose namespace the colour topic is in, the innermost;
-// empty = none.
+// The one of `infos` (with camera_info) whose namespace the colour topic is in, the innermost: of
+// several there the one that is called camera_info, or the only one without "depth" in its name.
+// Empty = none, or it is not clear which.
 std::string InfoTopic(const std::vector<std::string>& infos, const std::string& color_topic);
 
 }  // namespace fovea::cli

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 
@@ -195,6 +196,46 @@ TEST_F(FrameListTest, EqualTimesAreNoNames) {
   EXPECT_EQ(list.frames[1].depth_path, folder_.At("depth/1700000000134.png"));
   EXPECT_EQ(list.frames[2].captured_at->nanos(), 166'000'000);
   EXPECT_THAT(list.notes, IsEmpty());
+}
+
+TEST_F(FrameListTest, SaysWhatOfFoldersIsLeftOut) {
+  for (const char* name : {"n/rgb/a.png", "n/depth/a.png", "n/depth/b.png", "n/depth/c.tiff",
+                           "n/rgb/d.webp", "n/rgb/.hidden", "t/rgb/1.5.png", "t/rgb/cover.png",
+                           "t/depth/1.51.png", "o/rgb/a.exr", "o/depth/a.npy"}) {
+    Write(name);
+  }
+  const FrameList by_name = ListFrames(folder_.At("n"));
+  EXPECT_EQ(by_name.frames.size(), 1U);
+  EXPECT_THAT(by_name.notes,
+              ElementsAre("1 images in " + folder_.At("n/depth") +
+                              " have none of the same name in " + folder_.At("n/rgb"),
+                          "files that are no .png, .jpg or .jpeg are left out: 2, the first is " +
+                              folder_.At("n/rgb/d.webp")));
+  const FrameList by_time = ListFrames(folder_.At("t"));
+  EXPECT_EQ(by_time.frames.size(), 1U);
+  EXPECT_THAT(by_time.notes,
+              ElementsAre("images whose name is no time are left out: 1, the first is " +
+                          folder_.At("t/rgb/cover.png")));
+  try {
+    ListFrames(folder_.At("o"));
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("left out: 2, the first is " + folder_.At("o/rgb/a.exr")));
+  }
+}
+
+// Depth of TUM's and ICL-NUIM's sequences is in 1/5000 m, and pairs are those of the list.
+TEST_F(FrameListTest, SaysThatAssociationsAreNotRead) {
+  for (const char* name : {"rgb/1.5.png", "depth/1.51.png", "associations.txt"}) Write(name);
+  const FrameList list = ListFrames(Input());
+  EXPECT_EQ(list.frames.size(), 1U);
+  EXPECT_THAT(list.notes, ElementsAre(HasSubstr("associations.txt is not read")));
+}
+
+TEST_F(FrameListTest, ReadsNoPipesAsTumsLists) {
+  Write("depth.txt", "1.0 depth/1.png\n");
+  ASSERT_EQ(mkfifo(folder_.At("rgb.txt").c_str(), S_IRUSR | S_IWUSR), 0);
+  EXPECT_THROW(ListFrames(Input()), std::runtime_error);
 }
 
 TEST_F(FrameListTest, SaysWhatItLookedFor) {

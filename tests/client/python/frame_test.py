@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import pickle
+import zlib
 from pathlib import Path
 
 import numpy as np
 import pytest
 from comparison import EVERYTHING, assert_same
 from conftest import Scene
+from numpy.typing import NDArray
 from PIL import Image
 
 import fovea
@@ -27,6 +29,34 @@ def test_takes_frames_from_files(client: fovea.Client, scene: Scene, tmp_path: P
         fovea.read_frame(scene.depth_file, scene.depth_file)
     with pytest.raises(FileNotFoundError):
         fovea.read_frame(tmp_path / "none.png", scene.depth_file)
+
+
+def png_of_16_bits(pixels: NDArray[np.uint16]) -> bytes:
+    """Of three channels, which Pillow does not write."""
+    height, width = pixels.shape[:2]
+
+    def chunk(kind: bytes, content: bytes) -> bytes:
+        checksum = zlib.crc32(kind + content).to_bytes(4, "big")
+        return len(content).to_bytes(4, "big") + kind + content + checksum
+
+    header = width.to_bytes(4, "big") + height.to_bytes(4, "big") + b"\x10\x02\0\0\0"
+    rows = b"".join(b"\0" + row.astype(">u2").tobytes() for row in pixels)
+    end = chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b"")
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + end
+
+
+def test_takes_no_colour_of_16_bits(scene: Scene, tmp_path: Path) -> None:
+    path = tmp_path / "color.png"
+    path.write_bytes(png_of_16_bits(scene.color.astype(np.uint16) * 16))
+    assert Image.open(path).mode == "RGB"  # as if it had 8
+    with pytest.raises(fovea.InvalidArgument, match="is not an image of 8 bits"):
+        fovea.read_frame(path, scene.depth_file)
+
+
+def test_reads_no_file_without_an_end(scene: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(fovea.files, "_LARGEST_FILE", 1 << 20)
+    with pytest.raises(fovea.InvalidArgument, match="/dev/zero has more than 1 GiB"):
+        fovea.read_frame("/dev/zero", scene.depth_file)
 
 
 @pytest.mark.parametrize("which", ["color", "depth"])

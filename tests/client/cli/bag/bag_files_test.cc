@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 
@@ -92,6 +93,15 @@ TEST_F(BagFolder, SaysWhichFileIsMissingOrOfAnotherKind) {
   EXPECT_THAT(WhyNotOpened(), HasSubstr("walk: metadata.yaml"));
   Write("metadata.yaml", "a: [");
   EXPECT_THAT(WhyNotOpened(), HasSubstr("walk: metadata.yaml: "));
+}
+
+// A pipe would be waited for, and a device has no end.
+TEST_F(BagFolder, HasMetadataInAFile) {
+  ASSERT_EQ(mkfifo(At("metadata.yaml").c_str(), S_IRUSR | S_IWUSR), 0);
+  EXPECT_THAT(WhyNotOpened(), HasSubstr("metadata.yaml is no regular file"));
+  std::filesystem::remove(At("metadata.yaml"));
+  std::filesystem::create_symlink("/dev/zero", At("metadata.yaml"));
+  EXPECT_THAT(WhyNotOpened(), HasSubstr("metadata.yaml is no regular file"));
 }
 
 // Whoever wrote it down.

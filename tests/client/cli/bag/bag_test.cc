@@ -223,7 +223,7 @@ TEST(Bag, SaysWhatIsWrong) {
     return WhyNot(BagOf("Image", message, "Image", depth));
   };
   EXPECT_THAT(why_not_color(ImageMessage(kFirst_ns, "yuv422", 2, 1, 4, "abcd")),
-              HasSubstr("encoding \"yuv422\" is no colour"));
+              HasSubstr("encoding \"yuv422\" is no colour that is read (rgb8, bgr8, "));
   EXPECT_THAT(why_not_color(ImageMessage(kFirst_ns, "rgb8", 2, 1, 5, kRgb)),
               HasSubstr("fewer bytes"));
   EXPECT_THAT(why_not_color(ImageMessage(kFirst_ns, "rgb8", 2, 2, 6, kRgb)),
@@ -233,6 +233,9 @@ TEST(Bag, SaysWhatIsWrong) {
   EXPECT_THAT(why_not_color(color.substr(0, 20)), HasSubstr("image 1 of /rgb: it ends too early"));
   EXPECT_THAT(why_not_color(color.substr(0, 30)), HasSubstr("ends too early"));
   EXPECT_THAT(why_not_color("\1\1\1\1" + color.substr(4)), HasSubstr("not in little-endian CDR"));
+  // Of `ros2 bag record --compression-mode message`.
+  EXPECT_THAT(why_not_color("\x28\xB5\x2F\xFD" + color.substr(4)),
+              HasSubstr("compressed one by one"));
   EXPECT_THAT(why_not_color(ImageMessage(-kFirst_ns, "rgb8", 2, 1, 6, kRgb)),
               HasSubstr("time is none"));
 }
@@ -252,6 +255,10 @@ TEST(Topics, AreChosenByName) {
   EXPECT_EQ(InfoTopic(infos, "/a/color/image_raw"), "/a/color/camera_info");
   EXPECT_EQ(InfoTopic(infos, "/a/b/image_raw"), "/a/camera_info");
   EXPECT_EQ(InfoTopic({"/b/camera_info"}, "/a/image_raw"), "");
+  EXPECT_EQ(InfoTopic({"/a/camera_info", "/a/depth_camera_info"}, "/a/image_raw"),
+            "/a/camera_info");
+  EXPECT_EQ(InfoTopic({"/a/depth_info", "/a/rgb_info"}, "/a/rgb"), "/a/rgb_info");
+  EXPECT_EQ(InfoTopic({"/a/left_info", "/a/right_info"}, "/a/image"), "") << "either may be meant";
 }
 
 }  // namespace

@@ -145,5 +145,40 @@ TEST(DamagedBag, BelievesNoSizes) {
   EXPECT_THAT(WhyNot(larger), HasSubstr("larger than 256 MiB"));
 }
 
+// Of a few bytes of a file, which hold as much as a chunk may, thousands of times.
+TEST(DamagedBag, KeepsNoTextsOfAnySize) {
+  const std::string color = ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb);
+  const std::string depth = ImageMessage(kFirst_ns, "16UC1", 2, 1, 4, kUnits);
+  BagWriter writer;
+  writer.Add("/camera_info", "CameraInfo",
+             testing::CameraInfoMessage(2, 1, 525) + std::string(1 << 20, 'x'));
+  writer.Add("/" + std::string(300, 'a'), "Image", color);
+  writer.Add("/rgb", "Image",
+             ImageMessage(kFirst_ns, "rgb8", 2, 1, 6, kRgb, std::string(1 << 20, 'f')));
+  writer.Add("/depth", "Image", depth);
+  const Bag bag = Read(writer.Finish());
+  EXPECT_EQ(bag.list.frames.size(), 1U);
+  EXPECT_EQ(ColorCameraOf(bag)->fx, 525);
+  EXPECT_LE(bag.camera_info.size(), 1U << 16);
+  EXPECT_LE(bag.color_frame.size(), 256U);
+  EXPECT_THAT(bag.list.notes, ElementsAre(HasSubstr("b.mcap has damaged records: 2, the first ")));
+}
+
+TEST(DamagedBag, HasNoMoreImagesThanAreKept) {
+  BagWriter writer;
+  for (int i = 0; i < 3; ++i) {
+    writer.Add("/rgb", "Image", ImageMessage(kFirst_ns + i, "rgb8", 2, 1, 6, kRgb));
+  }
+  writer.Add("/depth", "Image", ImageMessage(kFirst_ns, "16UC1", 2, 1, 4, kUnits));
+  const std::string bag = writer.Finish();
+  EXPECT_EQ(Read(bag, {.most_images = 4}).list.frames.size(), 1U);
+  try {
+    Read(bag, {.most_images = 3});
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("it has more than 3 images"));
+  }
+}
+
 }  // namespace
 }  // namespace fovea::cli::small_bags

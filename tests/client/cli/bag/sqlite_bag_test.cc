@@ -82,6 +82,20 @@ TEST(SqliteBag, SaysWhyItIsNone) {
   EXPECT_THAT(WhyNotOpened(folder.At("other.db3")), HasSubstr("no such column: topic_id"));
 }
 
+// Which SQLite would have to undo, and write for that.
+TEST(SqliteBag, WithAJournalOfItsRecorderSaysWhatHelps) {
+  const TemporaryFolder folder;
+  SqliteWriter writer(folder.At("open.db3"));
+  AddFrame(kFirst_ns, &writer);
+  writer.Run("PRAGMA journal_mode = DELETE; PRAGMA cache_size = 1; BEGIN");
+  writer.Run("INSERT INTO messages VALUES(NULL, 1, 1, zeroblob(3000000))");
+  for (const char* file : {"db3", "db3-journal"}) {
+    std::filesystem::copy(folder.At("open.") + file, folder.At("killed.") + file);
+  }
+  writer.Run("ROLLBACK");
+  EXPECT_THAT(WhyNotOpened(folder.At("killed.db3")), HasSubstr("sqlite3 FILE .schema"));
+}
+
 // A question that never ends, in the place of a table.
 TEST(SqliteBag, AsksNoViews) {
   const TemporaryFolder folder;
