@@ -22,13 +22,22 @@ int Cells(float length_m, float cell_m) {
   return std::max(1, static_cast<int>(std::ceil(length_m / cell_m)));
 }
 
-// Turns the grid about its middle so that `direction` runs along the columns; larger, so that
+// Turns the grid about its middle cell so that `direction` runs along the columns; larger, so that
 // nothing is lost. Two rows and three columns, as cv::warpAffine takes it.
 cv::Matx23f Turn(const std::pair<float, float>& direction, const cv::Size& size, int side) {
   const auto [c, s] = direction;
-  const cv::Point2f middle((size.width - 1) / 2.0F, (size.height - 1) / 2.0F);
-  const float target = (static_cast<float>(side) - 1) / 2;
-  return {c, s, target - c * middle.x - s * middle.y, -s, c, target + s * middle.x - c * middle.y};
+  // Whole cells: right angles move cells to cells.
+  const cv::Point2f middle(cv::Point(size) / 2), target(cv::Point(side, side) / 2);
+  return {c,  s, target.x - c * middle.x - s * middle.y,
+          -s, c, target.y + s * middle.x - c * middle.y};
+}
+
+// Free where all cells around are: the nearest ones alone would pass by every sixth cell.
+cv::Mat Turned(const cv::Mat& free, const cv::Matx23f& turn, int side) {
+  cv::Mat turned;
+  cv::warpAffine(free, turned, turn, {side, side}, cv::INTER_LINEAR, cv::BORDER_CONSTANT,
+                 cv::Scalar(0));
+  return turned == 255;
 }
 
 struct Best {
@@ -44,14 +53,12 @@ Best MostRoom(const cv::Mat& free, const cv::Size2f& rectangle) {
   for (std::size_t i = 0; i < kDirections.size(); ++i) {
     InterruptionPoint();
     const cv::Matx23f turn = Turn(kDirections[i], free.size(), side);
-    cv::Mat turned, fits, room;
-    cv::warpAffine(free, turned, turn, {side, side}, cv::INTER_NEAREST, cv::BORDER_CONSTANT,
-                   cv::Scalar(0));
+    cv::Mat fits, room;
     const cv::Size kernel(static_cast<int>(rectangle.width) | 1,
                           static_cast<int>(rectangle.height) | 1);
     if (kernel.width > side || kernel.height > side) continue;
-    cv::erode(turned, fits, cv::Mat::ones(kernel, CV_8UC1), {-1, -1}, 1, cv::BORDER_CONSTANT,
-              cv::Scalar(0));
+    cv::erode(Turned(free, turn, side), fits, cv::Mat::ones(kernel, CV_8UC1), {-1, -1}, 1,
+              cv::BORDER_CONSTANT, cv::Scalar(0));
     cv::distanceTransform(fits, room, cv::DIST_L2, cv::DIST_MASK_5);
     double most = 0;
     cv::Point at;

@@ -120,7 +120,9 @@ void CompleteObjects(const RgbdFrame& frame, const PixelPoints& points,
         SetShape(explained.shape, explained.frame, object);
       }
     }
-    if (explained.carrier) object.stands_on.push_back(*explained.carrier);
+    // Where no support was found, what it ends on is none.
+    const bool is_found = explained.carrier && (*explained.carrier != 0 || supports[i]);
+    if (is_found) object.stands_on.push_back(*explained.carrier);
     SetUnseenShare(detections.labels, frame.intrinsics, explained.shape, explained.frame, object);
     done.push_back(i);
   }

@@ -112,6 +112,29 @@ TEST(FindFreePlaces, TriesDirectionsThatAreNotAlongTheView) {
   EXPECT_GT(along.x() * along.y(), 0);
 }
 
+// A strip at 45 degrees as wide as what shall stand there, in whose middle a thing of one cell
+// stands.
+TEST(FindFreePlaces, OnNoThingHoweverThinInAnyDirection) {
+  constexpr float kHalf = 0.70710678F;
+  const Eigen::Vector2f along(kHalf, kHalf), across(-kHalf, kHalf);
+  for (int step = -11; step <= 17; step += 4) {
+    Table table;
+    table.ForEach([&](const Eigen::Vector2f& at, const cv::Point& pixel) {
+      if (std::abs(at.dot(across)) > 0.06F)
+        table.points.at<cv::Vec3f>(pixel) = cv::Vec3f::all(kNone);
+    });
+    const Eigen::Vector2f at = along * (0.004F * static_cast<float>(step));
+    const DetectedObject pen = Thing(at, {0.004F, 0.004F, 0.15F});
+    const auto places = table.Places({.size_m = {0.2F, 0.06F, 0.1F}, .margin_m = 0.01F}, {pen});
+    ASSERT_FALSE(places.empty());
+    for (const FreePlace& place : places) {
+      const Eigen::Vector3f beside =
+          place.box.rotation.transpose() * (pen.box.center - place.box.center);
+      EXPECT_GT(std::abs(beside.x()), 0.1F) << "pen at " << at.transpose();
+    }
+  }
+}
+
 // The table once more, 0.3 m nearer, without what a thing covers of it.
 TEST(FindFreePlaces, OfSeveralSupportsTheOneWithMoreRoomComesFirst) {
   Table table;

@@ -162,6 +162,19 @@ TEST(CompleteObjects, AThingStandsOnTheOneBelowIt) {
   EXPECT_EQ(found.objects[2].stands_on, std::vector<int>{0});
 }
 
+TEST(CompleteObjects, WhereNoSupportWasFoundNothingStandsOnOne) {
+  ThingsOnFloor things =
+      CompleteThings({Thing(ShapeKind::kCylinder, {0.06, 0.06, 0.08}, {0, 0}, 0.1),
+                      Thing(ShapeKind::kBox, {0.2, 0.2, 0.1}, {0, 0}, 0)},
+                     40);
+  std::vector<DetectedObject>& objects = things.detections.objects;
+  for (DetectedObject& object : objects) object.stands_on.clear();
+  CompleteObjects(things.frame, {things.frame.depth_m, things.frame.intrinsics},
+                  {std::nullopt, std::nullopt}, things.detections);
+  EXPECT_EQ(objects[0].stands_on, std::vector<int>{2});
+  EXPECT_EQ(objects[1].stands_on, std::vector<int>());
+}
+
 // Its lowest points, as measured, are lower than those of the top of the book, which is all that is
 // seen of that.
 TEST(CompleteObjects, AThingStandsOnABook) {
