@@ -178,7 +178,8 @@ void AnswerRobot(const RgbdFrame& frame, const ObjectSurroundings& around,
   }
   if (!options.grippers.empty()) {
     clock.Begin("grasps");
-    PlanGrasps({around.points, result.labels, frame.intrinsics, -result.gravity.direction},
+    PlanGrasps({around.points, result.labels, frame.intrinsics, -result.gravity.direction,
+                MeasuredDepth(frame.depth_m)},
                options.grippers, result.objects,
                trace != nullptr ? &trace->grasp_candidates : nullptr);
   }

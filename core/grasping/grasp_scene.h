@@ -14,6 +14,9 @@ struct GraspScene {
   const cv::Mat& labels;  // CV_16UC1, 0 = background, k = the object with label k
   const CameraIntrinsics& intrinsics;
   const Eigen::Vector3f up;  // unit vector, against gravity
+  // What was measured, also farther away than points are: CV_32FC1, metres, NaN = none. Empty: no
+  // more than the points.
+  cv::Mat measured_m = {};
 };
 
 }  // namespace fovea

@@ -11,6 +11,7 @@
 #include "core/grasping/jaw_grasps.h"
 #include "core/grasping/ranking.h"
 #include "core/grasping/suction_grasps.h"
+#include "core/grasping/unseen_way.h"
 #include "core/types/helpers.h"
 #include "core/types/interruption.h"
 
@@ -163,6 +164,32 @@ NoGrasp::Reason ReasonOf(const Planner::Found& found, const DetectedObject& obje
   return found.failures.MostCommon(NoGrasp::Reason::kTooLittleSeen);
 }
 
+// The likeliest of those that were found for gripper `g`, or why none of them is offered.
+void Offer(const GraspScene& scene, const std::vector<Gripper>& grippers, std::size_t g,
+           const Planner::Found& found, std::size_t target, std::vector<DetectedObject>& objects) {
+  // A hand that would pass behind something, as below the board of a shelf, meets it nearly always:
+  // boards are seen from in front alone.
+  constexpr float kMostHidden = 0.5F, kHeld = 0.1F;
+  DetectedObject& object = objects[target];
+  const auto* jaw = std::get_if<JawGripper>(&grippers[g].hand);
+  bool any_hidden = false;
+  std::vector<Grasp> ranked = RankGrasps(found.grasps, grippers[g], [&](Grasp& grasp) {
+    const UnseenWay way = LookAtWay(scene, object.label, grippers[g], grasp);
+    grasp.unseen_way = way.unseen;
+    const bool is_hidden = jaw != nullptr && way.hidden > kMostHidden;
+    any_hidden = any_hidden || is_hidden;
+    return is_hidden ? kHeld : 1;
+  });
+  if (ranked.empty()) {
+    object.no_grasps.push_back(
+        {g, any_hidden ? NoGrasp::Reason::kCovered : ReasonOf(found, object)});
+  }
+  for (Grasp& grasp : ranked) {
+    if (jaw != nullptr) grasp.clearance_m = ClearanceOf(scene, objects, target, *jaw, grasp);
+    object.grasps.push_back(grasp);
+  }
+}
+
 }  // namespace
 
 void PlanGrasps(const GraspScene& scene, const std::vector<Gripper>& grippers,
@@ -174,18 +201,11 @@ void PlanGrasps(const GraspScene& scene, const std::vector<Gripper>& grippers,
   // Planning reads of the others where and what they are, never what they are taken by.
   ForEachTogether(objects.size(), [&](std::size_t i) {
     const std::vector<Planner::Found> found = planner.PlanFor(i);
-    DetectedObject& object = objects[i];
     for (std::size_t g = 0; g < grippers.size(); ++g) {
-      const std::vector<ScoredGrasp>& all = found[g].grasps;
-      std::vector<Grasp> ranked = RankGrasps(all, grippers[g]);
-      if (const auto* jaw = std::get_if<JawGripper>(&grippers[g].hand)) {
-        for (Grasp& grasp : ranked) grasp.clearance_m = ClearanceOf(scene, objects, i, *jaw, grasp);
-      }
-      if (ranked.empty()) object.no_grasps.push_back({g, ReasonOf(found[g], object)});
-      object.grasps.insert(object.grasps.end(), ranked.begin(), ranked.end());
+      Offer(scene, grippers, g, found[g], i, objects);
       if (candidates != nullptr) {
         std::vector<ScoredGrasp>& judged = (*candidates)[i];
-        judged.insert(judged.end(), all.begin(), all.end());
+        judged.insert(judged.end(), found[g].grasps.begin(), found[g].grasps.end());
       }
     }
   });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace fovea {
 namespace {
@@ -16,20 +17,33 @@ bool AreAlike(const Grasp& a, const Grasp& b) {
 
 }  // namespace
 
-std::vector<Grasp> RankGrasps(const std::vector<ScoredGrasp>& grasps, const Gripper& gripper) {
-  std::vector<const Grasp*> likely;
+std::vector<Grasp> RankGrasps(const std::vector<ScoredGrasp>& grasps, const Gripper& gripper,
+                              const std::function<float(Grasp&)>& doubt) {
+  const auto is_likely = [&](const Grasp& grasp) {
+    return grasp.probability >= gripper.min_probability;
+  };
+  const auto is_likelier = [](const Grasp& a, const Grasp& b) {
+    return a.probability > b.probability;
+  };
+  std::vector<Grasp> likely;
   for (const ScoredGrasp& scored : grasps) {
-    if (scored.grasp.probability >= gripper.min_probability) likely.push_back(&scored.grasp);
+    if (is_likely(scored.grasp)) likely.push_back(scored.grasp);
   }
-  std::stable_sort(likely.begin(), likely.end(),
-                   [](const Grasp* a, const Grasp* b) { return a->probability > b->probability; });
-  std::vector<Grasp> ranked;
-  for (const Grasp* grasp : likely) {
-    if (ranked.size() >= static_cast<std::size_t>(gripper.max_grasps)) break;
-    const bool is_known = std::any_of(ranked.begin(), ranked.end(),
-                                      [&](const Grasp& other) { return AreAlike(*grasp, other); });
-    if (!is_known) ranked.push_back(*grasp);
+  std::stable_sort(likely.begin(), likely.end(), is_likelier);
+  const auto wanted = static_cast<std::size_t>(gripper.max_grasps);
+  std::vector<Grasp> ranked, doubted;
+  for (Grasp& grasp : likely) {
+    if (ranked.size() >= wanted) break;
+    const auto is_alike = [&](const Grasp& other) { return AreAlike(grasp, other); };
+    if (std::any_of(ranked.begin(), ranked.end(), is_alike)) continue;
+    if (std::any_of(doubted.begin(), doubted.end(), is_alike)) continue;
+    const float left = doubt(grasp);
+    grasp.probability *= left;
+    (left < 1 ? doubted : ranked).push_back(grasp);
   }
+  std::copy_if(doubted.begin(), doubted.end(), std::back_inserter(ranked), is_likely);
+  std::stable_sort(ranked.begin(), ranked.end(), is_likelier);
+  if (ranked.size() > wanted) ranked.resize(wanted);
   return ranked;
 }
 

@@ -6,8 +6,12 @@
 
 namespace fovea {
 
-Sight SightOf(const GraspScene& scene, int label, const Eigen::Vector3f& place) {
+float SightTolerance(float z_m) {
   constexpr float kTolerance_m = 0.008F, kTolerancePer_m = 0.004F;
+  return kTolerance_m + kTolerancePer_m * z_m * z_m;
+}
+
+Sight SightOf(const GraspScene& scene, int label, const Eigen::Vector3f& place) {
   constexpr float kNearest_m = 0.01F;
   if (place.z() < kNearest_m) return Sight::kOutsideOfImage;
   const cv::Point2d at = Project(place, scene.intrinsics);
@@ -19,7 +23,7 @@ Sight SightOf(const GraspScene& scene, int label, const Eigen::Vector3f& place) 
   const float seen_m = scene.points.ptr<cv::Vec3f>(row)[column][2];
   if (std::isnan(seen_m)) return Sight::kUnmeasured;
   const bool is_target = scene.labels.ptr<std::uint16_t>(row)[column] == label;
-  const float tolerance = kTolerance_m + kTolerancePer_m * place.z() * place.z();
+  const float tolerance = SightTolerance(place.z());
   if (seen_m < place.z() - tolerance) {
     return is_target ? Sight::kBehindTarget : Sight::kBehindOther;
   }

@@ -7,6 +7,9 @@
 
 namespace fovea {
 
+// By how much what is seen at the distance z (metres) may be nearer than it is, or farther.
+float SightTolerance(float z_m);
+
 enum class Sight {
   kFree,            // something behind it is seen
   kOnTarget,        // the object itself is seen there

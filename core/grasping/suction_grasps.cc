@@ -10,8 +10,7 @@
 namespace fovea {
 namespace {
 
-constexpr float kTube_m = 0.15F;  // of the tube behind the cup that must be free, at least
-constexpr int kSteps = 15;        // along it
+constexpr int kSteps = 15;  // along the tube
 
 // The smallest distance between the tube and what else is in the columns of the grid, up to 20 mm;
 // negative where they meet.
@@ -153,7 +152,7 @@ std::vector<ScoredGrasp> FindSuctionGrasps(const GraspScene& scene, const Detect
     }
     const float back_m = PreGraspDistance(object, solid, grid.frame, place.center);
     const float gap =
-        TubeGap(grid, place.center, normal, cup.diameter_m / 2, std::max(kTube_m, back_m));
+        TubeGap(grid, place.center, normal, cup.diameter_m / 2, std::max(kLeastWay_m, back_m));
     if (gap < 0) {
       failures.Add(WhatBlocksTube(grid, place.center));
       continue;

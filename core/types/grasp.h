@@ -8,6 +8,7 @@ namespace fovea {
 
 constexpr float kLeastPreGrasp_m = 0.1F;    // from the grasp to where the hand moves in from,
 constexpr float kPreGraspBeyond_m = 0.02F;  // and so far beyond what it reaches into
+constexpr float kLeastWay_m = 0.15F;        // of the way in, what a hand needs free at least
 
 struct Grasp {
   enum class Kind {
@@ -39,6 +40,10 @@ struct Grasp {
   float clearance_m = 0;
   // Share of both contact areas, or of the lip of a cup, that no pixel shows, 0 … 1.
   float unseen_contacts = 0;
+  // How much of a cross section of what the palm or the tube passes on the last 0.15 m and more of
+  // its way in the camera did not see to be free, where that is most, 0 … 1. Known of grasps that
+  // are offered alone.
+  float unseen_way = 0;
   float probability = 0;  // of success, 0 … 1, calibrated on generated scenes
   // Of suction: root mean square distance of the patch from the surface fitted to it, the largest
   // cup that fits on (1, 1.25, 1.5, 2 or 3 times its width), and the object's middle from the axis.
@@ -52,7 +57,7 @@ struct NoGrasp {
   enum class Reason {
     kTooWide,   // for the opening, wherever it could be taken
     kNeighbor,  // something else is in the way
-    kCovered,   // something lies on it
+    kCovered,   // something lies on it, or hides the way in
     kTooLow,    // the hand would touch what it stands on
     kSloped,    // its sides would slip out of the fingers; suction: no face is within reach
     kCut,       // it is truncated where it would be taken

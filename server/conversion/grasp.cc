@@ -65,6 +65,7 @@ v1::Grasp ToProto(const Grasp& grasp, const std::string& gripper_name) {
   *proto.mutable_pre_grasp_position() = ToProto(pre_grasp);
   proto.set_clearance_m(grasp.clearance_m);
   proto.set_unseen_contacts(grasp.unseen_contacts);
+  proto.set_unseen_way(grasp.unseen_way);
   proto.set_unevenness_m(grasp.unevenness_m);
   proto.set_usable_diameter_m(grasp.usable_diameter_m);
   proto.set_off_center_m(grasp.off_center_m);

@@ -97,6 +97,9 @@ class Grasp:
     off_center_m: float = 0.0
     # How far apart the fingers should be before and while the hand moves in; 0 with suction.
     pre_grasp_opening_m: float = 0.0
+    # Of what the palm or the tube of the cup passes on its way in: how much of a cross section the
+    # camera did not see to be free, where that is most, 0 … 1.
+    unseen_way: float = 0.0
 
     @property
     def pose(self) -> FloatArray:
@@ -252,6 +255,7 @@ def _grasp(proto: detection_pb2.Grasp) -> Grasp:
         usable_diameter_m=proto.usable_diameter_m,
         off_center_m=proto.off_center_m,
         pre_grasp_opening_m=proto.pre_grasp_opening_m,
+        unseen_way=proto.unseen_way,
     )
 
 

@@ -26,7 +26,9 @@ nlohmann::json ToJson(const GraspedObject& object) {
   for (const GripperResult& result : object.grippers) {
     nlohmann::json outcomes = nlohmann::json::array();
     for (const Outcome outcome : result.outcomes) outcomes.push_back(NameOf(outcome));
-    nlohmann::json json = {{"outcomes", outcomes}, {"probabilities", result.probabilities}};
+    nlohmann::json json = {{"outcomes", outcomes},
+                           {"probabilities", result.probabilities},
+                           {"unseen_ways", result.unseen_ways}};
     if (!result.candidate_outcomes.empty()) {
       for (std::size_t i = 0; i < result.candidate_outcomes.size(); ++i) {
         json["candidates"].push_back(

@@ -38,6 +38,7 @@ std::vector<GripperResult> Check(const PhysicalScene& scene, int body,
   for (const Grasp& grasp : answer.grasps) {
     GripperResult& result = results.at(grasp.gripper);
     result.outcomes.push_back(CheckGrasp(scene, body, grippers[grasp.gripper], grasp));
+    result.unseen_ways.push_back(double{grasp.unseen_way});
     result.probabilities.push_back(std::clamp(double{grasp.probability}, 0.0, 1.0));
   }
   for (const NoGrasp& none : answer.no_grasps) {

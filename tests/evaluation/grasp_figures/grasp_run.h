@@ -15,6 +15,7 @@ namespace fovea::evaluation {
 struct GripperResult {
   std::vector<Outcome> outcomes;  // of the grasps that were offered, in their order
   std::vector<double> probabilities;
+  std::vector<double> unseen_ways;  // of each, Grasp::unseen_way
   std::optional<bool>
       possible;  // whether a search with the true solids finds a grasp, if asked for
   // Of the candidates that were judged, offered or not, if asked for: their outcomes, likeliest

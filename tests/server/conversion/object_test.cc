@@ -152,6 +152,7 @@ TEST(Grasps, SayEachThingInItsOwnField) {
   grasp.pre_grasp_distance_m = 0.5F;
   grasp.clearance_m = 9;
   grasp.unseen_contacts = 10;
+  grasp.unseen_way = 15;
   grasp.probability = 11;
   grasp.unevenness_m = 12;
   grasp.usable_diameter_m = 13;
@@ -162,7 +163,7 @@ TEST(Grasps, SayEachThingInItsOwnField) {
     gripper: "hand" gripper_index: 3 probability: 11
     pre_grasp_position { x: 0.75 y: 1.875 z: 2.5 }
     clearance_m: 9 unseen_contacts: 10 unevenness_m: 12 usable_diameter_m: 13 off_center_m: 14
-    pre_grasp_opening_m: 8)"));
+    pre_grasp_opening_m: 8 unseen_way: 15)"));
 }
 
 TEST(Grasps, EachHasItsKind) {
