@@ -67,6 +67,7 @@ double OverlapOf(const Coverage& coverage, const Sighting& track, const Sighting
 //   size and the motion's error,
 // - difference of mean colours, beside kFarColor,
 // - ratio of their sizes, beside kFarSize, on a logarithmic scale.
+// What was taken away comes back in its own colour: another one in its place is something else.
 double CostOf(const Track& track, const Coverage& coverage, const Sighting& detection,
               const AssociationFrame& frame) {
   const Sighting& expected = track.expected();
@@ -76,8 +77,9 @@ double CostOf(const Track& track, const Coverage& coverage, const Sighting& dete
   const double reach_m = half_size_m + kErrorsInReach * frame.camera_error_m +
                          kFastest_m_s * std::min(track.seconds_hidden(), kLongestReach_s);
   if (!(distance_m < reach_m)) return kMaxCost;
-  const double overlap = OverlapOf(coverage, expected, detection, frame);
   const double color = (expected.lab - detection.lab).norm() / kFarColor;
+  if (track.was_gone() && color > 1) return kMaxCost;
+  const double overlap = OverlapOf(coverage, expected, detection, frame);
   const double ratio =
       (detection.box.size_m.norm() + kSlack_m) / (expected.box.size_m.norm() + kSlack_m);
   const double size = std::abs(std::log(ratio)) / std::log(kFarSize);

@@ -85,12 +85,13 @@ void Tracker::Forget() {
             [](const Track& a, const Track& b) { return a.id() < b.id(); });
 }
 
-std::vector<HiddenTrack> Tracker::Hidden(const RgbdFrame& frame, std::uint64_t stretch) const {
+std::vector<HiddenTrack> Tracker::Hidden(const RgbdFrame& frame, std::uint64_t stretch) {
   std::vector<HiddenTrack> hidden;
-  for (const Track& track : tracks_) {
+  for (Track& track : tracks_) {
     if (track.was_seen()) continue;
     const HiddenReason reason =
         track.IsOf(stretch) ? ReasonOf(track.expected(), frame) : HiddenReason::kNotDetected;
+    if (reason == HiddenReason::kGone) track.OnGone();
     hidden.push_back(
         {track.id(), track.expected().box, track.last_seen(), track.times_seen(), reason});
   }

@@ -55,7 +55,7 @@ class Tracker {
   bool MostAreWhereTheyWere(const std::vector<Sighting>& sightings,
                             const std::vector<int>& track_of_sighting) const;
   void Forget();
-  std::vector<HiddenTrack> Hidden(const RgbdFrame& frame, std::uint64_t stretch) const;
+  std::vector<HiddenTrack> Hidden(const RgbdFrame& frame, std::uint64_t stretch);
 
   std::uint64_t epoch_;
   CameraPath path_;

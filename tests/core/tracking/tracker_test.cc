@@ -135,6 +135,24 @@ TEST(Tracker, NothingIsGoneWhereTheCameraIsNotKnown) {
   }
 }
 
+// In the place of what the camera saw to be gone; behind something it may have looked otherwise.
+TEST(Tracker, WhatWasTakenAwayComesBackInItsColor) {
+  for (const bool is_covered : {false, true}) {
+    for (const auto& color : {kRed, kBlue}) {
+      Tracker tracker(1);
+      for (int i = 0; i < 2; ++i) View(0, i + 1).Add({0, 0, 0.8F}).TrackBy(tracker, At(0.1 * i));
+      View without(0, 3);
+      if (is_covered) without.Cover({100, 60, 120, 120}, 0.4F);
+      const Detections hidden = without.TrackBy(tracker, At(0.2));
+      ASSERT_THAT(HiddenIds(hidden), ElementsAre(1));
+      EXPECT_EQ(hidden.tracking->hidden[0].reason,
+                is_covered ? HiddenReason::kCovered : HiddenReason::kGone);
+      const Detections after = View(0, 4).Add({0, 0, 0.8F}, color).TrackBy(tracker, At(0.3));
+      EXPECT_THAT(Ids(after), ElementsAre(is_covered || color == kRed ? 1 : 2));
+    }
+  }
+}
+
 TEST(Tracker, KeepsWhatIsHiddenForTwoSeconds) {
   for (const double hidden_s : {1.5, 2.5}) {
     Tracker tracker(1);
