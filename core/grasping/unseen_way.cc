@@ -61,7 +61,9 @@ UnseenWay LookAtWay(const GraspScene& scene, int label, const Gripper& gripper,
   const Eigen::Vector3f x = passage.half_x_m * grasp.closing;
   const Eigen::Vector3f y = passage.half_y_m * grasp.approach.cross(grasp.closing);
   UnseenWay way;
-  for (float back_m = passage.first_m; back_m < passage.last_m; back_m += kStep_m) {
+  const int num_sections = cvCeil((passage.last_m - passage.first_m) / kStep_m);
+  for (int section = 0; section < num_sections; ++section) {
+    const float back_m = passage.first_m + static_cast<float>(section) * kStep_m;
     const Eigen::Vector3f middle = grasp.tool_center_point - back_m * grasp.approach;
     Counts counts;
     for (const float along : {-1.0F, -0.5F, 0.0F, 0.5F, 1.0F}) {
