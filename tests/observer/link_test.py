@@ -49,7 +49,8 @@ def test_who_is_away_and_back_is_said_once(tmp_path: Path) -> None:
 
 
 class Link:
-    """Passes connections on; those that were there at a cut get nothing any more, and no end."""
+    """Passes connections on; those that were there at a cut get nothing any more, and no end. Until
+    it is mended there are no others."""
 
     def __init__(self, address: str) -> None:
         host, port = address.split(":")
@@ -57,10 +58,15 @@ class Link:
         self._listener = socket.create_server(("127.0.0.1", 0))
         self.url = f"http://127.0.0.1:{self._listener.getsockname()[1]}/"
         self._cuts = 0
+        self._is_cut = False
         threading.Thread(target=self._accept, daemon=True).start()
 
     def cut(self) -> None:
+        self._is_cut = True
         self._cuts += 1
+
+    def mend(self) -> None:
+        self._is_cut = False
 
     def close(self) -> None:
         self._listener.close()
@@ -71,6 +77,9 @@ class Link:
                 here = self._listener.accept()[0]
             except OSError:
                 return
+            if self._is_cut:
+                here.close()
+                continue
             there = socket.create_connection(self._there)
             for ends in ((here, there), (there, here)):
                 threading.Thread(target=self._pass, args=(*ends, self._cuts), daemon=True).start()
@@ -105,6 +114,7 @@ def test_a_page_whose_connections_are_lost_goes_on(
     link.cut()
     browser.until(lambda: "the observer is away" in browser.text("#servers"))
     before = newest(browser)
+    link.mend()
     browser.until(lambda: "away" not in browser.text("#servers"))
     browser.until(lambda: newest(browser) > before)
 
