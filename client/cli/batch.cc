@@ -3,14 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <deque>
 #include <filesystem>
 #include <future>
 #include <iostream>
-#include <optional>
 #include <stdexcept>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -58,22 +55,10 @@ void WriteComparable(const Outputs& outputs, const FrameFiles& files, const v1::
 
 // What all frames have in common.
 struct Run {
-  const client::Client& client;
+  PatientServer& server;
   const Batch& batch;
   const FrameSettings settings;
-  const std::chrono::milliseconds timeout;
-  const std::function<std::string(const client::RpcError&)>& explain;
-  // Whether the server answered the last call that ended: then it is likely to come back.
-  mutable std::atomic<bool> is_there{false};
 };
-
-// A folder can wait: a server may take fewer frames of one caller than --jobs, or start anew.
-std::optional<std::chrono::milliseconds> PauseAfter(const client::RpcError& error, const Run& run) {
-  constexpr std::chrono::milliseconds kBetween{500};
-  if (error.code() == grpc::StatusCode::RESOURCE_EXHAUSTED) return error.retry_after();
-  if (error.code() == grpc::StatusCode::UNAVAILABLE && run.is_there) return kBetween;
-  return std::nullopt;
-}
 
 // Of what flags say, and no frame. The size of voxels is also named for a frame that is too much
 // for the method.
@@ -83,70 +68,6 @@ bool IsOfAllFrames(const client::RpcError& error, const Run& run) {
   if (field == "options.parameters[voxels.size_m]") return false;
   return field.starts_with("options.") || field.starts_with("frame.gravity") ||
          field.starts_with("frame.camera_pose");
-}
-
-// A server that is being started is waited for, one that is not there is one error and not one a
-// frame.
-void AwaitServer(const Run& run) {
-  std::string why = "the server does not serve yet";
-  try {
-    run.is_there = run.client.IsServing();
-    if (run.is_there) return;
-  } catch (const client::RpcError& error) {
-    if (error.code() != grpc::StatusCode::UNAVAILABLE) return;  // the first frame tells
-    why = run.explain(error);
-  }
-  PrintNote(why + fmt::format("; it is waited for, {} s at most", run.timeout.count() / 1000.0));
-  try {
-    run.client.WaitUntilReady(run.timeout);
-  } catch (const client::RpcError&) {
-    throw std::runtime_error(why);
-  }
-  run.is_there = true;
-}
-
-// More than the server takes would be refused, counted there and sent once more.
-std::size_t JobsOf(const Run& run) {
-  constexpr std::uint32_t kUsual = 4;
-  if (run.batch.jobs) return static_cast<std::size_t>(*run.batch.jobs);
-  try {
-    const std::uint32_t most = run.client.GetServerInfo().max_per_robot();
-    return most == 0 ? kUsual : std::min(most, kUsual);
-  } catch (const client::RpcError&) {
-    return kUsual;  // the frames tell what is wrong
-  }
-}
-
-// Where a frame has waited for the server in vain, those after it do not: one attempt tells.
-void RequireServer(const Run& run) {
-  if (run.is_there) return;
-  try {
-    run.client.IsServing();
-  } catch (const client::RpcError& error) {
-    if (error.code() == grpc::StatusCode::UNAVAILABLE) throw;
-  }
-}
-
-v1::DetectResponse Ask(const Run& run, const v1::DetectRequest& request) {
-  using std::chrono::steady_clock;
-  RequireServer(run);
-  const steady_clock::time_point end = steady_clock::now() + run.timeout;
-  while (true) {
-    try {
-      v1::DetectResponse response = run.client.Detect(
-          request,
-          std::chrono::duration_cast<std::chrono::milliseconds>(end - steady_clock::now()));
-      run.is_there = true;
-      return response;
-    } catch (const client::RpcError& error) {
-      const auto pause = PauseAfter(error, run);
-      if (!pause || steady_clock::now() + *pause >= end) {
-        if (error.code() == grpc::StatusCode::UNAVAILABLE) run.is_there = false;
-        throw;
-      }
-      std::this_thread::sleep_for(*pause);
-    }
-  }
 }
 
 // Whoever finds NAME.json finds all of it, and all other files.
@@ -173,7 +94,7 @@ Outcome DetectFrame(const Run& run, const FrameFiles& files) {
     if (!files.read_depth && !files.sent_before) RequireFiles(files);
     const Outputs outputs = OutputsOf(files.id, run.batch);
     const v1::DetectRequest request = MakeRequest(files, run.settings);
-    const v1::DetectResponse response = Ask(run, request);
+    const v1::DetectResponse response = run.server.Ask(request);
     const v1::Detections& found = response.detections();
     CheckSize(run.settings, found);
     WriteFiles(outputs, files, SettingsFor(files, run.settings), request, found);
@@ -187,7 +108,7 @@ Outcome DetectFrame(const Run& run, const FrameFiles& files) {
             /*is_of_all=*/false,
             {static_cast<int>(found.width()), static_cast<int>(found.height())}};
   } catch (const client::RpcError& error) {
-    return {run.explain(error), 0, {}, {}, IsOfAllFrames(error, run)};
+    return {run.server.Words(error), 0, {}, {}, IsOfAllFrames(error, run)};
   } catch (const ErrorOfAllFrames& error) {
     return {error.what(), 0, {}, {}, /*is_of_all=*/true};
   } catch (const std::exception& error) {
@@ -261,10 +182,8 @@ void SetDepthFrom(const FrameList& list, const Batch& batch, FrameSettings* sett
 
 }  // namespace
 
-bool DetectFolder(const client::Client& client, const Batch& batch, FrameSettings settings,
-                  std::chrono::milliseconds timeout,
-                  const std::function<std::string(const client::RpcError&)>& explain) {
-  FrameList list = batch.list;
+bool DetectFolder(PatientServer& server, Batch batch, FrameSettings settings) {
+  FrameList list = std::move(batch.list);
   for (const std::string& note : list.notes) PrintNote(note);
   if (const std::size_t renamed = NameApart(list.frames); renamed > 0) {
     PrintNote(fmt::format("frames whose name is taken: {}; they are called NAME_2, NAME_3, ...",
@@ -278,9 +197,9 @@ bool DetectFolder(const client::Client& client, const Batch& batch, FrameSetting
     SaveRequest(batch, settings);
   }
   const std::size_t num_before = LeaveOutDone(batch, &list.frames);
-  const Run run{client, batch, std::move(settings), timeout, explain, false};
-  if (!list.frames.empty()) AwaitServer(run);
-  const std::size_t jobs = list.frames.empty() ? 0 : JobsOf(run);
+  const Run run{server, batch, std::move(settings)};
+  if (!list.frames.empty()) server.Await();
+  const std::size_t jobs = list.frames.empty() ? 0 : server.MostAtOnce(batch.jobs);
   Printer printer(list.frames.size(), batch.json_lines);
   std::deque<std::future<Outcome>> in_flight;
   std::size_t next = 0;

@@ -1,14 +1,12 @@
 #pragma once
 
-#include <chrono>
-#include <functional>
 #include <optional>
 #include <string>
 
 #include "client/cli/frame_list.h"
 #include "client/cli/overlay/overlay.h"
+#include "client/cli/patient_server.h"
 #include "client/cli/request.h"
-#include "client/client.h"
 
 namespace fovea::cli {
 
@@ -26,7 +24,7 @@ struct Batch {
   bool json_masks = true;
   bool sent_before = false;            // the frames of `list` were
   bool resume = false;                 // leave out frames whose files are there and not older
-  std::optional<int> jobs;             // frames in flight at once; none = see DetectFolder
+  std::optional<int> jobs;             // frames in flight at once; none = see PatientServer
   std::optional<double> depth_unit_m;  // none = as the folder says, or such folders have it
 };
 
@@ -36,13 +34,10 @@ struct Batch {
 // Answers every frame → NAME.png (labels), NAME_overlay.jpg and NAME.json, the last of which is
 // there only if all are, fovea_request.json, what was asked, and fovea_input.json, of what. Results
 // are printed in the order of the frames. A frame that fails is named and the run goes on; others
-// are printed with what the server says about them. `explain` words a call that failed. A server
-// that is away is waited for before the first frame, as long as `timeout`. Where `jobs` says
-// nothing, four frames are in flight at once, or as many as the server takes of one robot. Returns
+// are printed with what the server says about them. A server that is away is waited for before the
+// first frame. Returns
 // whether none failed; throws std::exception where there is nothing to do, no server, a mistake in
 // what is asked about all frames, or where --resume would mix answers to different requests.
-bool DetectFolder(const client::Client& client, const Batch& batch, FrameSettings settings,
-                  std::chrono::milliseconds timeout,
-                  const std::function<std::string(const client::RpcError&)>& explain);
+bool DetectFolder(PatientServer& server, Batch batch, FrameSettings settings);
 
 }  // namespace fovea::cli

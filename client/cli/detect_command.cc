@@ -195,10 +195,10 @@ int DetectMany(const DetectFlags& flags, const client::Client& client) {
   } else {
     batch.list = ListFrames(flags.input);
   }
-  const bool all_done =
-      DetectFolder(client, batch, SettingsOf(flags, bag), TimeoutOf(flags),
-                   [&](const client::RpcError& error) { return ExplainDetect(error, flags); });
-  return all_done ? EXIT_SUCCESS : EXIT_FAILURE;
+  PatientServer server(client, TimeoutOf(flags),
+                       [&](const client::RpcError& error) { return ExplainDetect(error, flags); });
+  return DetectFolder(server, std::move(batch), SettingsOf(flags, bag)) ? EXIT_SUCCESS
+                                                                        : EXIT_FAILURE;
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ cli::Bag BagIn(const std::uint8_t* data, std::size_t size) {
   const auto file = cli::McapFile(cli::McapInMemory(Text(data, size)));
   try {
     return cli::ReadBag({{"bag", file}}, {});
-  } catch (const std::runtime_error& error) {
+  } catch (const cli::TooManyImages& error) {
     throw std::invalid_argument(error.what());
   }
 }

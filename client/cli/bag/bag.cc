@@ -58,7 +58,7 @@ std::string Seconds(std::int64_t time_ns) {
 void RequireFewer(std::size_t num_images, std::size_t most) {
   if (num_images <= most) return;
   // No std::invalid_argument, which is one damaged record.
-  throw std::runtime_error(fmt::format("it has more than {} images: split it", most));
+  throw TooManyImages(fmt::format("it has more than {} images: split it", most));
 }
 
 void Note(const BagMessage& message, const NamedBagFile& bag, Index* index) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,12 @@
 #include "client/cli/frame_list.h"
 
 namespace fovea::cli {
+
+// More than flags allow.
+class TooManyImages : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 struct NamedBagFile {
   std::string name;  // for people
@@ -37,7 +44,7 @@ struct Bag {
 // are depth (where there are several, those with "aligned" or "registered"), the others, but for
 // infrared ones, colour. Images are paired by the times of their headers, else of the recorder.
 // Throws std::invalid_argument: why it has no frames, and the topics where it is not clear which
-// are meant. Throws std::runtime_error where it has more images than flags allow.
+// are meant. Throws TooManyImages.
 Bag ReadBag(const std::vector<NamedBagFile>& files, const BagFlags& flags);
 
 // For people, where both headers name a frame and not the same one; else empty.
