@@ -126,6 +126,7 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& op
   around.supports = std::move(scene.supports);
   if (NeedsSurroundings(options)) {
     around.points = BackProject(shown, frame.intrinsics, options.max_depth_m);
+    around.measured_m = measured;
     if (cv::countNonZero(scene.standing) > 0) {
       around.assumed = ~(near == near) & (result.labels == 0);  // NaN is not equal to itself
     }
@@ -179,7 +180,7 @@ void AnswerRobot(const RgbdFrame& frame, const ObjectSurroundings& around,
   if (!options.grippers.empty()) {
     clock.Begin("grasps");
     PlanGrasps({around.points, result.labels, frame.intrinsics, -result.gravity.direction,
-                MeasuredDepth(frame.depth_m)},
+                around.measured_m},
                options.grippers, result.objects,
                trace != nullptr ? &trace->grasp_candidates : nullptr);
   }

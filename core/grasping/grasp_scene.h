@@ -16,7 +16,7 @@ struct GraspScene {
   const Eigen::Vector3f up;  // unit vector, against gravity
   // What was measured, also farther away than points are: CV_32FC1, metres, NaN = none. Empty: no
   // more than the points.
-  cv::Mat measured_m = {};
+  const cv::Mat measured_m = {};
 };
 
 }  // namespace fovea

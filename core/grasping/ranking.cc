@@ -22,27 +22,28 @@ std::vector<Grasp> RankGrasps(const std::vector<ScoredGrasp>& grasps, const Grip
   const auto is_likely = [&](const Grasp& grasp) {
     return grasp.probability >= gripper.min_probability;
   };
-  const auto is_likelier = [](const Grasp& a, const Grasp& b) {
-    return a.probability > b.probability;
-  };
-  std::vector<Grasp> likely;
+  std::vector<const Grasp*> likely;
   for (const ScoredGrasp& scored : grasps) {
-    if (is_likely(scored.grasp)) likely.push_back(scored.grasp);
+    if (is_likely(scored.grasp)) likely.push_back(&scored.grasp);
   }
-  std::stable_sort(likely.begin(), likely.end(), is_likelier);
+  std::stable_sort(likely.begin(), likely.end(),
+                   [](const Grasp* a, const Grasp* b) { return a->probability > b->probability; });
   const auto wanted = static_cast<std::size_t>(gripper.max_grasps);
   std::vector<Grasp> ranked, doubted;
-  for (Grasp& grasp : likely) {
+  for (const Grasp* grasp : likely) {
     if (ranked.size() >= wanted) break;
-    const auto is_alike = [&](const Grasp& other) { return AreAlike(grasp, other); };
+    const auto is_alike = [&](const Grasp& other) { return AreAlike(*grasp, other); };
     if (std::any_of(ranked.begin(), ranked.end(), is_alike)) continue;
     if (std::any_of(doubted.begin(), doubted.end(), is_alike)) continue;
-    const float left = doubt(grasp);
-    grasp.probability *= left;
-    (left < 1 ? doubted : ranked).push_back(grasp);
+    Grasp looked_at = *grasp;
+    const float left = doubt(looked_at);
+    looked_at.probability *= left;
+    (left < 1 ? doubted : ranked).push_back(looked_at);
   }
+  if (doubted.empty()) return ranked;
   std::copy_if(doubted.begin(), doubted.end(), std::back_inserter(ranked), is_likely);
-  std::stable_sort(ranked.begin(), ranked.end(), is_likelier);
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const Grasp& a, const Grasp& b) { return a.probability > b.probability; });
   if (ranked.size() > wanted) ranked.resize(wanted);
   return ranked;
 }

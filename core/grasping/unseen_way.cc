@@ -1,11 +1,9 @@
 #include "core/grasping/unseen_way.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
+#include <opencv2/core/fast_math.hpp>
 
 #include "core/grasping/sight.h"
-#include "core/types/projection.h"
 
 namespace fovea {
 namespace {
@@ -28,25 +26,10 @@ Passage PassageOf(const SuctionGripper& cup, float way_m) {
 struct Counts {
   int all = 0, unseen = 0, hidden = 0;
 
-  void Add(const GraspScene& scene, int label, const Eigen::Vector3f& place) {
-    constexpr float kNearest_m = 0.01F;
+  void Add(Sight sight) {
     ++all;
-    ++unseen;
-    if (place.z() < kNearest_m) return;
-    const cv::Point2d at = Project(place, scene.intrinsics);
-    if (!(at.x > -0.5 && at.y > -0.5 && at.x < scene.points.cols - 0.5 &&
-          at.y < scene.points.rows - 0.5)) {
-      return;
-    }
-    const int row = cvRound(at.y), column = cvRound(at.x);
-    const float seen_m = scene.measured_m.empty() ? scene.points.ptr<cv::Vec3f>(row)[column][2]
-                                                  : scene.measured_m.ptr<float>(row)[column];
-    if (std::isnan(seen_m)) return;
-    if (seen_m >= place.z() - SightTolerance(place.z())) {
-      --unseen;
-    } else {
-      hidden += scene.labels.ptr<std::uint16_t>(row)[column] != label ? 1 : 0;
-    }
+    unseen += sight != Sight::kFree && sight != Sight::kOnTarget ? 1 : 0;
+    hidden += sight == Sight::kBehindOther ? 1 : 0;
   }
 };
 
@@ -68,7 +51,7 @@ UnseenWay LookAtWay(const GraspScene& scene, int label, const Gripper& gripper,
     Counts counts;
     for (const float along : {-1.0F, -0.5F, 0.0F, 0.5F, 1.0F}) {
       for (const float across : {-1.0F, -0.5F, 0.0F, 0.5F, 1.0F}) {
-        counts.Add(scene, label, middle + along * x + across * y);
+        counts.Add(MeasuredSightOf(scene, label, middle + along * x + across * y));
       }
     }
     const auto share = [&](int count) { return static_cast<float>(count) / counts.all; };

@@ -115,7 +115,7 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const PaperOptions& optio
         .grasp_candidates = {},
     };
   }
-  return {points, supports};
+  return {points, supports, measured};
 }
 
 }  // namespace fovea::paper
