@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -45,11 +43,12 @@ Chunk ParseChunk(std::string_view content) {
   return chunk;
 }
 
-std::string RecordsOf(const Chunk& chunk) {
-  return Decompress(chunk.records, chunk.compression, chunk.size);
+// Good as long as `decompressor` has it.
+std::string_view RecordsOf(const Chunk& chunk, Decompressor& decompressor) {
+  return decompressor.Chunk(chunk.records, chunk.compression, chunk.size);
 }
 
-void RequireChecksum(const Chunk& chunk, const std::string& records) {
+void RequireChecksum(const Chunk& chunk, std::string_view records) {
   if (chunk.checksum == 0) return;
   const auto* bytes = reinterpret_cast<const Bytef*>(records.data());
   if (crc32_z(0, bytes, records.size()) == chunk.checksum) return;
@@ -80,9 +79,6 @@ class Parser {
       : file_(file), use_(use) {}
 
   Faults Parse() {
-    if (file_.size < kMagic.size() || file_.part(0, kMagic.size()) != kMagic) {
-      throw std::invalid_argument("it is no MCAP file");
-    }
     faults_.end = Records(file_, kMagic.size(), {});
     return faults_;
   }
@@ -169,7 +165,7 @@ class Parser {
 
   void AddChunk(std::string_view content, std::uint64_t place) {
     const Chunk chunk = ParseChunk(content);
-    const std::string records = RecordsOf(chunk);
+    const std::string_view records = RecordsOf(chunk, decompressor_);
     RequireChecksum(chunk, records);
     if (Records(McapInMemory(records), 0, {place, content.size(), 0, 0})) {
       throw std::invalid_argument("a chunk ends within a record");
@@ -180,12 +176,17 @@ class Parser {
   const std::function<void(const BagMessage&)>& use_;
   std::map<std::uint16_t, std::string> schemas_;
   std::map<std::uint16_t, Channel> channels_;
+  Decompressor decompressor_;
   Faults faults_;
 };
 
 class Mcap : public BagFile {
  public:
-  explicit Mcap(McapBytes bytes) : bytes_(std::move(bytes)) {}
+  explicit Mcap(McapBytes bytes) : bytes_(std::move(bytes)) {
+    if (bytes_.size < kMagic.size() || bytes_.part(0, kMagic.size()) != kMagic) {
+      throw std::invalid_argument("it is no MCAP file");
+    }
+  }
 
   std::vector<std::string> ForEachMessage(
       const std::function<void(const BagMessage&)>& use) const override {
@@ -194,46 +195,35 @@ class Mcap : public BagFile {
 
   std::string DataAt(const MessagePlace& place) const override {
     if (place.chunk == 0) return bytes_.part(place.start, place.size);
-    const std::string chunk = bytes_.part(place.chunk, place.chunk_bytes);
-    const std::string records = RecordsOf(ParseChunk(chunk));
-    return McapInMemory(records).part(place.start, place.size);
+    return McapInMemory(*ChunkAt(place)).part(place.start, place.size);
   }
 
  private:
-  McapBytes bytes_;
+  using Records = std::shared_ptr<const std::string>;
+
+  // Messages are asked for in the order in which they were recorded, and a chunk has many.
+  Records ChunkAt(const MessagePlace& place) const {
+    {
+      const std::lock_guard lock(mutex_);
+      if (last_chunk_ && last_place_ == place.chunk) return last_chunk_;
+    }
+    const std::string content = bytes_.part(place.chunk, place.chunk_bytes);
+    Decompressor decompressor;
+    auto records =
+        std::make_shared<const std::string>(RecordsOf(ParseChunk(content), decompressor));
+    const std::lock_guard lock(mutex_);
+    last_place_ = place.chunk;
+    last_chunk_ = records;
+    return records;
+  }
+
+  const McapBytes bytes_;
+  mutable std::mutex mutex_;
+  mutable std::uint64_t last_place_ = 0;
+  mutable Records last_chunk_;
 };
 
 }  // namespace
-
-McapBytes McapInMemory(std::string_view bytes) {
-  return {bytes.size(), [bytes](std::uint64_t start, std::uint64_t size) {
-            ByteReader reader(bytes);
-            reader.Bytes(start);
-            return std::string(reader.Bytes(size));
-          }};
-}
-
-// Not mapped: what is cut off, or cannot be read, would end the program.
-McapBytes McapInFile(const std::string& path) {
-  struct OpenFile {
-    std::mutex mutex;
-    std::ifstream stream;
-  };
-  if (!std::filesystem::is_regular_file(path)) throw std::invalid_argument("there is no such file");
-  const auto file = std::make_shared<OpenFile>();
-  file->stream.open(path, std::ios::binary);
-  if (!file->stream) throw std::invalid_argument("it cannot be read");
-  return {std::filesystem::file_size(path), [file](std::uint64_t start, std::uint64_t size) {
-            std::string bytes(size, '\0');
-            const std::lock_guard lock(file->mutex);
-            file->stream.clear();
-            file->stream.seekg(static_cast<std::streamoff>(start));
-            file->stream.read(bytes.data(), static_cast<std::streamsize>(size));
-            if (file->stream) return bytes;
-            throw std::invalid_argument(file->stream.bad() ? "it cannot be read there"
-                                                           : "it was shortened while it was read");
-          }};
-}
 
 std::shared_ptr<const BagFile> McapFile(McapBytes bytes) {
   return std::make_shared<Mcap>(std::move(bytes));

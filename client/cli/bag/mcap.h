@@ -2,29 +2,14 @@
 // indices, so that a bag whose recorder was killed is read, too.
 #pragma once
 
-#include <cstdint>
-#include <functional>
 #include <memory>
-#include <string>
-#include <string_view>
 
 #include "client/cli/bag/bag_file.h"
+#include "client/cli/bag/mcap_bytes.h"
 
 namespace fovea::cli {
 
-// Bytes that are read part by part, by several threads at once.
-struct McapBytes {
-  std::uint64_t size = 0;
-  // Throws std::invalid_argument where they are not there, or not any more.
-  std::function<std::string(std::uint64_t start, std::uint64_t size)> part = {};
-};
-
-// Of `bytes`, which live as long as what is returned.
-McapBytes McapInMemory(std::string_view bytes);
-// Of a file that others may shorten meanwhile. Throws std::invalid_argument where it is none.
-McapBytes McapInFile(const std::string& path);
-
-// Of bytes that live as long as what is returned.
+// Of bytes that live as long as what is returned. Throws std::invalid_argument where they are none.
 std::shared_ptr<const BagFile> McapFile(McapBytes bytes);
 
 }  // namespace fovea::cli
