@@ -46,7 +46,7 @@ std::uint32_t Unsigned(int step) {
 // The numbers again; the server's decoder also says what is wrong with them.
 class Numbers {
  public:
-  explicit Numbers(const std::string& codes) : codes_(codes) {}
+  explicit Numbers(std::string_view codes) : codes_(codes) {}
 
   // False at the end, and for a number that no depth or run has.
   bool Next(std::uint32_t* number) {
@@ -63,13 +63,13 @@ class Numbers {
   }
 
  private:
-  const std::string& codes_;
+  std::string_view codes_;
   std::size_t at_ = 0;  // the next nibble
 };
 
 }  // namespace
 
-bool DecodeRvl(const std::string& codes, std::uint16_t* depth, std::size_t num_pixels) {
+bool DecodeRvl(std::string_view codes, std::uint16_t* depth, std::size_t num_pixels) {
   if (codes.size() % 4 != 0) return false;
   Numbers numbers(codes);
   std::uint16_t* const end = depth + num_pixels;

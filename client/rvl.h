@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace fovea::client {
 
@@ -15,6 +16,6 @@ std::string EncodeRvl(const std::uint16_t* depth, std::size_t num_pixels);
 std::size_t MaxRvlBytes(std::size_t num_pixels);
 
 // The other way round; false where these are no codes of so many pixels.
-bool DecodeRvl(const std::string& codes, std::uint16_t* depth, std::size_t num_pixels);
+bool DecodeRvl(std::string_view codes, std::uint16_t* depth, std::size_t num_pixels);
 
 }  // namespace fovea::client

@@ -8,7 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "client/cli/bag/ros_messages.h"
+#include "client/cli/bag/camera_info.h"
+#include "client/cli/bag/message_header.h"
+#include "client/cli/bag/ros_images.h"
 #include "client/cli/bag/topics.h"
 #include "client/cli/timed_images.h"
 
