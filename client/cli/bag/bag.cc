@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "client/cli/bag/camera_info.h"
+#include "client/cli/bag/decompression.h"
 #include "client/cli/bag/message_header.h"
 #include "client/cli/bag/ros_images.h"
 #include "client/cli/bag/topics.h"
@@ -31,7 +32,7 @@ struct ImagePlace {
   MessagePlace at;
   bool is_compressed = false;
 
-  std::string Data() const { return file->DataAt(at); }
+  std::string Data() const { return Unpacked(file->DataAt(at)); }
 };
 
 struct Index {
@@ -43,7 +44,7 @@ struct Index {
 };
 
 // A few bytes of a compressed chunk may be any number of images, and texts of any size.
-constexpr std::size_t kLargestInfo = std::size_t{1} << 16;
+constexpr std::size_t kLargestHead = std::size_t{1} << 16;
 
 std::int64_t TimeOf(const Header& header, const BagMessage& message) {
   constexpr std::int64_t kLatest = 4'000'000'000'000'000'000;  // the year 2096
@@ -63,19 +64,20 @@ void RequireFewer(std::size_t num_images, std::size_t most) {
   throw TooManyImages(fmt::format("it has more than {} images: split it", most));
 }
 
-void Note(const BagMessage& message, const NamedBagFile& bag, Index* index) {
+void Note(const BagMessage& message, const NamedBagFile& bag, Decompressor& decompressor,
+          Index* index) {
   const bool compressed = message.type == kCompressed;
   const bool is_image = compressed || message.type == kImage;
   if (message.encoding != "cdr" || (!is_image && message.type != kInfo)) return;
   const std::string topic(message.topic);
   if (!is_image) {
-    index->infos.try_emplace(topic, message.data.substr(0, kLargestInfo));
+    index->infos.try_emplace(topic, message.data.substr(0, kLargestHead));
     return;
   }
   std::vector<TimedImage>& images = index->images[topic];
   const std::string image = fmt::format("image {} of {}", images.size() + 1, topic);
   try {
-    const Header header = HeaderOf(message.data);
+    const Header header = HeaderOf(decompressor.Head(message.data, kLargestHead));
     const std::int64_t time = TimeOf(header, message);
     index->frames.try_emplace(topic, header.frame.substr(0, kLongestName));
     const std::string path = bag.name + ": " + image;
@@ -97,9 +99,10 @@ std::vector<std::string> TopicsOf(const Index& index) {
 std::vector<std::string> NoteAll(const std::vector<NamedBagFile>& files, std::size_t most_images,
                                  Index* index) {
   std::vector<std::string> faults;
+  Decompressor decompressor;
   for (const NamedBagFile& bag : files) {
     const auto note = [&](const BagMessage& message) {
-      Note(message, bag, index);
+      Note(message, bag, decompressor, index);
       RequireFewer(index->places.size(), most_images);
     };
     for (const std::string& fault : bag.file->ForEachMessage(note)) {
@@ -174,7 +177,7 @@ std::string NoteOfUnregistered(const Bag& bag) {
 std::optional<Calibration> ColorCameraOf(const Bag& bag) {
   if (bag.camera_info.empty()) return std::nullopt;
   try {
-    return CameraInfo(bag.camera_info, IsRectified(bag.color_topic));
+    return CameraInfo(Unpacked(bag.camera_info), IsRectified(bag.color_topic));
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(bag.info_topic + ": " + error.what() +
                                 "; give --intrinsics instead");
