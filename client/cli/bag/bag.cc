@@ -105,8 +105,13 @@ std::vector<std::string> NoteAll(const std::vector<NamedBagFile>& files, std::si
       Note(message, bag, decompressor, index);
       RequireFewer(index->places.size(), most_images);
     };
-    for (const std::string& fault : bag.file->ForEachMessage(note)) {
-      faults.push_back(bag.name + " " + fault);
+    try {
+      for (const std::string& fault : bag.file->ForEachMessage(note)) {
+        faults.push_back(bag.name + " " + fault);
+      }
+    } catch (const std::invalid_argument& error) {
+      if (files.size() == 1) throw;
+      faults.push_back(bag.name + " cannot be read (" + error.what() + ")");
     }
   }
   return faults;

@@ -7,10 +7,13 @@
 
 namespace fovea::cli {
 
-// "x.mcap", "x.db3", or a folder with metadata.yaml or, where its recorder was killed, NAME/NAME_0.
+// "x.mcap", "x.db3", or a folder with metadata.yaml or, where its recorder was killed, NAME/NAME_0
+// or another of its files.
 bool IsBag(const std::string& path);
 
-// Throws std::runtime_error that names the file and what ReadBag says.
+// Files of a folder that are missing or none of a bag are left out, and the first note says so.
+// Throws std::runtime_error that names the file and what ReadBag says; where none can be read, the
+// first.
 Bag OpenBag(const std::string& path, const BagFlags& flags);
 
 }  // namespace fovea::cli
