@@ -13,6 +13,7 @@
 #include "client/cli/distortion.h"
 #include "client/cli/files.h"
 #include "client/cli/parsing.h"
+#include "client/cli/realsense_intrinsics.h"
 #include "client/images.h"
 
 namespace fovea::cli {
@@ -33,6 +34,11 @@ int SideIn(const nlohmann::json& json, const char* name) {
   return static_cast<int>(side);
 }
 
+// As librealsense calls it where others do not.
+const char* CentreName(const nlohmann::json& json, const char* name, const char* realsense_name) {
+  return !json.contains(name) && json.contains(realsense_name) ? realsense_name : name;
+}
+
 // By the names that others give them, too.
 std::optional<v1::LensDistortion> DistortionIn(const nlohmann::json& json) {
   const std::string model = json.value("distortion_model", "");
@@ -41,6 +47,7 @@ std::optional<v1::LensDistortion> DistortionIn(const nlohmann::json& json) {
     if (!json[name].is_array()) throw std::runtime_error(std::string(name) + " must be numbers");
     return MakeDistortion(model, json[name].get<std::vector<double>>());
   }
+  if (json.contains(kCoeffs)) return DistortionOfCoeffs(json);
   if (model.empty()) return std::nullopt;
   throw std::runtime_error("it has a distortion_model (" + model + ") and no distortion");
 }
@@ -48,8 +55,8 @@ std::optional<v1::LensDistortion> DistortionIn(const nlohmann::json& json) {
 Calibration ParseJson(const nlohmann::json& json) {
   return {.fx = NumberIn(json, "fx"),
           .fy = NumberIn(json, "fy"),
-          .cx = NumberIn(json, "cx"),
-          .cy = NumberIn(json, "cy"),
+          .cx = NumberIn(json, CentreName(json, "cx", "ppx")),
+          .cy = NumberIn(json, CentreName(json, "cy", "ppy")),
           .width = SideIn(json, "width"),
           .height = SideIn(json, "height"),
           .distortion = DistortionIn(json)};

@@ -81,7 +81,7 @@ TEST_F(CalibrationTest, TakesDistortionByAnyOfItsNames) {
     ASSERT_TRUE(c.distortion) << name;
     EXPECT_EQ(c.distortion->coefficients(0), 0.5);
   }
-  ExpectRefused(file(R"("distortion_model": "plumb_bob", "coeffs": [0.5])"),
+  ExpectRefused(file(R"("distortion_model": "plumb_bob", "k1": 0.5)"),
                 "it has a distortion_model (plumb_bob) and no distortion");
   ExpectRefused(file(R"("D": {"k1": 1})"), "D must be numbers");
 }
