@@ -1,5 +1,6 @@
 // Writes the inputs that fuzzing starts from: one valid one per encoding.
 // usage: fovea-fuzz-seeds CORPUS_FOLDER
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -7,6 +8,7 @@
 
 #include "client/bundle/bundle.h"
 #include "client/images.h"
+#include "client/rvl.h"
 #include "tests/server/frames.h"
 #include "tests/support/bag_writer.h"
 
@@ -79,6 +81,28 @@ void WriteBags(const fs::path& folder) {
   }
 }
 
+// Encodings of colour, in messages that were compressed one by one, with depth in RVL.
+void WriteEncodings(const fs::path& folder) {
+  constexpr std::int64_t kTime_ns = 1'700'000'000'000'000'000;
+  BagWriter writer;
+  std::int64_t time_ns = kTime_ns;
+  bool is_in_meters = false;
+  for (const char* encoding : {"bgra8", "uyvy", "yuv422_yuy2", "bayer_rggb8", "bayer_gbrg8"}) {
+    time_ns += 1'000'000'000;
+    const std::string image = ImageMessage(time_ns, encoding, 4, 4, 16, std::string(64, 'c'));
+    writer.Add("/color/image", "Image", ZstdOf(image));
+    const std::string size("\x04\0\0\0\x04\0\0\0", 8);
+    const std::string rvl =
+        fovea::client::EncodeRvl(std::array<std::uint16_t, 16>{1, 2}.data(), 16);
+    const std::string depth = std::string(12, '\1') + size + rvl;
+    const std::string format =
+        std::string(is_in_meters ? "32FC1" : "16UC1") + "; compressedDepth rvl";
+    writer.Add("/depth/image", "CompressedImage", CompressedMessage(time_ns, format, depth));
+    is_in_meters = !is_in_meters;
+  }
+  Write(folder, "encodings", writer.Finish());
+}
+
 void WriteBundles(const fs::path& folder) {
   fovea::bundle::BundledFrame frame{.request = TestRequest(), .answer = fovea::v1::Detections()};
   frame.answer->add_objects()->set_label(1);
@@ -132,6 +156,7 @@ int main(int argc, char** argv) {
   Write(corpus / "rvl", "depth", RvlOf(TestDepth()));
   WriteRequests(corpus / "request");
   WriteBags(corpus / "mcap");
+  WriteEncodings(corpus / "mcap");
   WriteBundles(corpus / "bundle");
   WriteHttpRequests(corpus / "routes");
   return 0;
