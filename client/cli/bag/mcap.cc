@@ -18,7 +18,9 @@ namespace fovea::cli {
 namespace {
 
 constexpr std::string_view kMagic("\x89MCAP0\r\n", 8);
-constexpr std::size_t kRecordHead = 1 + sizeof(std::uint64_t);     // of a record: its kind and size
+constexpr std::size_t kRecordHead = 1 + sizeof(std::uint64_t);  // of a record: its kind and size
+// A few bytes of a compressed chunk may be any number of records that are none.
+constexpr std::uint64_t kMostBrokenRecords = 100'000;
 constexpr std::uint64_t kMostOfRecord = std::uint64_t{512} << 20;  // what a chunk may hold, twice
 constexpr std::uint8_t kSchema = 3, kChannel = 4, kMessage = 5, kChunk = 6, kDataEnd = 15;
 
@@ -103,7 +105,8 @@ class Parser {
           Add(kind, Content(records, place, size), place, chunk);
         }
       } catch (const std::invalid_argument& error) {
-        NoteDamage(chunk.chunk == 0 ? at : chunk.chunk - kRecordHead, error.what());
+        NoteDamage(place, chunk, error.what());
+        if (++num_broken_ > kMostBrokenRecords) return at;
       }
       at = place + size;
     }
@@ -112,8 +115,10 @@ class Parser {
   }
 
   // What is behind it is read all the same: a record says where the next one is.
-  void NoteDamage(std::uint64_t at, const std::string& what) {
-    if (faults_.num_damaged++ == 0) faults_.first_damage = fmt::format("at byte {}: {}", at, what);
+  void NoteDamage(std::uint64_t place, const MessagePlace& chunk, std::string_view what) {
+    if (faults_.num_damaged++ > 0) return;
+    const std::uint64_t at = (chunk.chunk == 0 ? place : chunk.chunk) - kRecordHead;
+    faults_.first_damage = fmt::format("at byte {}: {}", at, what);
   }
 
   static std::string Content(const McapBytes& records, std::uint64_t place, std::uint64_t size) {
@@ -152,7 +157,11 @@ class Parser {
   void AddMessage(std::string_view content, std::uint64_t place, MessagePlace chunk) {
     ByteReader reader(content);
     const auto channel = channels_.find(reader.Number<std::uint16_t>());
-    if (channel == channels_.end()) throw std::invalid_argument("a message is of no channel");
+    if (channel ==
+        channels_.end()) {  // any number, where the chunk that has the channel is damaged
+      NoteDamage(place, chunk, "a message is of no channel");
+      return;
+    }
     reader.Bytes(sizeof(std::uint32_t));  // its number
     const auto log_time = reader.Number<std::uint64_t>();
     reader.Bytes(sizeof(std::uint64_t));  // when it was published
@@ -177,6 +186,7 @@ class Parser {
   std::map<std::uint16_t, std::string> schemas_;
   std::map<std::uint16_t, Channel> channels_;
   Decompressor decompressor_;
+  std::uint64_t num_broken_ = 0;
   Faults faults_;
 };
 
