@@ -135,7 +135,7 @@ std::vector<int> Associate(const std::vector<Track>& tracks,
   const auto is_confident = [&](Eigen::Index d) { return detections[d].confidence >= kConfident; };
   matching.Pass(is_confident, [](Eigen::Index) { return true; });
   matching.Pass([](Eigen::Index) { return true; },
-                [&](Eigen::Index t) { return tracks[t].was_seen(); });
+                [&](Eigen::Index t) { return !tracks[t].was_missed(); });
   return matching.track_of_detection;
 }
 

@@ -19,8 +19,8 @@ struct AssociationFrame {
 
 // The track of each detection, by index, or -1: the assignment of least cost in two passes, as
 // ByteTrack (Zhang et al. 2022) has it: detections of some confidence first, to all tracks; then
-// the others to what is left of the tracks that were seen in the frame before. O(tracks ·
-// (points + detections²)).
+// the others to what is left of the tracks that were not looked for in vain since they were seen.
+// O(tracks · (points + detections²)).
 std::vector<int> Associate(const std::vector<Track>& tracks,
                            const std::vector<Sighting>& detections, const AssociationFrame& frame);
 

@@ -13,6 +13,8 @@ namespace {
 // Sums of tenths are not exact.
 bool IsKept(const Track& track) { return track.seconds_hidden() < Tracker::kKeptHidden_s + 1e-6; }
 
+bool IsConfirmed(const Track& track) { return track.times_seen() >= 2; }
+
 }  // namespace
 
 void Tracker::Add(const RgbdFrame& frame, const FrameContext& context, Detections& detections) {
@@ -25,12 +27,12 @@ void Tracker::Add(const RgbdFrame& frame, const FrameContext& context, Detection
   const double adding_up_m = is_given || place.is_guess() ? 0 : place.error_m;
   for (Track& track : tracks_) track.Advance(this_from_last, seconds, adding_up_m);
   for (Track& track : tracks_) track.Enter(place.stretch);
-  std::erase_if(tracks_, [](const Track& track) { return !track.was_seen() && !IsKept(track); });
+  std::erase_if(tracks_, [](const Track& track) { return track.was_missed() && !IsKept(track); });
   place = Match(SightingsOf(detections, frame.intrinsics, kMaxTracks), place, frame, context,
                 detections);
   last_stretch_ = place.stretch;
   Forget();
-  detections.tracking = {epoch_, place.motion, Hidden(frame, place.stretch)};
+  detections.tracking = {epoch_, place.motion, Hidden(frame, place.stretch, detections.incomplete)};
 }
 
 CameraPath::Place Tracker::Match(const std::vector<Sighting>& sightings, CameraPath::Place place,
@@ -41,7 +43,7 @@ CameraPath::Place Tracker::Match(const std::vector<Sighting>& sightings, CameraP
   if (place.is_guess() && MostAreWhereTheyWere(sightings, track_of_sighting)) {
     place = path_.TakeGuessForTrue();
   }
-  for (Track& track : tracks_) track.OnMissed();
+  for (Track& track : tracks_) track.OnMissed(!detections.incomplete);
   for (std::size_t i = 0; i < sightings.size(); ++i) {
     const int t = track_of_sighting[i];
     if (t >= 0) {
@@ -71,9 +73,8 @@ bool Tracker::MostAreWhereTheyWere(const std::vector<Sighting>& sightings,
 }
 
 void Tracker::Forget() {
-  constexpr std::uint32_t kConfirmed = 2;
   std::erase_if(tracks_, [](const Track& track) {
-    const bool is_kept = track.times_seen() >= kConfirmed && IsKept(track);
+    const bool is_kept = (IsConfirmed(track) || !track.was_missed()) && IsKept(track);
     return !track.was_seen() && !is_kept;
   });
   if (tracks_.size() <= kMaxTracks) return;
@@ -85,13 +86,17 @@ void Tracker::Forget() {
             [](const Track& a, const Track& b) { return a.id() < b.id(); });
 }
 
-std::vector<HiddenTrack> Tracker::Hidden(const RgbdFrame& frame, std::uint64_t stretch) {
+std::vector<HiddenTrack> Tracker::Hidden(const RgbdFrame& frame, std::uint64_t stretch,
+                                         bool incomplete) {
   std::vector<HiddenTrack> hidden;
   for (Track& track : tracks_) {
     if (track.was_seen()) continue;
-    const HiddenReason reason =
+    HiddenReason reason =
         track.IsOf(stretch) ? ReasonOf(track.expected(), frame) : HiddenReason::kNotDetected;
     if (reason == HiddenReason::kGone) track.OnGone();
+    if (!IsConfirmed(track)) continue;
+    // It may be where nobody looked.
+    if (reason == HiddenReason::kGone && incomplete) reason = HiddenReason::kNotDetected;
     hidden.push_back(
         {track.id(), track.expected().box, track.last_seen(), track.times_seen(), reason});
   }

@@ -28,9 +28,10 @@ struct FrameContext {
 // A new object has an id at once, and times_seen = 1 until a second frame confirms it; what is not
 // confirmed by the next frame is forgotten. Else it is kept, hidden, for kKeptHidden_s by the
 // frames' times (frame_clock.h); what was there in the last frame is looked for in the next one
-// however much later that is. Where the camera's motion is not known, boxes are those of the frame,
-// nothing is said to move or to be gone, and the means go on when it is known again. It is known
-// where most things are where the guess has them.
+// however much later that is. An incomplete answer says nothing of what is not in it: that is kept
+// as long, confirmed or not, and not said to be gone. Where the camera's motion is not known, boxes
+// are those of the frame, nothing is said to move or to be gone, and the means go on when it is
+// known again. It is known where most things are where the guess has them.
 //
 // The same frames give the same tracks, bit for bit. Not thread-safe: one frame after the other.
 // Holds at most kMaxTracks tracks of some 3 KB, or 7 in frames whose place is not known; of more
@@ -55,7 +56,8 @@ class Tracker {
   bool MostAreWhereTheyWere(const std::vector<Sighting>& sightings,
                             const std::vector<int>& track_of_sighting) const;
   void Forget();
-  std::vector<HiddenTrack> Hidden(const RgbdFrame& frame, std::uint64_t stretch);
+  // `incomplete`: not all of the frame was looked at.
+  std::vector<HiddenTrack> Hidden(const RgbdFrame& frame, std::uint64_t stretch, bool incomplete);
 
   std::uint64_t epoch_;
   CameraPath path_;

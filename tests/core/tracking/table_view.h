@@ -86,6 +86,12 @@ struct View {
     return *this;
   }
 
+  // Not all of it was looked at.
+  View& Incomplete() {
+    detections.incomplete = true;
+    return *this;
+  }
+
   const Detections& TrackBy(Tracker& tracker, const FrameContext& context = {}) {
     tracker.Add(frame, context, detections);
     return detections;
