@@ -111,6 +111,10 @@ Outcome DetectFrame(const Run& run, const FrameFiles& files) {
     return {run.server.Words(error), 0, {}, {}, IsOfAllFrames(error, run)};
   } catch (const ErrorOfAllFrames& error) {
     return {error.what(), 0, {}, {}, /*is_of_all=*/true};
+  } catch (const ServerHangs& error) {
+    const char* rest =
+        run.batch.output.empty() ? "" : "; --resume asks for the frames that are left";
+    return {error.what() + std::string(rest), 0, {}, {}, /*is_of_all=*/true};
   } catch (const std::exception& error) {
     return {error.what(), 0, {}, {}, /*is_of_all=*/false};
   }

@@ -35,9 +35,9 @@ struct Batch {
 // there only if all are, fovea_request.json, what was asked, and fovea_input.json, of what. Results
 // are printed in the order of the frames. A frame that fails is named and the run goes on; others
 // are printed with what the server says about them. A server that is away is waited for before the
-// first frame. Returns
-// whether none failed; throws std::exception where there is nothing to do, no server, a mistake in
-// what is asked about all frames, or where --resume would mix answers to different requests.
+// first frame. Returns whether none failed; throws std::exception where there is nothing to do, no
+// server, a mistake in what is asked about all frames, where the server hangs, or where --resume
+// would mix answers to different requests.
 bool DetectFolder(PatientServer& server, Batch batch, FrameSettings settings);
 
 }  // namespace fovea::cli

@@ -9,21 +9,30 @@
 #include "client/cli/progress.h"
 
 namespace fovea::cli {
+namespace {
+
+bool IsSilence(const client::RpcError& error) {
+  return error.code() == grpc::StatusCode::DEADLINE_EXCEEDED;
+}
+
+}  // namespace
 
 void PatientServer::Await() {
+  bool hangs = false;
   std::string why = "the server does not serve yet";
   try {
     is_there_ = client_.IsServing();
     if (is_there_) return;
   } catch (const client::RpcError& error) {
-    if (error.code() != grpc::StatusCode::UNAVAILABLE) return;  // the first frame tells
-    why = explain_(error);
+    hangs = IsSilence(error);
+    if (!hangs && error.code() != grpc::StatusCode::UNAVAILABLE) return;  // the first frame tells
+    why = hangs ? "the server does not say whether it serves" : explain_(error);
   }
   PrintNote(why + fmt::format("; it is waited for, {} s at most", timeout_.count() / 1000.0));
   try {
     client_.WaitUntilReady(timeout_);
-  } catch (const client::RpcError&) {
-    throw std::runtime_error(why);
+  } catch (const client::RpcError& error) {
+    throw std::runtime_error(hangs ? explain_(error) : why);
   }
   is_there_ = true;
 }
@@ -41,6 +50,7 @@ std::size_t PatientServer::MostAtOnce(std::optional<int> wanted) const {
 
 v1::DetectResponse PatientServer::Ask(const v1::DetectRequest& request) {
   using std::chrono::steady_clock;
+  RequireLife();
   RequireServer();
   const steady_clock::time_point end = steady_clock::now() + timeout_;
   while (true) {
@@ -49,8 +59,10 @@ v1::DetectResponse PatientServer::Ask(const v1::DetectRequest& request) {
           request,
           std::chrono::duration_cast<std::chrono::milliseconds>(end - steady_clock::now()));
       is_there_ = true;
+      num_unanswered_ = 0;
       return response;
     } catch (const client::RpcError& error) {
+      CountSilence(error);
       const auto pause = PauseAfter(error);
       if (!pause || steady_clock::now() + *pause >= end) {
         if (error.code() == grpc::StatusCode::UNAVAILABLE) is_there_ = false;
@@ -69,6 +81,14 @@ std::optional<std::chrono::milliseconds> PatientServer::PauseAfter(
   return std::nullopt;
 }
 
+void PatientServer::CountSilence(const client::RpcError& error) {
+  if (IsSilence(error)) {
+    ++num_unanswered_;
+  } else if (error.code() != grpc::StatusCode::UNAVAILABLE) {
+    num_unanswered_ = 0;  // the server says no
+  }
+}
+
 // Where a frame has waited in vain, those after it do not: one attempt tells.
 void PatientServer::RequireServer() const {
   if (is_there_) return;
@@ -76,6 +96,24 @@ void PatientServer::RequireServer() const {
     client_.IsServing();
   } catch (const client::RpcError& error) {
     if (error.code() == grpc::StatusCode::UNAVAILABLE) throw;
+  }
+}
+
+// Where several frames in turn have waited for their whole time, all that are left would: the
+// server has that time once more for a word. Else the frames are too much for it, and each has its
+// own.
+void PatientServer::RequireLife() {
+  constexpr int kMostUnanswered = 3;
+  const int unanswered = num_unanswered_;
+  if (unanswered < kMostUnanswered) return;
+  try {
+    client_.WaitUntilReady(timeout_);
+    num_unanswered_ = 0;
+  } catch (const client::RpcError& error) {
+    if (!IsSilence(error)) return;
+    throw ServerHangs(fmt::format(
+        "the server hangs: {} frames in turn had no answer, and it does not say whether it serves",
+        unanswered));
   }
 }
 

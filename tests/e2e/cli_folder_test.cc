@@ -83,6 +83,48 @@ TEST_F(CliTest, EndsSoonWhereTheServerHasGone) {
   EXPECT_THAT(finished.err, HasSubstr("fovea: c59: no server answers at " + server_.address()));
 }
 
+// It takes connections and calls. Each frame waited for its whole time.
+TEST_F(CliTest, GivesUpWhereTheServerHangs) {
+  for (int i = 0; i < 30; ++i) WriteFrame("b" + std::to_string(i));
+  Process run({FOVEA_CLI, "detect", "--server", server_.address(), "--intrinsics",
+               "30,30,15.5,11.5", "--timeout", "1", "--jobs", "1", "--input", Folder(), "--output",
+               At("out")});
+  EXPECT_THAT(run.ReadLine(), StartsWith("1/31  a"));
+  server_.process().Signal(SIGSTOP);
+  const auto stopped = std::chrono::steady_clock::now();
+  const Finished finished = run.Wait();
+  EXPECT_LT(std::chrono::steady_clock::now() - stopped, std::chrono::seconds(20));
+  EXPECT_EQ(finished.exit_code, 1);
+  EXPECT_THAT(finished.err, HasSubstr("fovea: the server hangs: 3 frames in turn had no answer"));
+  EXPECT_THAT(finished.err, HasSubstr("--resume"));
+
+  // Nor does it answer to a run that begins.
+  const Finished again = Detect({"--timeout", "1", "--input", Folder(), "--json", "-"});
+  EXPECT_EQ(again.exit_code, 1);
+  EXPECT_THAT(again.err,
+              HasSubstr("note: the server does not say whether it serves; it is waited"));
+  EXPECT_THAT(again.err, HasSubstr("fovea: DEADLINE_EXCEEDED: no answer from"));
+  EXPECT_THAT(again.err, Not(HasSubstr("frames done")));
+}
+
+TEST_F(CliTest, GoesOnWhereTheServerHungForAWhile) {
+  for (int i = 0; i < 9; ++i) WriteFrame("b" + std::to_string(i));
+  Process run({FOVEA_CLI, "detect", "--server", server_.address(), "--intrinsics",
+               "30,30,15.5,11.5", "--timeout", "3", "--jobs", "1", "--input", Folder(), "--output",
+               At("out")});
+  EXPECT_THAT(run.ReadLine(), StartsWith("1/10  a"));
+  server_.process().Signal(SIGSTOP);
+  std::string line;
+  for (int failed = 0; failed < 3; failed += line.ends_with(": failed") ? 1 : 0) {
+    line = run.ReadLine();
+    ASSERT_NE(line, "");
+  }
+  server_.process().Signal(SIGCONT);
+  const Finished finished = run.Wait();
+  EXPECT_EQ(finished.exit_code, 1);
+  EXPECT_THAT(finished.out, HasSubstr("3 failed"));
+}
+
 TEST_F(CliTest, ReadsNoPipesAndDevicesOfFolders) {
   fs::remove(At("a_color.png"));
   ASSERT_EQ(mkfifo(At("a_color.png").c_str(), S_IRUSR | S_IWUSR), 0);
