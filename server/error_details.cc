@@ -32,7 +32,8 @@ std::optional<Detail> Find(const grpc::Status& status) {
 }
 
 bool IsOfRequest(std::string_view path) {
-  for (const std::string_view part : {"frame", "options", "robot", "pick"}) {
+  for (const std::string_view part :
+       {"frame", "options", "robot", "pick", "robots", "max_rate_hz", "parts"}) {
     if (path == part || (path.starts_with(part) && path[part.size()] == '.')) return true;
   }
   return false;

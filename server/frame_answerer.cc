@@ -219,7 +219,7 @@ Detections FrameAnswerer::Compute(const FrameRequest& request, const Asker& aske
   const RgbdFrame frame = FromProto(*request.frame, max_pixels_, &losses, &lens);
   *decoded = frame;  // the images are shared
   RegionOptions& region = options.paper ? options.paper->region : options.region;
-  InField("options.parameters", [&] { RequireNotEmpty(region, frame.depth_m.size()); });
+  InParameters([&] { RequireNotEmpty(region, frame.depth_m.size()); });
   if (lens) UndistortRegion(*lens, region);
   times->push_back({"decode", Milliseconds(Clock::now() - request.began)});
   // What the method throws from here on is no longer about the request, TooComplex apart.

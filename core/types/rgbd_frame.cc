@@ -31,10 +31,16 @@ void RequirePlausible(double focal_px, double principal_px, int size_px,
           kMaxFocal_px);
   Require(std::isfinite(principal_px), "{}: is not a finite number", names[1]);
   const double farthest_px = std::max(std::abs(principal_px), std::abs(size_px - 1 - principal_px));
-  Require(farthest_px <= kMaxSlope * focal_px,
+  if (farthest_px <= kMaxSlope * focal_px) return;
+  // Within the image, where most are, it is right with any focal length that is.
+  const bool is_outside = principal_px < 0 || principal_px > size_px - 1;
+  const bool blames_principal = is_outside && size_px - 1 <= kMaxSlope * focal_px;
+  const std::size_t wrong = blames_principal ? 1 : 0;
+  const std::array values{focal_px, principal_px};
+  Require(false,
           "{}: {:g} px with {} {:g} px sees pixels of an image of {} px more than 84 "
           "degrees beside the optical axis; intrinsics are in pixels of this image",
-          names[0], focal_px, names[1], principal_px, size_px);
+          names[wrong], values[wrong], names[1 - wrong], values[1 - wrong], size_px);
 }
 
 }  // namespace

@@ -45,4 +45,16 @@ auto InField(const std::string& path, Function&& function) {
   }
 }
 
+// The same where the texts start with the name of an option, "region.x_px: …".
+template <typename Function>
+auto InParameters(Function&& function) {
+  try {
+    return std::forward<Function>(function)();
+  } catch (const std::invalid_argument& error) {
+    const std::string text = error.what();
+    const std::size_t end = text.find(": ");
+    FailField("options.parameters[" + text.substr(0, end) + "]", text.substr(end + 2));
+  }
+}
+
 }  // namespace fovea::server

@@ -107,7 +107,7 @@ DetectorOptions FromProto(const v1::DetectOptions& options, const OptionPolicy& 
   result.grippers = FromProto(options.grasps());
   result.place = PlaceFromProto(options);
   result.planning = PlanningFromProto(options);
-  InField("options.parameters", [&] { Validate(result); });
+  InParameters([&] { Validate(result); });
   return result;
 }
 

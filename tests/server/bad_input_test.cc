@@ -77,7 +77,7 @@ std::vector<BadInput> BadParts() {
        "options.parameters[gravity.step_px]: profile \"default\" does not read it"},
       {"region_beyond_the_image",
        [](auto& r) { (*r.mutable_options()->mutable_parameters())["region.x_px"] = 9999; },
-       "options.parameters: region.x_px: 9999"},
+       "options.parameters[region.x_px]: 9999"},
       {"negative_time_budget",
        [](auto& r) { r.mutable_options()->mutable_time_budget()->set_nanos(-1); },
        "options.time_budget: must be from 0"},
@@ -111,7 +111,8 @@ std::vector<BadInput> BadIntrinsics() {
           Intrinsic("cx_nan", &K::set_cx, NAN, "frame.intrinsics.cx: "),
           Intrinsic("cy_infinite", &K::set_cy, -INFINITY, "frame.intrinsics.cy: "),
           Intrinsic("fx_normalised", &K::set_fx, 0.8, "frame.intrinsics.fx: 0.8"),
-          Intrinsic("cy_far_outside", &K::set_cy, 1e6, "frame.intrinsics.fy: ")};
+          Intrinsic("cy_far_outside", &K::set_cy, 1e6, "frame.intrinsics.cy: 1e+06 px with fy "),
+          Intrinsic("cx_far_outside", &K::set_cx, -1e6, "frame.intrinsics.cx: -1e+06 px with fx ")};
 }
 
 std::vector<BadInput> BadColors() {

@@ -89,11 +89,12 @@ TEST(Contract, FieldsArePathsOfTheRequest) {
   for (const char* path :
        {"frame", "frame.depth.data", "options.parameters[a.b]", "options.parameters[a: b]",
         "options.parameters[a]: b]", "options.parameters[a, b]", "options.parameters[]",
-        "options.grasps.grippers[7].max_tilt_rad", "options.grasps.grippers[0].jaw.palm_size"}) {
+        "options.grasps.grippers[7].max_tilt_rad", "options.grasps.grippers[0].jaw.palm_size",
+        "robots", "max_rate_hz", "parts"}) {
     EXPECT_EQ(field_of(path), path);
   }
   EXPECT_EQ(field_of("frame.color.width, height"), "frame.color.width");
-  for (const char* other : {"metadata fovea-robot", "framed", "robots", ""}) {
+  for (const char* other : {"metadata fovea-robot", "framed", "robotics", ""}) {
     EXPECT_EQ(field_of(other), "");
     EXPECT_EQ(server::InvalidArgument({other, "no"}).error_details(), "");
   }
@@ -118,6 +119,19 @@ TEST(Contract, FieldsHoldIndicesAndNamesOfTheCaller) {
   }
   request.mutable_frame()->mutable_intrinsics()->set_fx(0.8);
   EXPECT_EQ(server::FieldOf(Detect(loopback, request)), "frame.intrinsics.fx");
+}
+
+// Each may be set, but not for this image or beside the others.
+TEST(Contract, OptionsThatLeaveNothingToLookAtAreNamed) {
+  const Loopback loopback(FindOne);
+  for (const std::string name :
+       {"region.x_px", "region.y_px", "region.min_x_m", "region.min_y_m", "region.min_z_m"}) {
+    v1::DetectRequest request = TestRequest();
+    (*request.mutable_options()->mutable_parameters())[name] = 100;
+    const grpc::Status status = Detect(loopback, request);
+    EXPECT_EQ(server::FieldOf(status), "options.parameters[" + name + "]");
+    EXPECT_THAT(status.error_message(), StartsWith("options.parameters[" + name + "]: 100 "));
+  }
 }
 
 TEST(Contract, RefusalsSayWhenToReturn) {
