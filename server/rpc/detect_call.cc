@@ -69,20 +69,29 @@ void DetectCall::OnCall() {
     upload_ = environment_.scheduler.Enter(caller_.id(), caller_.comes_only_if_room()
                                                              ? Scheduler::IfFull::kForget
                                                              : Scheduler::IfFull::kKeepPlace);
-    transfer_.Begin(shared_from_this());
+    transfer_.Begin(shared_from_this(), [this] { caller_.Guard([this] { OnLate(); }); });
     stream_.Read(&bytes_, Then([self = shared_from_this()](bool ok) {
       self->caller_.Guard([&] { self->OnRead(ok); });
     }));
   });
 }
 
+// The message has not come in time, and does not any more: the reading ends with the call.
+void DetectCall::OnLate() {
+  is_late_ = true;
+  received_ = Clock::now();
+  upload_.reset();
+  transfer_.BeginAnswer(shared_from_this(), 0);
+  Refuse(StatusOfSlowness());
+}
+
 void DetectCall::OnRead(bool ok) {
+  if (is_late_) return;
   received_ = Clock::now();
   upload_.reset();
   transfer_.End();
   if (!ok) {
-    const auto cancelled = transfer_.why_cancelled();
-    Refuse(cancelled ? *cancelled : StatusOfHalfMessage(caller_.StatusOfGone()));
+    Refuse(StatusOfHalfMessage(caller_.StatusOfGone()));
     return;
   }
   caller_.OnLastMessage(bytes_.Length());
@@ -150,6 +159,7 @@ void DetectCall::Refuse(const grpc::Status& status, const char* reason) {
   const bool full = status.error_code() == grpc::StatusCode::RESOURCE_EXHAUSTED;
   stream_.FinishWithError(
       status, Then([self = shared_from_this(), full](bool) {
+        self->transfer_.End();
         if (full) self->environment_.metrics.OnTurnedAway(Clock::now() - self->received_);
       }));
 }

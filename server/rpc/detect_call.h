@@ -24,6 +24,7 @@ class DetectCall : public std::enable_shared_from_this<DetectCall> {
   // `step`, where the call may go on; else the call is refused.
   void Proceed(const std::function<void()>& step);
   void OnCall();
+  void OnLate();
   void OnRead(bool ok);
   void TakeTurn();
   void ComputeOrSayWhyNot();
@@ -41,7 +42,8 @@ class DetectCall : public std::enable_shared_from_this<DetectCall> {
   Caller caller_;
   TransferLimit transfer_;
   grpc::ServerAsyncReader<v1::DetectResponse, grpc::ByteBuffer> stream_{&context_};
-  Scheduler::Upload upload_;  // until the message is there
+  bool is_late_ = false;      // the message is
+  Scheduler::Upload upload_;  // until it is there
   grpc::ByteBuffer bytes_;    // the message, until it is parsed
   v1::DetectRequest request_;
   v1::DetectResponse response_;

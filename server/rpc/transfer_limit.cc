@@ -1,12 +1,18 @@
 #include "server/rpc/transfer_limit.h"
 
+#include <utility>
+
 #include "server/rpc/event_loop.h"
 #include "server/status.h"
 
 namespace fovea::server {
 
-void TransferLimit::Begin(const std::shared_ptr<void>& call) {
-  SetAlarm(NextTransfer(), call, StatusOfSlowness());
+void TransferLimit::Begin(const std::shared_ptr<void>& call, std::function<void()> on_late) {
+  const std::uint64_t transfer = NextTransfer();
+  if (!on_late) return SetAlarm(call, [=, this] { Cancel(transfer, StatusOfSlowness()); });
+  SetAlarm(call, [=, this, on_late = std::move(on_late)] {
+    if (EndLate(transfer)) on_late();
+  });
 }
 
 void TransferLimit::BeginAnswer(const std::shared_ptr<void>& call, std::size_t bytes) {
@@ -14,7 +20,7 @@ void TransferLimit::BeginAnswer(const std::shared_ptr<void>& call, std::size_t b
   answer_ = unsent_.Add(bytes, [this, transfer, weak = std::weak_ptr(call)] {
     if (const auto alive = weak.lock()) Cancel(transfer, StatusOfUnsentAnswer());
   });
-  SetAlarm(transfer, call, StatusOfUntakenAnswer());
+  SetAlarm(call, [=, this] { Cancel(transfer, StatusOfUntakenAnswer()); });
 }
 
 std::uint64_t TransferLimit::NextTransfer() {
@@ -23,14 +29,20 @@ std::uint64_t TransferLimit::NextTransfer() {
   return ++transfer_;
 }
 
-void TransferLimit::SetAlarm(std::uint64_t transfer, const std::shared_ptr<void>& call,
-                             const grpc::Status& why) {
+void TransferLimit::SetAlarm(const std::shared_ptr<void>& call, std::function<void()> on_late) {
   // A new one for each, since one that was cancelled may not be set again before it has said so.
   alarm_ = std::make_unique<grpc::Alarm>();
   alarm_->Set(queue_, std::chrono::system_clock::now() + limit_,
-              Then([this, transfer, call, why](bool passed) {
-                if (passed) Cancel(transfer, why);
+              Then([call, on_late = std::move(on_late)](bool passed) {
+                if (passed) on_late();
               }));
+}
+
+bool TransferLimit::EndLate(std::uint64_t transfer) {
+  const std::lock_guard lock(mutex_);
+  if (!running_ || transfer != transfer_) return false;
+  running_ = false;
+  return true;
 }
 
 void TransferLimit::Cancel(std::uint64_t transfer, const grpc::Status& why) {

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -34,8 +35,9 @@ class TransferLimit {
       : TransferLimit(context, rules.queue, rules.max_transfer, rules.unsent) {}
 
   // A transfer begins, one at a time. `call` holds this, and is held until End() or the end of the
-  // time.
-  void Begin(const std::shared_ptr<void>& call);
+  // time, when `on_late` is called in place of the call being cancelled, which tells nothing but
+  // that: not why, nor the request's id. It is called on the event loop's thread.
+  void Begin(const std::shared_ptr<void>& call, std::function<void()> on_late = {});
   // An answer of so many bytes is sent. Before it is handed to gRPC, which may be done with it at
   // once.
   void BeginAnswer(const std::shared_ptr<void>& call, std::size_t bytes);
@@ -51,7 +53,8 @@ class TransferLimit {
 
  private:
   std::uint64_t NextTransfer();
-  void SetAlarm(std::uint64_t transfer, const std::shared_ptr<void>& call, const grpc::Status& why);
+  void SetAlarm(const std::shared_ptr<void>& call, std::function<void()> on_late);
+  bool EndLate(std::uint64_t transfer);
   void Cancel(std::uint64_t transfer, const grpc::Status& why);
 
   grpc::ServerContext* const context_;

@@ -195,6 +195,8 @@ TEST(Transfer, OfAMessageThatDoesNotComeEndsTheCall) {
     ended = tag == &status;
   }
   EXPECT_EQ(status.error_code(), grpc::StatusCode::CANCELLED);
+  EXPECT_EQ(status.error_message(), "the message did not come in time (--max-transfer-s)");
+  EXPECT_EQ(context.GetServerTrailingMetadata().count("fovea-request-id"), 1U);
 }
 
 TEST(Transfer, OfAnAnswerThatNobodyTakesEndsTheStream) {
