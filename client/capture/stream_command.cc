@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "client/capture/camera_error.h"
+#include "client/capture/crash_watch.h"
 #include "client/capture/devices.h"
 #include "client/capture/save_folder.h"
 #include "client/capture/server_check.h"
@@ -86,7 +87,10 @@ int RunStream(const StreamFlags& flags) {
   RequireStream(flags);
   SessionOptions options = SessionOptionsOf(flags);
   CameraOptions camera_options = CameraOptionsOf(flags.camera);
-  if (IsRecording(camera_options.device)) CheckRecording(camera_options.device);
+  if (IsRecording(camera_options.device)) {
+    CheckRecording(camera_options.device);
+    GoOnWatched(camera_options.device);
+  }
   const KnownIntrinsics intrinsics = IntrinsicsFor(flags, camera_options);
   PrepareSaveFolder(flags.save_folder);
   if (flags.speed > 0) camera_options.speed = flags.speed;

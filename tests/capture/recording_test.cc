@@ -18,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::AnyOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 // Waits until the file has grown to this size; where it does not in a minute, the recording ends
 // and what it said is printed.
@@ -230,6 +231,28 @@ TEST_F(RecordingTest, SaysWhatIsNoRecording) {
   ExpectOneLineError(Capture(Record(At("a.avi"))), "a recording's name ends in .oni");
   ExpectOneLineError(Capture(Record(At("text.oni"))), "text.oni is there already");
   ExpectOneLineError(Capture(Record(At("no/folder.oni"))), "cannot record to");
+}
+
+// A name of a property that does not end.
+TEST_F(RecordingTest, SaysWhichRecordingOpenNiCrashesAt) {
+  std::string bytes = TextOf(Recorded());
+  const std::string name = "xnSupportedMapOutputModesCount";
+  const std::size_t at = bytes.find(name);
+  ASSERT_NE(at, std::string::npos);
+  bytes.at(at + name.size()) = '\xA2';
+  const std::string damaged = folder_.Write("damaged.oni", bytes);
+  ExpectOneLineError(Capture(Replay(damaged)),
+                     damaged + " is damaged: the reader of OpenNI2 crashed at it (");
+}
+
+TEST_F(RecordingTest, AReplayEndsCleanlyByASignal) {
+  Process replay(CommandLine(Replay(Recorded(), {"--speed", "0.1"})));
+  EXPECT_NE(ReadAnswer(replay), "");
+  replay.Signal(SIGTERM);
+  const Finished finished = replay.Wait();
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_THAT(finished.out, HasSubstr("frames captured"));
+  EXPECT_THAT(finished.out, Not(HasSubstr("end of the recording")));
 }
 
 }  // namespace
