@@ -3,27 +3,23 @@
 from __future__ import annotations
 
 import math
-import threading
 import time
-from collections.abc import Callable, Generator, Iterable, Iterator
-from contextlib import contextmanager
+from collections.abc import Generator, Iterable
 from types import TracebackType
 from typing import Any
 
-import grpc
 import numpy as np
 import numpy.typing as npt
 
-from fovea.channel import make_metadata, metadata_of_call
+from fovea.calls import Calls
+from fovea.channel import make_metadata
 from fovea.checks import timeout_of_call, timeout_of_client
 from fovea.detections import Detections, detections_from_proto
-from fovea.errors import Cancelled, FoveaError, InvalidArgument, error_of_call
-from fovea.explanations import of_server
+from fovea.errors import InvalidArgument
 from fovea.frame import CameraIntrinsics, Frame
 from fovea.frame_feed import FrameFeed, Item
 from fovea.options import DetectOptions, RetryOptions, TlsOptions, options_to_proto
-from fovea.readiness import is_serving, wait_until_connected, wait_until_ready
-from fovea.retry import call_with_retries
+from fovea.readiness import is_serving, wait_until_ready
 from fovea.server_info import (
     Option,
     ServerInfo,
@@ -33,7 +29,7 @@ from fovea.server_info import (
     server_info_from_proto,
     statistics_from_proto,
 )
-from fovea.servers import Server, Servers
+from fovea.servers import Servers
 from fovea.stream import ResumingStream, StreamAnswer
 from fovea.v1 import detection_service_pb2
 
@@ -79,10 +75,9 @@ class Client:
             whose it is, that counts, and a name given beside it is ignored.
         """
         self._timeout = timeout_of_client(timeout)
-        self._retry = retry
-        self._metadata = make_metadata(token, robot)
-        self._closed = threading.Event()
-        self._servers = Servers(address, tls, max_answer_mib, self._metadata)
+        metadata = make_metadata(token, robot)
+        self._servers = Servers(address, tls, max_answer_mib, metadata)
+        self._calls = Calls(self._servers, retry, metadata)
 
     def __enter__(self) -> Client:
         return self
@@ -97,17 +92,16 @@ class Client:
 
     def close(self) -> None:
         """Ends all calls, of other threads too: they raise Cancelled."""
-        self._closed.set()
-        self._servers.close()
+        self._calls.close()
 
     def wait_until_ready(self, timeout: float | None = None) -> None:
         """Returns once the server says that it serves; raises a FoveaError after `timeout`."""
-        wait_until_ready(self._servers, self._errors, self._wait, self._timeout_of(timeout))
+        self._wait_until_ready(self._timeout_of(timeout))
 
     def is_serving(self) -> bool:
         """Asks once. False where the server answers that it does not serve; raises a FoveaError
         where it does not answer."""
-        return is_serving(self._servers, self._errors, self._timeout)
+        return is_serving(self._servers, self._calls.errors, self._timeout)
 
     def check(self, timeout: float | None = None) -> ServerInfo:
         """Waits until the server serves, and sees that it has the version of this library.
@@ -118,7 +112,7 @@ class Client:
         """
         patience = _NOBODY_THERE if timeout is None else math.inf
         end = time.monotonic() + self._timeout_of(timeout)
-        wait_until_ready(self._servers, self._errors, self._wait, end - time.monotonic(), patience)
+        self._wait_until_ready(end - time.monotonic(), patience)
         info = self.get_server_info(end - time.monotonic())
         require_same_version(info.version)
         return info
@@ -126,17 +120,24 @@ class Client:
     def get_server_info(self, timeout: float | None = None) -> ServerInfo:
         """What this server is and what it lets through."""
         request = detection_service_pb2.GetServerInfoRequest()
-        return server_info_from_proto(self._call(lambda stub: stub.GetServerInfo, request, timeout))
+        seconds = self._timeout_of(timeout)
+        return server_info_from_proto(
+            self._calls.ask(lambda stub: stub.GetServerInfo, request, seconds)
+        )
 
     def list_options(self) -> list[Option]:
         """Every option of the server's method, in the order of the pipeline."""
         request = detection_service_pb2.ListOptionsRequest()
-        return options_from_proto(self._call(lambda stub: stub.ListOptions, request))
+        return options_from_proto(
+            self._calls.ask(lambda stub: stub.ListOptions, request, self._timeout)
+        )
 
     def get_statistics(self) -> Statistics:
         """What it has done since it started, over all robots."""
         request = detection_service_pb2.GetStatisticsRequest()
-        return statistics_from_proto(self._call(lambda stub: stub.GetStatistics, request))
+        return statistics_from_proto(
+            self._calls.ask(lambda stub: stub.GetStatistics, request, self._timeout)
+        )
 
     def detect(
         self,
@@ -179,7 +180,10 @@ class Client:
         if request.options.tracking.enabled:
             problem = "tracking needs a stream of frames; call Client.stream"
             raise InvalidArgument("options.tracking.enabled", problem)
-        response = self._call(lambda stub: stub.Detect, request, timeout, request_id, traceparent)
+        seconds = self._timeout_of(timeout)
+        response = self._calls.ask(
+            lambda stub: stub.Detect, request, seconds, request_id, traceparent
+        )
         return detections_from_proto(response.detections)
 
     def stream(
@@ -218,88 +222,13 @@ class Client:
         picks: people who watch the robot may mark objects for it: StreamAnswer.pick.
         request_id, traceparent: as those of detect(), of every connection of the stream.
         """
-        metadata = self._metadata + metadata_of_call(request_id, traceparent)
-
-        def open_call(server: Server, requests: Iterator[Any]) -> Any:
-            with self._errors():
-                return server.detect_stream(requests, metadata=metadata)
-
+        open_call = self._calls.streams(request_id, traceparent)
         feed = FrameFeed(frames, options_to_proto(options), every_frame, picks)
         seconds = self._timeout_of(timeout)
-        return ResumingStream(
-            feed,
-            self._servers,
-            open_call,
-            self._get_statistics,
-            self._wait,
-            self._wait_until_connected,
-            self._retry,
-            seconds,
-            request_id,
-        ).run()
+        return ResumingStream(feed, self._calls, open_call, seconds, request_id).run()
 
-    def _get_statistics(self, server: Server, timeout: float) -> Statistics:
-        request = detection_service_pb2.GetStatisticsRequest()
-        with self._errors():
-            response = server.stub.GetStatistics(request, timeout=timeout, metadata=self._metadata)
-        return statistics_from_proto(response)
-
-    def _call(
-        self,
-        method: Callable[[Any], Any],
-        request: object,
-        timeout: float | None = None,
-        request_id: str = "",
-        traceparent: str = "",
-    ) -> Any:
-        metadata = self._metadata + metadata_of_call(request_id, traceparent)
-
-        def call(server: Server, seconds_left: float, only_if_room: bool) -> Any:
-            sent = metadata + [("fovea-only-if-room", "1")] * only_if_room
-            with self._errors():
-                return method(server.stub)(request, timeout=seconds_left, metadata=sent)
-
-        seconds = self._timeout_of(timeout)
-        try:
-            return call_with_retries(self._servers, call, seconds, self._retry, self._wait)
-        except FoveaError as error:
-            error.request_id = error.request_id or request_id
-            raise of_server(error, self._servers.address, seconds) from None
-
-    def _wait(self, server: Server | None, seconds: float) -> None:
-        """Raises Cancelled when the client is closed."""
-        # gRPC connects again at once only while somebody looks on, else within 5 s.
-        watcher: Callable[[grpc.ChannelConnectivity], None] = lambda _: None
-        if server and not self._closed.is_set():
-            server.channel.subscribe(watcher)
-            self._closed.wait(seconds)
-            server.channel.unsubscribe(watcher)
-        elif not server:
-            self._closed.wait(seconds)
-        self._require_open()
-
-    def _wait_until_connected(self, seconds: float, patience: float) -> Server | None:
-        """Raises Cancelled when the client is closed."""
-        self._require_open()
-        server = wait_until_connected(self._servers, self._closed, seconds, patience)
-        self._require_open()
-        return server
-
-    def _require_open(self) -> None:
-        if self._closed.is_set():
-            raise Cancelled("CANCELLED", "the client is closed")
-
-    @contextmanager
-    def _errors(self) -> Iterator[None]:
-        """Turns exceptions of gRPC into ours."""
-        try:
-            yield
-        except grpc.RpcError as error:
-            raise error_of_call(error, self._servers.max_answer_bytes) from None
-        except ValueError:  # what gRPC says of a closed channel
-            if not self._closed.is_set():
-                raise
-            raise Cancelled("CANCELLED", "the client is closed") from None
+    def _wait_until_ready(self, timeout: float, patience: float = math.inf) -> None:
+        wait_until_ready(self._servers, self._calls.errors, self._calls.wait, timeout, patience)
 
     def _timeout_of(self, timeout: float | None) -> float:
         return self._timeout if timeout is None else timeout_of_call(timeout)

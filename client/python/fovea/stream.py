@@ -13,6 +13,7 @@ from google.protobuf.message import DecodeError
 
 from fovea.answer_reader import AnswerReader
 from fovea.better_server import BetterServer
+from fovea.calls import Calls
 from fovea.detections import Detections, detections_from_proto
 from fovea.errors import (
     DeadlineExceeded,
@@ -23,11 +24,9 @@ from fovea.errors import (
     error_retry_after,
 )
 from fovea.frame_feed import FrameFeed
-from fovea.options import RetryOptions
 from fovea.picks import Pick, pick_from_proto
 from fovea.retry import backoff_after, is_worth_retrying
-from fovea.server_info import Statistics
-from fovea.servers import Server, Servers
+from fovea.servers import Server
 from fovea.v1 import detection_service_pb2
 
 
@@ -57,27 +56,21 @@ class ResumingStream:
     def __init__(
         self,
         feed: FrameFeed,
-        servers: Servers,
+        calls: Calls,
         open_call: Callable[[Server, Iterator[Any]], Any],
-        get_statistics: Callable[[Server, float], Statistics],
-        wait: Callable[[Server | None, float], None],
-        wait_until_connected: Callable[[float, float], Server | None],
-        retry: RetryOptions,
         timeout: float,
         request_id: str,
     ) -> None:
-        """get_statistics(server, timeout); wait(server, seconds) waits before the stream is opened
-        again, or raises, and so does wait_until_connected(seconds, patience), where all are away.
-        """
+        """open_call: what calls.streams() returns."""
+        servers = calls.servers
         self._feed = feed
+        self._calls = calls
         self._servers = servers
         self._open_call = open_call
-        self._wait = wait
-        self._wait_until_connected = wait_until_connected
-        self._retry = retry
+        self._retry = calls.retry
         self._timeout = timeout
         self._request_id = request_id
-        self._better_server = BetterServer(lambda: servers.all(timeout), get_statistics)
+        self._better_server = BetterServer(lambda: servers.all(timeout), calls.get_statistics)
         self._first_of_call = 0
         self._next_expected = 0  # number of the first frame whose fate is not known
         self._num_lost = 0
@@ -160,11 +153,11 @@ class ResumingStream:
         retry_after = None if elsewhere else error_retry_after(error)
         seconds = backoff_after(1 if elsewhere else self._failures, self._retry, retry_after)
         if elsewhere:
-            self._wait(self._servers.home(self._timeout), seconds)
+            self._calls.wait(self._servers.home(self._timeout), seconds)
             self._open()
         else:
             patience = self._broken_since + self._timeout - time.monotonic()
-            self._open(self._wait_until_connected(seconds, patience))
+            self._open(self._calls.wait_until_connected(seconds, patience))
 
     def _move_if_better(self) -> bool:
         """To a server with less to do, if there is one; what was sent and not answered is lost.
