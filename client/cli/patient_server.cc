@@ -18,21 +18,19 @@ bool IsSilence(const client::RpcError& error) {
 }  // namespace
 
 void PatientServer::Await() {
-  bool hangs = false;
   std::string why = "the server does not serve yet";
   try {
     is_there_ = client_.IsServing();
     if (is_there_) return;
   } catch (const client::RpcError& error) {
-    hangs = IsSilence(error);
-    if (!hangs && error.code() != grpc::StatusCode::UNAVAILABLE) return;  // the first frame tells
-    why = hangs ? "the server does not say whether it serves" : explain_(error);
+    if (error.code() != grpc::StatusCode::UNAVAILABLE) return;  // the first frame tells
+    why = explain_(error);
   }
   PrintNote(why + fmt::format("; it is waited for, {} s at most", timeout_.count() / 1000.0));
   try {
     client_.WaitUntilReady(timeout_);
-  } catch (const client::RpcError& error) {
-    throw std::runtime_error(hangs ? explain_(error) : why);
+  } catch (const client::RpcError&) {
+    throw std::runtime_error(why);
   }
   is_there_ = true;
 }

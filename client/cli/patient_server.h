@@ -28,8 +28,8 @@ class PatientServer {
   PatientServer(const client::Client& client, std::chrono::milliseconds timeout, Explain explain)
       : client_(client), timeout_(timeout), explain_(std::move(explain)) {}
 
-  // A server that is being started, or hangs, is waited for; one that is not there is one error and
-  // not one a frame. Throws std::runtime_error.
+  // A server that is being started is waited for; one that is not there is one error and not one a
+  // frame. Throws std::runtime_error.
   void Await();
   // How many frames to have in flight: as many as are wanted, else four, or as many as the server
   // takes of one robot; more would be refused, counted there and sent once more.
