@@ -7,54 +7,42 @@ const ObjectModel& FittedObjectModel() {
   constexpr double kNone = TermFunction::kNoKnot;
   static const ObjectModel model{
       // clang-format off
-      .bias = -1.6556,
+      .bias = -5.904,
       .functions = {{
-          {{-10.116, -7.7315, -5.299, -4.2599, -3.4989}, {1.0222, 0.61164, 1.7062, -0.91466, 0.63706, -1.3909}},  // its visible area
-          {{-3.1091, -2.0809, -1.5926, -1.0748, kNone}, {0.7569, 0.15314, -4.0486, 0.5495, -3.4092, 0}},  // its largest extent
-          {{-4.1296, -2.8809, -1.9429, -1.3494, kNone}, {0.42291, -0.56744, -0.72434, 0.45271, 0.54271, 0}},  // its height
-          {{-2.5077, -0.94763, -0.51415, -0.22129, -0.06922}, {0.62237, -0.29181, 0.21988, 1.6121, -3.5043, 5.3297}},  // how slender it is
-          {{-0.94948, -0.45961, -0.15268, 0.27907, 1.3526}, {-0.10893, 0.14867, 1.4968, -1.9495, 1.9263, -0.53443}},  // how much of its extent is solid
-          {{0.718, 0.967, 1.2767, 1.8273, 2.3927}, {0.19682, -1.3467, -3.2184, 0.76904, 1.0367, 5.1836}},  // its distance
-          {{1, kNone, kNone, kNone, kNone}, {-1.114, 0, 0, 0, 0, 0}},  // how much of it lies under a support
-          {{0.073529, 1, kNone, kNone, kNone}, {-2.5198, 2.2357, 0, 0, 0, 0}},  // how much of it is no higher than its support
-          {{0.02907, 0.42515, 1, kNone, kNone}, {4.2304, -0.97567, -4.9403, 0, 0, 0}},  // how much of it faces up
-          {{0.76923, kNone, kNone, kNone, kNone}, {-3.2719, -2.5523, 0, 0, 0, 0}},  // how much of its upper border is hidden or goes on
-          {{kNone, kNone, kNone, kNone, kNone}, {-0.085347, 0, 0, 0, 0, 0}},  // it goes on above
-          {{0.13636, kNone, kNone, kNone, kNone}, {-4.3228, 3.5267, 0, 0, 0, 0}},  // how much of it ends with the image
-          {{kNone, kNone, kNone, kNone, kNone}, {-1.5775, 0, 0, 0, 0, 0}},  // it ends with the image
-          {{0.11567, kNone, kNone, kNone, kNone}, {-9.5581, 9.263, 0, 0, 0, 0}},  // beyond much of its border nothing is measured
-          {{0.25, 0.41667, 0.55, 0.73106, kNone}, {3.6691, -5.0511, -4.722, 5.2498, -5.6805, 0}},  // what is farther away beyond its border
-          {{0.097938, kNone, kNone, kNone, kNone}, {-7.9076, 2.4966, 0, 0, 0, 0}},  // what is in front of it
-          {{0.12349, 0.33333, 0.5, kNone, kNone}, {-2.3571, -1.3925, -1.92, 8.5733, 0, 0}},  // another segment is in front of it
-          {{kNone, kNone, kNone, kNone, kNone}, {5.6019, 0, 0, 0, 0, 0}},  // what rises beside it
-          {{0.043103, 0.1519, 0.33333, kNone, kNone}, {5.5559, -9.9883, 6.6686, -0.74172, 0, 0}},  // what is level with it
-          {{0.017751, 0.15, 0.2963, 0.5, 0.72581}, {-2.2985, -0.97829, 0.66409, -4.1307, -14.406, -1.0696}},  // another segment touches it
-          {{0.31915, 0.81159, 1, kNone, kNone}, {0.72143, 0.034645, -1.0834, 0, 0, 0}},  // whether it stands on something
-          {{kNone, kNone, kNone, kNone, kNone}, {-0.35163, 0, 0, 0, 0, 0}},  // it is a single segment
-          {{0.69315, 1.0986, 1.9459, kNone, kNone}, {-0.2287, 0.25317, -1.3823, 1.5339, 0, 0}},  // how many segments it consists of
-          {{0, 6, kNone, kNone, kNone}, {-0.083975, 0.031226, 0, 0, 0, 0}},  // how well its parts belong together
-          {{-3.843, 3.7611, 6, kNone, kNone}, {-0.58149, 0.075609, 0.033927, 0, 0, 0}},  // how well it belongs to something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {0.48822, 0, 0, 0, 0, 0}},  // its parts belong together and nothing else does
-          {{2.4849, 3.2993, 3.8914, kNone, kNone}, {1.7178, -0.7568, 0.54854, 0.068527, 0, 0}},  // how its colour differs from the background
-          {{0.18269, 0.37373, 0.5, kNone, kNone}, {-5.4193, -0.94389, 3.2825, 0.86832, 0, 0}},  // how much of its border touches the background
-          {{kNone, kNone, kNone, kNone, kNone}, {0.41178, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-1.5213, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-0.84917, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {1.2161, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-0.31666, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {0.59263, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-2.2304, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-0.010415, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-1.4031, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {0.11455, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-1.6424, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-0.030907, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-0.25726, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {0.026807, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {7.0848, 0, 0, 0, 0, 0}},  // how it meets something next to it
-          {{kNone, kNone, kNone, kNone, kNone}, {-0.38933, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{-10.13, -7.7567, -5.3164, -4.2706, -3.5073}, {1.0317, 0.56203, 1.3275, -0.65277, 0.10538, -0.17289}},  // its visible area
+          {{-3.1258, -2.0924, -1.5965, -1.0784, kNone}, {0.61478, 0.46858, -3.3294, 0.49133, -5.9051, 0}},  // its largest extent
+          {{-4.1372, -2.8936, -1.956, -1.3677, kNone}, {0.073146, -0.18088, -0.5474, 0.020377, 0.81277, 0}},  // its height
+          {{-2.5463, -0.94414, -0.51153, -0.22201, -0.069856}, {0.45488, 0.20078, -0.040056, 1.3919, -2.4276, 3.5485}},  // how slender it is
+          {{-0.95458, -0.46636, -0.15286, 0.27495, 1.3474}, {0.15315, 0.35775, 1.0362, -1.2838, 0.15268, -1.1371}},  // how much of its extent is solid
+          {{0.71679, 0.96189, 1.2681, 1.8114, 2.3593}, {-0.31644, -1.249, -2.1927, -0.11851, 1.0631, 3.6327}},  // its distance
+          {{0.071429, 1, kNone, kNone, kNone}, {-2.2637, 1.3621, 0.12469, 0, 0, 0}},  // how much of it is no higher than its support
+          {{0.031884, 0.43128, 1, kNone, kNone}, {3.6853, -0.54327, -4.6001, -0.086543, 0, 0}},  // how much of it faces up
+          {{0.76471, kNone, kNone, kNone, kNone}, {-4.0649, -2.4216, 0, 0, 0, 0}},  // how much of its upper border is hidden or goes on
+          {{kNone, kNone, kNone, kNone, kNone}, {-1.3979, 0, 0, 0, 0, 0}},  // it ends with the image
+          {{0.10981, kNone, kNone, kNone, kNone}, {-3.1361, 3.1361, 0, 0, 0, 0}},  // beyond much of its border nothing is measured
+          {{0.25, 0.41667, 0.55208, 0.73301, kNone}, {4.438, -3.9492, -2.7621, 5.5132, -6.7466, 0}},  // what is farther away beyond its border
+          {{0.017766, 0.15, 0.29545, 0.5, 0.72}, {-0.025639, 0.025639, 0, -2.0871, -9.288, -1.2699}},  // another segment touches it
+          {{0.69315, 1.0986, 1.9459, kNone, kNone}, {0.12406, -0.3268, -1.0888, 1.3867, 0, 0}},  // how many segments it consists of
+          {{-3.924, 3.7078, 6, kNone, kNone}, {-0.52194, -0.092534, 0.037345, 0.14578, 0, 0}},  // how well it belongs to something next to it
+          {{2.4849, 3.3166, 3.8904, kNone, kNone}, {1.8755, -0.96032, 0.48254, 0.59635, 0, 0}},  // how its colour differs from the background
+          {{kNone, kNone, kNone, kNone, kNone}, {0.56987, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-1.951, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-1.1961, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-1.2146, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-0.35872, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {0.5013, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-2.3399, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-0.0087885, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-1.1407, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {0.10682, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-1.2974, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-0.087077, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-0.31125, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-0.62575, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {7.6084, 0, 0, 0, 0, 0}},  // how it meets something next to it
+          {{kNone, kNone, kNone, kNone, kNone}, {-0.91107, 0, 0, 0, 0, 0}},  // how it meets something next to it
       }},
-      .usual = {3.901, -2.55, -2.332, -0.4721, 0.3373, -0.7275, -0.004648, -0.06203, 0.6404, -0.02597, -0.0005701, -0.01277, -0.04449, -0.1247, -0.1125, -0.01535, -0.2825, 0.004682, 0.06792, -0.2386, 0.3623, -0.09866, -0.3383, -0.0999, 2.011, 0.334, 5.294, -1.212, 0.151, -0.139, -0.21, 0.07403, 0.6124, 0.2948, -0.5765, 0.03924, -0.07228, -0.2374, -0.1345, -0.005707, 0.09486, -0.01185, 0.1374, -0.009308}
+      .usual = {2.52, -1.671, -0.7706, 0.4931, 0.2853, -1.108, -0.06651, 0.6268, -0.03113, -0.04005, -0.03728, 1.081, -0.01499, -0.1987, 1.504, 5.663, 0.2076, -0.1783, -0.2951, -0.07394, 0.6903, 0.2475, -0.5983, 0.03266, -0.05935, -0.2183, -0.1036, -0.01601, 0.1148, 0.2772, 0.1461, -0.02181}
       // clang-format on
   };
   return model;

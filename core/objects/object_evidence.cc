@@ -14,19 +14,9 @@ namespace {
 
 constexpr float kLevelCosine = 0.9F;
 
-bool IsCovered(const std::vector<Support>& supports, const Eigen::Vector3f& point,
-               const SupportOptions& options) {
-  const float tolerance = SupportTolerance(point.z(), options);
-  return std::any_of(supports.begin(), supports.end(), [&](const Support& support) {
-    return -support.surface.HeightOf(point) > support.LargestShare() * tolerance &&
-           support.footprint.Covers(point);
-  });
-}
-
 Placement PlacementOf(const Voxel& voxel, const Eigen::Vector3f& up,
                       const std::vector<Support>& supports, const SupportOptions& options) {
   return {.num_flat = IsOnSupport(supports, voxel.mean, options) ? 1 : 0,
-          .num_covered = IsCovered(supports, voxel.mean, options) ? 1 : 0,
           .num_level = voxel.normal.dot(up) > kLevelCosine ? 1 : 0};
 }
 
@@ -50,10 +40,8 @@ void CountPixels(const cv::Mat& labels, const cv::Mat& standing,
 
 void SetJoins(const MergeTree& tree, std::size_t n, ObjectEvidence& evidence) {
   const MergeNode& node = tree.nodes[n];
-  evidence.inner_log_odds = node.log_odds;
   evidence.outer_log_odds = node.parent >= 0 ? tree.nodes[node.parent].log_odds : tree.min_log_odds;
   if (node.parent >= 0) evidence.outer_terms = TermsOf(tree.nodes[node.parent].kinship);
-  evidence.is_likely = n < tree.num_likely && evidence.outer_log_odds < 0;
 }
 
 // Which of the unions holds two segments first. The segments of each union so far are a tree, the
@@ -123,7 +111,6 @@ std::vector<BorderCounts> InnerBorders(const std::vector<Facing>& facings, const
 
 void Placement::Add(const Placement& other) {
   num_flat += other.num_flat;
-  num_covered += other.num_covered;
   num_level += other.num_level;
 }
 

@@ -15,9 +15,8 @@ namespace fovea {
 
 // Numbers of voxels by where they are in relation to the surfaces that things stand on.
 struct Placement {
-  int num_flat = 0;     // no height tells them from a support
-  int num_covered = 0;  // a support covers them from above
-  int num_level = 0;    // they face up
+  int num_flat = 0;   // no height tells them from a support
+  int num_level = 0;  // they face up
 
   void Add(const Placement& other);
 };
@@ -30,10 +29,8 @@ struct ObjectEvidence {
   double num_missing = 0;  // pixels without depth, where a surface stands in
   cv::Rect bounds_px;
   int num_segments = 1;
-  double inner_log_odds = 0;   // of the join that made it; 0 for one segment
   double outer_log_odds = 0;   // of the join that it is part of; MergeTree::min_log_odds for none
   KinshipTerms outer_terms{};  // of that join; 0 for none
-  bool is_likely = false;      // the former speaks for it and the latter against more
 };
 
 // What can be said of segments however they are joined.

@@ -12,19 +12,12 @@ constexpr double kMinExtent_m = 0.005;
 constexpr double kMinHeight_m = 0.003;
 constexpr double kMaxDistance_m = 3;
 constexpr double kMaxLogOdds = 6;
-constexpr double kMuchClosed = 0.4;
 constexpr double kFewSides = 3;
 
 double ClampedLog(double value, double least) { return std::log(std::max(value, least)); }
 
-double Shares(const BorderCounts& borders, Beyond beyond, std::initializer_list<BorderSide> sides) {
-  double sum = 0;
-  for (const BorderSide side : sides) sum += borders.At(side, beyond);
-  return sum / std::max(1.0, borders.Total());
-}
-
 double Share(const BorderCounts& borders, Beyond beyond) {
-  return Shares(borders, beyond, {BorderSide::kAbove, BorderSide::kBeside, BorderSide::kBelow});
+  return borders.Of(beyond) / std::max(1.0, borders.Total());
 }
 
 // Things stand against walls, but what ends with the image as well as at a wall is more likely a
@@ -36,12 +29,9 @@ double ClosedShare(const BorderCounts& borders) {
   return closed / std::max(1.0, borders.Of(BorderSide::kAbove));
 }
 
-double LevelSides(const BorderCounts& borders) {
-  return borders.Of(Beyond::kLevel) + borders.Of(Beyond::kRising) + borders.Of(Beyond::kWall);
-}
-
 double LogContrast(const BorderCounts& borders) {
-  const double num_sides = LevelSides(borders);
+  const double num_sides =
+      borders.Of(Beyond::kLevel) + borders.Of(Beyond::kRising) + borders.Of(Beyond::kWall);
   if (num_sides <= kFewSides) return std::log(kUsualContrast);
   return ClampedLog(borders.contrast / num_sides, 1);
 }
@@ -58,37 +48,22 @@ void SetShape(const ObjectEvidence& evidence, const auto& set) {
   const double area_of_extents = extent.x() * std::max(extent.y(), height);
   set(ObjectTerm::kSolidity, ClampedLog(part.area_m2 / std::max(area_of_extents, 1e-5), 0.01));
   set(ObjectTerm::kDistance, std::clamp(part.z_sum_m / part.num_voxels, 0.0, kMaxDistance_m));
-  set(ObjectTerm::kCovered, evidence.placement.num_covered / part.num_voxels);
   set(ObjectTerm::kFlat, evidence.placement.num_flat / part.num_voxels);
   set(ObjectTerm::kFacingUp, evidence.placement.num_level / part.num_voxels);
 }
 
 void SetBorders(const BorderCounts& borders, const auto& set) {
-  const double closed = ClosedShare(borders);
-  set(ObjectTerm::kClosed, closed);
-  set(ObjectTerm::kGoesOn, closed > kMuchClosed ? 1 : 0);
-  set(ObjectTerm::kEnd, Share(borders, Beyond::kEnd));
+  set(ObjectTerm::kClosed, ClosedShare(borders));
   set(ObjectTerm::kEndsAnywhere, borders.Of(Beyond::kEnd) > 0 ? 1 : 0);
   set(ObjectTerm::kUnmeasured, Share(borders, Beyond::kUnmeasured));
   set(ObjectTerm::kFarther, Share(borders, Beyond::kFarther));
-  set(ObjectTerm::kNearer, Share(borders, Beyond::kNearer));
-  set(ObjectTerm::kNearerSegment, Share(borders, Beyond::kNearerSegment));
-  const auto not_below = {BorderSide::kAbove, BorderSide::kBeside};
-  set(ObjectTerm::kRising, Shares(borders, Beyond::kRising, not_below));
-  set(ObjectTerm::kLevel, Shares(borders, Beyond::kLevel, not_below));
   set(ObjectTerm::kLevelSegment, Share(borders, Beyond::kLevelSegment));
-  set(ObjectTerm::kStands, borders.At(BorderSide::kBelow, Beyond::kLevel) /
-                               std::max(1.0, borders.Of(BorderSide::kBelow)));
   set(ObjectTerm::kContrast, LogContrast(borders));
-  set(ObjectTerm::kLevelShare, LevelSides(borders) / std::max(1.0, borders.Total()));
 }
 
 void SetJoins(const ObjectEvidence& evidence, const auto& set) {
-  set(ObjectTerm::kAlone, evidence.num_segments == 1 ? 1 : 0);
   set(ObjectTerm::kNumSegments, std::log(evidence.num_segments));
-  set(ObjectTerm::kInnerOdds, std::clamp(evidence.inner_log_odds, -kMaxLogOdds, kMaxLogOdds));
   set(ObjectTerm::kOuterOdds, std::clamp(evidence.outer_log_odds, -kMaxLogOdds, kMaxLogOdds));
-  set(ObjectTerm::kLikely, evidence.is_likely ? 1 : 0);
 }
 
 }  // namespace
@@ -115,28 +90,16 @@ std::string_view NameOf(ObjectTerm term) {
                 "how slender it is",
                 "how much of its extent is solid",
                 "its distance",
-                "how much of it lies under a support",
                 "how much of it is no higher than its support",
                 "how much of it faces up",
                 "how much of its upper border is hidden or goes on",
-                "it goes on above",
-                "how much of it ends with the image",
                 "it ends with the image",
                 "beyond much of its border nothing is measured",
                 "what is farther away beyond its border",
-                "what is in front of it",
-                "another segment is in front of it",
-                "what rises beside it",
-                "what is level with it",
                 "another segment touches it",
-                "whether it stands on something",
-                "it is a single segment",
                 "how many segments it consists of",
-                "how well its parts belong together",
                 "how well it belongs to something next to it",
-                "its parts belong together and nothing else does",
-                "how its colour differs from the background",
-                "how much of its border touches the background"};
+                "how its colour differs from the background"};
   return kNames[static_cast<std::size_t>(term)];
 }
 

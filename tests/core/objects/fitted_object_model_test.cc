@@ -32,17 +32,17 @@ TEST(FittedObjectModel, ObjectsAreNeitherTinyNorHuge) {
 }
 
 TEST(FittedObjectModel, WhatGoesOnIsNoObject) {
-  EXPECT_LT(Change(ObjectTerm::kClosed, 0, 0.9) + Change(ObjectTerm::kGoesOn, 0, 1), -1);
-  EXPECT_LT(Change(ObjectTerm::kLevelSegment, 0, 0.5), -1);
+  EXPECT_LT(Change(ObjectTerm::kClosed, 0, 0.9), -1);
+  EXPECT_LT(Change(ObjectTerm::kEndsAnywhere, 0, 1), -0.5);
+  EXPECT_LT(Change(ObjectTerm::kLevelSegment, 0, 0.7), -1);
 }
 
-TEST(FittedObjectModel, WhatLiesUnderATableIsNone) {
-  EXPECT_LT(Change(ObjectTerm::kCovered, 0, 1), -1);
+TEST(FittedObjectModel, WhatIsNoHigherThanItsSupportIsPartOfIt) {
+  EXPECT_LT(Change(ObjectTerm::kFlat, 0, 1), -0.5);
 }
 
 TEST(FittedObjectModel, WhatTheJoinsFavourIsLikelier) {
   EXPECT_LT(Change(ObjectTerm::kOuterOdds, -3, 3), -2);
-  EXPECT_GT(Change(ObjectTerm::kLikely, 0, 1), 0);
 }
 
 TEST(FittedObjectModel, ContrastToTheBackgroundSpeaksForAnObject) {

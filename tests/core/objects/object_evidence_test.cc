@@ -14,7 +14,6 @@ namespace {
 MergeTree PairTree() {
   MergeTree tree;
   tree.num_segments = 2;
-  tree.num_likely = 3;
   tree.min_log_odds = -6;
   tree.nodes = {{.parent = 2}, {.parent = 2}, {.left = 0, .right = 1, .log_odds = 1.5}};
   return tree;
@@ -53,7 +52,6 @@ TEST(CollectEvidence, AddsUpPairsOfPairs) {
   scene.standing(cv::Rect(90, 65, 20, 10)).setTo(255);
   MergeTree tree;
   tree.num_segments = 4;
-  tree.num_likely = 7;
   tree.nodes = {{.parent = 4},
                 {.parent = 4},
                 {.parent = 5},
@@ -71,49 +69,11 @@ TEST(CollectEvidence, AddsUpPairsOfPairs) {
   EXPECT_EQ(evidence[6].num_missing, 200);
 }
 
-TEST(CollectEvidence, KnowsTheJoinsWithinAndAround) {
+TEST(CollectEvidence, KnowsTheJoinAround) {
   TestScene scene(2);
   const auto evidence = EvidenceOfPair(scene);
-  EXPECT_EQ(evidence[0].inner_log_odds, 0);
   EXPECT_EQ(evidence[0].outer_log_odds, 1.5);
-  EXPECT_FALSE(evidence[0].is_likely);
-  EXPECT_EQ(evidence[2].inner_log_odds, 1.5);
   EXPECT_EQ(evidence[2].outer_log_odds, -6);
-  EXPECT_TRUE(evidence[2].is_likely);
-}
-
-TEST(CollectEvidence, AJoinAgainstTheOddsIsNotLikely) {
-  TestScene scene(2);
-  scene.Put({80, 40, 20, 30}, 1, 1);
-  scene.Put({100, 40, 20, 30}, 1, 2);
-  const LabelledScene labelled = scene.Labelled();
-  MergeTree tree = PairTree();
-  tree.nodes[2].log_odds = -1;
-  tree.num_likely = 2;
-  const auto evidence = CollectEvidence(LookAtSegments(labelled, scene.segments, {}), tree);
-  EXPECT_TRUE(evidence[0].is_likely);
-  EXPECT_TRUE(evidence[1].is_likely);
-  EXPECT_FALSE(evidence[2].is_likely);
-}
-
-TEST(CollectEvidence, KnowsWhatLiesUnderASupport) {
-  TestScene scene(2);
-  const SupportSurface above{-Eigen::Vector3f::UnitY(), -0.5F, 1};  // half a metre up
-  scene.supports = {{above, Footprint()}};
-  const auto evidence = EvidenceOfPair(scene);
-  EXPECT_EQ(evidence[2].placement.num_covered, 1200);
-}
-
-// A support covers neither what its noise may have put below it nor what lies beside it.
-TEST(CollectEvidence, WhatIsCloselyUnderASupportOrBesideItIsNotCovered) {
-  TestScene scene(2);
-  const SupportSurface closely_above{-Eigen::Vector3f::UnitY(), -0.205F, 1};  // the top is at 0.2 m
-  scene.supports = {{closely_above, Footprint()}};
-  EXPECT_EQ(EvidenceOfPair(scene)[2].placement.num_covered, 1200 - 40) << "all but the upper row";
-  const SupportSurface above{-Eigen::Vector3f::UnitY(), -0.5F, 1};
-  const std::vector<Eigen::Vector3f> far_away(100, {3, -0.5F, 4});
-  scene.supports = {{above, Footprint(far_away, {}, above, 0, 0)}};
-  EXPECT_EQ(EvidenceOfPair(scene)[2].placement.num_covered, 0);
 }
 
 TEST(LookAtSegments, CountsWhatFacesUp) {
@@ -143,14 +103,20 @@ TEST(ObjectTerms, SayWhatTheEvidenceIs) {
   EXPECT_NEAR(Of(terms, ObjectTerm::kHeight), std::log(0.29), 1e-4);
   EXPECT_NEAR(Of(terms, ObjectTerm::kDistance), 1, 1e-6);
   EXPECT_EQ(Of(terms, ObjectTerm::kClosed), 1);  // background rises behind all of its upper border
-  EXPECT_EQ(Of(terms, ObjectTerm::kGoesOn), 1);
-  EXPECT_EQ(Of(terms, ObjectTerm::kStands), 1);
-  EXPECT_EQ(Of(terms, ObjectTerm::kLevelShare), 1);
   EXPECT_EQ(Of(terms, ObjectTerm::kEndsAnywhere), 0);
-  EXPECT_EQ(Of(terms, ObjectTerm::kAlone), 0);
   EXPECT_NEAR(Of(terms, ObjectTerm::kNumSegments), std::log(2), 1e-12);
-  EXPECT_EQ(Of(terms, ObjectTerm::kInnerOdds), 1.5);
   EXPECT_EQ(Of(terms, ObjectTerm::kOuterOdds), -6);
+}
+
+TEST(ObjectTerms, CountTheBorderByWhatIsBeyond) {
+  TestScene scene(2);
+  const auto evidence = EvidenceOfPair(scene);
+  const ObjectTerms of_one = TermsOf(evidence[0]), of_both = TermsOf(evidence[2]);
+  EXPECT_DOUBLE_EQ(Of(of_one, ObjectTerm::kFarther), 0.7);
+  EXPECT_DOUBLE_EQ(Of(of_one, ObjectTerm::kLevelSegment), 0.3);
+  EXPECT_EQ(Of(of_both, ObjectTerm::kFarther), 1);
+  EXPECT_EQ(Of(of_both, ObjectTerm::kLevelSegment), 0);
+  EXPECT_EQ(Of(of_both, ObjectTerm::kUnmeasured), 0);
 }
 
 }  // namespace

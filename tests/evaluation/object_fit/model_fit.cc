@@ -16,6 +16,24 @@ namespace {
 
 constexpr std::size_t kPerTerm = kColumnsOfTerm;
 constexpr std::size_t kNumSlopes = kNumObjectTerms * kPerTerm;
+constexpr double kFar = 1e6;  // of scaled slopes: no bound
+
+// Which way a function may go only: what most plainly speaks for an object (1) or against one (-1).
+// The few frames there are say otherwise now and then, which is chance. 0: either way.
+int DirectionOf(ObjectTerm term) {
+  switch (term) {
+    case ObjectTerm::kFlat:
+    case ObjectTerm::kClosed:
+    case ObjectTerm::kEndsAnywhere:
+    case ObjectTerm::kUnmeasured:
+    case ObjectTerm::kLevelSegment:
+      return -1;
+    case ObjectTerm::kContrast:
+      return 1;
+    default:
+      return 0;
+  }
+}
 
 bool IsIn(const TreeSample& sample, const std::string& left_out) {
   return left_out.empty() || sample.group != left_out;
@@ -69,8 +87,8 @@ Sums SumOver(const TreeSample& sample, const Eigen::VectorXd& log_weights, bool 
 class Problem {
  public:
   Problem(const std::vector<TreeSample>& samples, const ObjectModel& knots,
-          const std::string& left_out, double penalty)
-      : penalty_(penalty), scale_(Eigen::VectorXd::Ones(kNumSlopes)) {
+          const std::string& left_out, const FitPenalties& penalties)
+      : scale_(Eigen::VectorXd::Ones(kNumSlopes)) {
     for (const TreeSample& sample : samples) {
       if (sample.terms.empty() || !IsIn(sample, left_out)) continue;
       samples_.push_back(&sample);
@@ -81,14 +99,17 @@ class Problem {
       rows_.push_back(std::move(rows));
     }
     Scale();
+    for (Eigen::Index c = 0; c < penalty_.size(); ++c) {
+      penalty_[c] = c % static_cast<Eigen::Index>(kPerTerm) == 0 ? penalties.slope : penalties.bend;
+    }
   }
 
   // Minus the log likelihood, and its gradient by the scaled slopes and the bias, which come last.
   double Loss(const Eigen::VectorXd& x, Eigen::VectorXd& gradient) const {
     const Eigen::VectorXd slopes = x.head(kNumSlopes);
-    double loss = penalty_ / 2 * slopes.squaredNorm();
+    double loss = slopes.dot(penalty_.cwiseProduct(slopes)) / 2;
     gradient = Eigen::VectorXd::Zero(x.size());
-    gradient.head(kNumSlopes) = penalty_ * slopes;
+    gradient.head(kNumSlopes) = penalty_.cwiseProduct(slopes);
     for (std::size_t s = 0; s < samples_.size(); ++s) {
       const Eigen::VectorXd log_weights = (rows_[s] * slopes).array() + x[kNumSlopes];
       const Sums all = SumOver(*samples_[s], log_weights, false);
@@ -125,7 +146,7 @@ class Problem {
     }
   }
 
-  double penalty_;
+  Eigen::VectorXd penalty_ = Eigen::VectorXd::Zero(kNumSlopes);
   std::vector<const TreeSample*> samples_;
   std::vector<Eigen::MatrixXd> rows_;  // of each sample
   Eigen::VectorXd scale_;
@@ -148,6 +169,41 @@ void SetUsual(const std::vector<TreeSample>& samples, const std::string& left_ou
   for (double& value : model.usual) value /= std::max(1.0, count);
 }
 
+// The slopes of functions between their knots, where bounds are plain, in place of the first one
+// and what each knot adds to it; each scaled as its column is.
+class SlopesBetweenKnots {
+ public:
+  SlopesBetweenKnots(const ObjectModel& knots, const Eigen::VectorXd& scale)
+      : ratios_(Eigen::VectorXd::Zero(kNumSlopes)) {
+    for (std::size_t i = 0; i < kNumSlopes; ++i) {
+      const std::size_t k = i % kPerTerm;
+      if (k == 0 || knots.functions[i / kPerTerm].knots[k - 1] >= TermFunction::kNoKnot) continue;
+      const auto c = static_cast<Eigen::Index>(i);
+      ratios_[c] = scale[c] / scale[c - 1];
+    }
+  }
+
+  Eigen::VectorXd ToAdded(const Eigen::VectorXd& between) const {
+    Eigen::VectorXd added = between;
+    for (Eigen::Index c = 1; c < ratios_.size(); ++c) added[c] -= ratios_[c] * between[c - 1];
+    return added;
+  }
+  Eigen::VectorXd FromAdded(const Eigen::VectorXd& added) const {
+    Eigen::VectorXd between = added;
+    for (Eigen::Index c = 1; c < ratios_.size(); ++c) between[c] += ratios_[c] * between[c - 1];
+    return between;
+  }
+  // The gradient by slopes between knots, from that by what knots add.
+  Eigen::VectorXd GradientOf(const Eigen::VectorXd& by_added) const {
+    Eigen::VectorXd gradient = by_added;
+    for (Eigen::Index c = 1; c < ratios_.size(); ++c) gradient[c - 1] -= ratios_[c] * by_added[c];
+    return gradient;
+  }
+
+ private:
+  Eigen::VectorXd ratios_;  // of the scales of a column and the one before it; 0 where none bends
+};
+
 using DlibVector = dlib::matrix<double, 0, 1>;
 
 Eigen::VectorXd ToEigen(const DlibVector& x) {
@@ -158,6 +214,17 @@ DlibVector ToDlib(const Eigen::VectorXd& x) {
   DlibVector vector(x.size());
   std::copy(x.begin(), x.end(), vector.begin());
   return vector;
+}
+
+// Of slopes between knots, and of the bias, which comes last: 0 on the side where a function may
+// not go, `far` on the other.
+DlibVector Bound(int side, double far) {
+  DlibVector bound(kNumSlopes + 1);
+  for (std::size_t i = 0; i < kNumSlopes; ++i) {
+    bound(i) = DirectionOf(static_cast<ObjectTerm>(i / kPerTerm)) == -side ? 0 : side * far;
+  }
+  bound(kNumSlopes) = side * far;
+  return bound;
 }
 
 }  // namespace
@@ -176,8 +243,9 @@ ObjectModel ModelWithKnots(const std::vector<TreeSample>& samples, const std::st
 }
 
 ObjectModel FitModel(const std::vector<TreeSample>& samples, const ObjectModel& start,
-                     const std::string& left_out, double penalty, int max_iterations) {
-  const Problem problem(samples, start, left_out, penalty);
+                     const std::string& left_out, const FitPenalties& penalties,
+                     int max_iterations) {
+  const Problem problem(samples, start, left_out, penalties);
   const Eigen::VectorXd& scale = problem.ScaleOfColumns();
   Eigen::VectorXd x(kNumSlopes + 1);
   for (std::size_t i = 0; i < kNumSlopes; ++i) {
@@ -185,25 +253,27 @@ ObjectModel FitModel(const std::vector<TreeSample>& samples, const ObjectModel& 
     x[c] = start.functions[i / kPerTerm].slopes[i % kPerTerm] * scale[c];
   }
   x[kNumSlopes] = start.bias;
-  DlibVector solution = ToDlib(x);
-  dlib::find_min(
+  const SlopesBetweenKnots between(start, scale);
+  DlibVector solution = ToDlib(between.FromAdded(x));
+  dlib::find_min_box_constrained(
       dlib::lbfgs_search_strategy(20), dlib::objective_delta_stop_strategy(1e-4, max_iterations),
       [&](const DlibVector& at) {
         Eigen::VectorXd gradient;
-        return problem.Loss(ToEigen(at), gradient);
+        return problem.Loss(between.ToAdded(ToEigen(at)), gradient);
       },
       [&](const DlibVector& at) {
         Eigen::VectorXd gradient;
-        problem.Loss(ToEigen(at), gradient);
-        return ToDlib(gradient);
+        problem.Loss(between.ToAdded(ToEigen(at)), gradient);
+        return ToDlib(between.GradientOf(gradient));
       },
-      solution, -1);
+      solution, Bound(-1, kFar), Bound(1, kFar));
+  const Eigen::VectorXd added = between.ToAdded(ToEigen(solution));
   ObjectModel model = start;
   for (std::size_t i = 0; i < kNumSlopes; ++i) {
     const auto c = static_cast<Eigen::Index>(i);
-    model.functions[i / kPerTerm].slopes[i % kPerTerm] = solution(c) / scale[c];
+    model.functions[i / kPerTerm].slopes[i % kPerTerm] = added[c] / scale[c];
   }
-  model.bias = solution(kNumSlopes);
+  model.bias = added[kNumSlopes];
   SetUsual(samples, left_out, model);
   return model;
 }

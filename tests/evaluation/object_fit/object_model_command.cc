@@ -31,7 +31,7 @@ struct ObjectModelFlags {
   std::vector<std::string> mosd;
   std::vector<std::string> plain;
   std::vector<double> intrinsics = {525, 525, 319.5, 239.5};
-  double penalty = 1.5;
+  FitPenalties penalties;
   bool leave_one_out = false;
   int num_threads = 1;
   std::string source;
@@ -106,7 +106,7 @@ struct LeftOut {
 LeftOut LeaveOut(const std::string& group, const ObjectModelFlags& flags,
                  const std::vector<TreeSample>& samples, const std::vector<BoxedFrame>& frames) {
   const ObjectModel model =
-      FitModel(samples, ModelWithKnots(samples, group), group, flags.penalty, kMaxIterations);
+      FitModel(samples, ModelWithKnots(samples, group), group, flags.penalties, kMaxIterations);
   std::vector<BoxedFrame> own;
   for (const BoxedFrame& frame : frames) {
     if (GroupOf(frame.source) == group) own.push_back(frame);
@@ -216,7 +216,7 @@ void Run(const ObjectModelFlags& flags) {
   const std::vector<TreeSample> samples = SampleAll(flags, frames);
   PrintInTree(samples, frames);
   const ObjectModel model =
-      FitModel(samples, ModelWithKnots(samples, ""), "", flags.penalty, kMaxIterations);
+      FitModel(samples, ModelWithKnots(samples, ""), "", flags.penalties, kMaxIterations);
   PrintLoss(samples, model);
   WriteText(flags.source, ToSource(model));
   if (!flags.leave_one_out) return;
@@ -252,7 +252,10 @@ void AddObjectModelCommand(CLI::App& app) {
       ->delimiter(',')
       ->expected(4)
       ->capture_default_str();
-  command->add_option("--penalty", flags->penalty, "On the slopes; more makes the model smoother")
+  command->add_option("--penalty", flags->penalties.slope, "On slopes: evidence says less")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  command->add_option("--bend-penalty", flags->penalties.bend, "On knots: functions are straighter")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   command
