@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "client/cli/frame_list.h"
+#include "client/cli/named_frames.h"
 #include "client/cli/output_check.h"
 
 namespace fovea::capture {

@@ -1,5 +1,6 @@
 #include "client/cli/files.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -52,6 +53,16 @@ std::string ReadFile(const std::string& path, std::uintmax_t most) {
   if (file.bad()) FailOn("cannot read", path);
   if (bytes.empty()) throw std::runtime_error(path + " is empty");
   return bytes;
+}
+
+std::vector<std::filesystem::path> FilesIn(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::directory_iterator entries(folder, error);
+  if (error) throw std::runtime_error("cannot read " + folder.string() + ": " + error.message());
+  std::vector<std::filesystem::path> files;
+  for (const std::filesystem::directory_entry& entry : entries) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 std::string ReadTextOfFolder(const std::string& path) {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <opencv2/core/mat.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace fovea::cli {
 
@@ -24,6 +26,9 @@ std::string ReadTextOfFolder(const std::string& path);
 // Text of the file that a flag names, which the error names, too.
 std::string ReadFlagFile(const std::string& flag, const std::string& path);
 void WriteFile(const std::string& path, const std::string& bytes);
+
+// Of a folder, sorted.
+std::vector<std::filesystem::path> FilesIn(const std::filesystem::path& folder);
 
 // CV_8UC3, B first, as stored (no EXIF orientation).
 cv::Mat DecodeColor(const std::string& file, const std::string& path);

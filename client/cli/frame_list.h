@@ -28,9 +28,6 @@ struct FrameList {
 // whether the file is or not. Throws std::runtime_error where it is none of these.
 FrameList ListFrames(const std::string& folder);
 
-// Whether a file of this name is an image of a frame, by the first of these ways.
-bool IsOfAFrame(const std::string& filename);
-
 // Of the files beside the results that say what was asked, and of which frames.
 inline constexpr const char *kRequestName = "fovea_request", *kInputName = "fovea_input";
 

@@ -8,32 +8,14 @@
 #include <cmath>
 #include <utility>
 
-#include "core/objects/object_choice.h"
+#include "tests/evaluation/object_fit/slope_bounds.h"
+#include "tests/evaluation/object_fit/tree_sums.h"
 #include "tests/evaluation/term_columns.h"
 
 namespace fovea::evaluation {
 namespace {
 
 constexpr std::size_t kPerTerm = kColumnsOfTerm;
-constexpr std::size_t kNumSlopes = kNumObjectTerms * kPerTerm;
-constexpr double kFar = 1e6;  // of scaled slopes: no bound
-
-// Which way a function may go only: what most plainly speaks for an object (1) or against one (-1).
-// The few frames there are say otherwise now and then, which is chance. 0: either way.
-int DirectionOf(ObjectTerm term) {
-  switch (term) {
-    case ObjectTerm::kFlat:
-    case ObjectTerm::kClosed:
-    case ObjectTerm::kEndsAnywhere:
-    case ObjectTerm::kUnmeasured:
-    case ObjectTerm::kLevelSegment:
-      return -1;
-    case ObjectTerm::kContrast:
-      return 1;
-    default:
-      return 0;
-  }
-}
 
 bool IsIn(const TreeSample& sample, const std::string& left_out) {
   return left_out.empty() || sample.group != left_out;
@@ -47,40 +29,6 @@ Eigen::RowVectorXd RowOf(const ObjectTerms& terms, const ObjectModel& knots) {
         ColumnsOf(knots.functions[t], terms[t]);
   }
   return row;
-}
-
-double LogOfSum(double a, double b) {
-  const double larger = std::max(a, b);
-  return larger + std::log1p(std::exp(std::min(a, b) - larger));
-}
-
-// Sums over all sets of nodes of which none lies within another, or over those that are true.
-struct Sums {
-  double log_total = 0;
-  std::vector<double> probabilities;  // of each node
-};
-
-Sums SumOver(const TreeSample& sample, const Eigen::VectorXd& log_weights, bool true_ones) {
-  const std::vector<MergeNode>& nodes = sample.tree.nodes;
-  std::vector<double> total(nodes.size()), whole(nodes.size());
-  Sums sums;
-  for (std::size_t n = 0; n < nodes.size(); ++n) {
-    const double apart = nodes[n].left < 0 ? 0 : total[nodes[n].left] + total[nodes[n].right];
-    const double weight = log_weights[static_cast<Eigen::Index>(n)];
-    const NodeState state = true_ones ? sample.states[n] : NodeState::kMayBe;
-    total[n] = state == NodeState::kIs      ? weight
-               : state == NodeState::kIsNot ? apart
-                                            : LogOfSum(weight, apart);
-    whole[n] = state == NodeState::kIsNot ? 0 : std::exp(weight - total[n]);
-    if (nodes[n].parent < 0) sums.log_total += total[n];
-  }
-  std::vector<double> outside(nodes.size(), 1);
-  sums.probabilities.resize(nodes.size());
-  for (std::size_t n = nodes.size(); n-- > 0;) {
-    if (nodes[n].parent >= 0) outside[n] = outside[nodes[n].parent] * (1 - whole[nodes[n].parent]);
-    sums.probabilities[n] = outside[n] * whole[n];
-  }
-  return sums;
 }
 
 // The samples of a fit as rows of scaled columns.
@@ -169,40 +117,11 @@ void SetUsual(const std::vector<TreeSample>& samples, const std::string& left_ou
   for (double& value : model.usual) value /= std::max(1.0, count);
 }
 
-// The slopes of functions between their knots, where bounds are plain, in place of the first one
-// and what each knot adds to it; each scaled as its column is.
-class SlopesBetweenKnots {
- public:
-  SlopesBetweenKnots(const ObjectModel& knots, const Eigen::VectorXd& scale)
-      : ratios_(Eigen::VectorXd::Zero(kNumSlopes)) {
-    for (std::size_t i = 0; i < kNumSlopes; ++i) {
-      const std::size_t k = i % kPerTerm;
-      if (k == 0 || knots.functions[i / kPerTerm].knots[k - 1] >= TermFunction::kNoKnot) continue;
-      const auto c = static_cast<Eigen::Index>(i);
-      ratios_[c] = scale[c] / scale[c - 1];
-    }
-  }
-
-  Eigen::VectorXd ToAdded(const Eigen::VectorXd& between) const {
-    Eigen::VectorXd added = between;
-    for (Eigen::Index c = 1; c < ratios_.size(); ++c) added[c] -= ratios_[c] * between[c - 1];
-    return added;
-  }
-  Eigen::VectorXd FromAdded(const Eigen::VectorXd& added) const {
-    Eigen::VectorXd between = added;
-    for (Eigen::Index c = 1; c < ratios_.size(); ++c) between[c] += ratios_[c] * between[c - 1];
-    return between;
-  }
-  // The gradient by slopes between knots, from that by what knots add.
-  Eigen::VectorXd GradientOf(const Eigen::VectorXd& by_added) const {
-    Eigen::VectorXd gradient = by_added;
-    for (Eigen::Index c = 1; c < ratios_.size(); ++c) gradient[c - 1] -= ratios_[c] * by_added[c];
-    return gradient;
-  }
-
- private:
-  Eigen::VectorXd ratios_;  // of the scales of a column and the one before it; 0 where none bends
-};
+Eigen::VectorXd WithBias(const Eigen::VectorXd& slopes, double bias) {
+  Eigen::VectorXd all(slopes.size() + 1);
+  all << slopes, bias;
+  return all;
+}
 
 using DlibVector = dlib::matrix<double, 0, 1>;
 
@@ -214,17 +133,6 @@ DlibVector ToDlib(const Eigen::VectorXd& x) {
   DlibVector vector(x.size());
   std::copy(x.begin(), x.end(), vector.begin());
   return vector;
-}
-
-// Of slopes between knots, and of the bias, which comes last: 0 on the side where a function may
-// not go, `far` on the other.
-DlibVector Bound(int side, double far) {
-  DlibVector bound(kNumSlopes + 1);
-  for (std::size_t i = 0; i < kNumSlopes; ++i) {
-    bound(i) = DirectionOf(static_cast<ObjectTerm>(i / kPerTerm)) == -side ? 0 : side * far;
-  }
-  bound(kNumSlopes) = side * far;
-  return bound;
 }
 
 }  // namespace
@@ -247,14 +155,13 @@ ObjectModel FitModel(const std::vector<TreeSample>& samples, const ObjectModel& 
                      int max_iterations) {
   const Problem problem(samples, start, left_out, penalties);
   const Eigen::VectorXd& scale = problem.ScaleOfColumns();
-  Eigen::VectorXd x(kNumSlopes + 1);
+  Eigen::VectorXd slopes(kNumSlopes);
   for (std::size_t i = 0; i < kNumSlopes; ++i) {
     const auto c = static_cast<Eigen::Index>(i);
-    x[c] = start.functions[i / kPerTerm].slopes[i % kPerTerm] * scale[c];
+    slopes[c] = start.functions[i / kPerTerm].slopes[i % kPerTerm] * scale[c];
   }
-  x[kNumSlopes] = start.bias;
   const SlopesBetweenKnots between(start, scale);
-  DlibVector solution = ToDlib(between.FromAdded(x));
+  DlibVector solution = ToDlib(between.FromAdded(WithBias(slopes, start.bias)));
   dlib::find_min_box_constrained(
       dlib::lbfgs_search_strategy(20), dlib::objective_delta_stop_strategy(1e-4, max_iterations),
       [&](const DlibVector& at) {
@@ -266,7 +173,8 @@ ObjectModel FitModel(const std::vector<TreeSample>& samples, const ObjectModel& 
         problem.Loss(between.ToAdded(ToEigen(at)), gradient);
         return ToDlib(between.GradientOf(gradient));
       },
-      solution, Bound(-1, kFar), Bound(1, kFar));
+      solution, ToDlib(WithBias(LowerBounds(), -kNoBound)),
+      ToDlib(WithBias(UpperBounds(), kNoBound)));
   const Eigen::VectorXd added = between.ToAdded(ToEigen(solution));
   ObjectModel model = start;
   for (std::size_t i = 0; i < kNumSlopes; ++i) {
