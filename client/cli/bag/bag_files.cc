@@ -56,7 +56,8 @@ Paths FilesByName(const fs::path& folder) {
   std::size_t next = 0;
   for (const auto& [number, paths] : numbered) {
     const std::string ending = paths.begin()->extension().string();
-    for (; next < number; ++next) files.push_back(folder / (stem + std::to_string(next) + ending));
+    for (; next < number; ++next)
+      files.push_back(folder / fmt::format("{}{}{}", stem, next, ending));
     files.insert(files.end(), paths.begin(), paths.end());
     next = number + 1;
   }
