@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "client/cli/endings.h"
 #include "client/cli/image_folders.h"
@@ -48,8 +49,9 @@ FrameList ListFrames(const std::string& folder) {
     if (list.captured) list.depth_unit_m = list.captured->depth_unit_m;
     return list;
   }
-  const std::optional<FrameList> tum = ListTum(input);
-  list = tum ? *tum : ListImageFolders(input);
+  std::optional<FrameList> others = ListTum(input);
+  if (!others) others = ListImageFolders(input);
+  if (others) list = *std::move(others);
   if (!list.frames.empty()) return list;
   std::string notes;
   for (const std::string& note : list.notes) notes += "; " + note;

@@ -121,7 +121,7 @@ void NoteAssociations(const fs::path& folder, FrameList* list) {
 
 }  // namespace
 
-FrameList ListImageFolders(const fs::path& folder) {
+std::optional<FrameList> ListImageFolders(const fs::path& folder) {
   std::error_code error;
   for (const char* color : {"rgb", "color"}) {
     if (!fs::is_directory(folder / color, error) || !fs::is_directory(folder / "depth", error)) {
@@ -131,7 +131,7 @@ FrameList ListImageFolders(const fs::path& folder) {
     NoteAssociations(folder, &list);
     return list;
   }
-  return {};
+  return std::nullopt;
 }
 
 }  // namespace fovea::cli
