@@ -21,7 +21,7 @@ constexpr double kEdgePx = 6;    // what sensors mix at an edge
 constexpr double kInsidePx = 3;  // from a border to the colour of its own side
 constexpr double kReachPx = 40;  // how far to look for depth: wider than most shadows
 constexpr int kBlurPx = 5;
-constexpr float kSteep = 0.5F;  // sine from which a side is above or below
+constexpr float kSteep = 0.5F;  // sine from which a side is above
 constexpr float kRisePerM = 0.004F;
 
 Eigen::Vector3f PointAt(const cv::Mat& points, const cv::Point& pixel) {
@@ -144,10 +144,9 @@ class Contrast {
 };
 
 BorderSide SideOf(const cv::Point& side, const std::optional<cv::Point2f>& up_px) {
-  if (!up_px) return BorderSide::kBeside;
+  if (!up_px) return BorderSide::kElsewhere;
   const auto rise = static_cast<float>(up_px->dot(cv::Point2f(side)));
-  if (rise > kSteep) return BorderSide::kAbove;
-  return rise < -kSteep ? BorderSide::kBelow : BorderSide::kBeside;
+  return rise > kSteep ? BorderSide::kAbove : BorderSide::kElsewhere;
 }
 
 }  // namespace
@@ -171,9 +170,7 @@ double BorderCounts::Of(BorderSide side) const {
   return sum;
 }
 
-double BorderCounts::Total() const {
-  return Of(BorderSide::kAbove) + Of(BorderSide::kBeside) + Of(BorderSide::kBelow);
-}
+double BorderCounts::Total() const { return Of(BorderSide::kAbove) + Of(BorderSide::kElsewhere); }
 
 Surroundings FindSurroundings(const LabelledScene& scene, const cv::Mat& labels) {
   constexpr int kUsualFacings = 8;  // of a row, or fewer

@@ -26,9 +26,9 @@ enum class Beyond {
 };
 constexpr std::size_t kNumBeyond = 9;
 
-// Where the border is as gravity goes; beside where the camera looks straight down.
-enum class BorderSide { kAbove, kBeside, kBelow };
-constexpr std::size_t kNumBorderSides = 3;
+// Where the border is as gravity goes; nowhere above where the camera looks straight down.
+enum class BorderSide { kAbove, kElsewhere };
+constexpr std::size_t kNumBorderSides = 2;
 
 // Of colours of objects to background at their distance, CIELAB as OpenCV scales it: where nobody
 // sees it.
@@ -57,7 +57,7 @@ struct BorderCounts {
 // The side of a pixel of one segment that faces another.
 struct Facing {
   int own = 0, other = 0;  // labels
-  BorderSide side = BorderSide::kBeside;
+  BorderSide side = BorderSide::kElsewhere;
   Beyond beyond = Beyond::kLevelSegment;
 };
 

@@ -27,8 +27,7 @@ TEST(Surroundings, InTheOpenEverythingIsFartherAway) {
   EXPECT_EQ(counts.Total(), 100);
   EXPECT_EQ(counts.Of(Beyond::kFarther), 100);
   EXPECT_EQ(counts.Of(BorderSide::kAbove), 20);
-  EXPECT_EQ(counts.Of(BorderSide::kBelow), 20);
-  EXPECT_EQ(counts.Of(BorderSide::kBeside), 60);
+  EXPECT_EQ(counts.Of(BorderSide::kElsewhere), 80);
 }
 
 TEST(Surroundings, SidesGoByGravity) {
@@ -41,9 +40,9 @@ TEST(Surroundings, SidesGoByGravity) {
   };
   const Eigen::Vector3f askew(-std::sqrt(0.5F), -std::sqrt(0.5F), 0);  // up and to the left
   EXPECT_EQ(count(askew, BorderSide::kAbove), 20 + 30);
-  EXPECT_EQ(count(askew, BorderSide::kBelow), 20 + 30);
+  EXPECT_EQ(count(askew, BorderSide::kElsewhere), 20 + 30);
   const Eigen::Vector3f into_the_image(0, 0, -1);  // it looks straight down
-  EXPECT_EQ(count(into_the_image, BorderSide::kBeside), 100);
+  EXPECT_EQ(count(into_the_image, BorderSide::kElsewhere), 100);
 }
 
 TEST(Surroundings, BackgroundAtTheSameDistanceIsLevelOrRisesOrIsWall) {
@@ -52,8 +51,7 @@ TEST(Surroundings, BackgroundAtTheSameDistanceIsLevelOrRisesOrIsWall) {
   LabelledScene labelled = scene.Labelled();
   BorderCounts counts = FindSurroundings(labelled, scene.labels).counts.at(1);
   EXPECT_EQ(counts.At(BorderSide::kAbove, Beyond::kRising), 20);
-  EXPECT_EQ(counts.At(BorderSide::kBeside, Beyond::kLevel), 60);
-  EXPECT_EQ(counts.At(BorderSide::kBelow, Beyond::kLevel), 20);
+  EXPECT_EQ(counts.At(BorderSide::kElsewhere, Beyond::kLevel), 60 + 20);
   scene.wall = {0, 0, 200, 60};
   const LabelledScene with_wall = scene.Labelled();
   counts = FindSurroundings(with_wall, scene.labels).counts.at(1);
@@ -68,8 +66,8 @@ TEST(Surroundings, SomeMillimetersAreNoRise) {
   cv::Mat(scene.points, {20, 40, 60, 30}) -= cv::Scalar(0, 0.005, 0);
   const LabelledScene labelled = scene.Labelled();
   const BorderCounts counts = FindSurroundings(labelled, scene.labels).counts.at(1);
-  EXPECT_EQ(counts.At(BorderSide::kBeside, Beyond::kLevel), 30);
-  EXPECT_EQ(counts.At(BorderSide::kBeside, Beyond::kRising), 30);
+  EXPECT_EQ(counts.At(BorderSide::kElsewhere, Beyond::kLevel), 30 + 20);
+  EXPECT_EQ(counts.At(BorderSide::kElsewhere, Beyond::kRising), 30);
 }
 
 TEST(Surroundings, WhatIsInFrontAndWhatIsNotMeasured) {
@@ -79,8 +77,8 @@ TEST(Surroundings, WhatIsInFrontAndWhatIsNotMeasured) {
   scene.Put({20, 40, 60, 30}, std::numeric_limits<float>::quiet_NaN(), 0);
   const LabelledScene labelled = scene.Labelled();
   const BorderCounts counts = FindSurroundings(labelled, scene.labels).counts.at(1);
-  EXPECT_EQ(counts.At(BorderSide::kBeside, Beyond::kNearer), 30);
-  EXPECT_EQ(counts.At(BorderSide::kBeside, Beyond::kUnmeasured), 30);
+  EXPECT_EQ(counts.At(BorderSide::kElsewhere, Beyond::kNearer), 30);
+  EXPECT_EQ(counts.At(BorderSide::kElsewhere, Beyond::kUnmeasured), 30);
 }
 
 // 40 pixels of 640 are 12 of 200.
@@ -92,8 +90,8 @@ TEST(Surroundings, LooksAcrossWhatIsNotMeasuredWithinReach) {
   scene.Put({68, 40, 12, 30}, nan, 0);
   const LabelledScene labelled = scene.Labelled();
   const BorderCounts counts = FindSurroundings(labelled, scene.labels).counts.at(1);
-  EXPECT_EQ(counts.At(BorderSide::kBeside, Beyond::kFarther), 30);
-  EXPECT_EQ(counts.At(BorderSide::kBeside, Beyond::kUnmeasured), 30);
+  EXPECT_EQ(counts.At(BorderSide::kElsewhere, Beyond::kFarther), 30 + 20);
+  EXPECT_EQ(counts.At(BorderSide::kElsewhere, Beyond::kUnmeasured), 30);
 }
 
 TEST(Surroundings, AGapInAThingIsNoBorder) {
@@ -111,7 +109,7 @@ TEST(Surroundings, TheEndOfTheImage) {
     scene.Put({left, 40, 20, 30}, 1, 1);
     const LabelledScene labelled = scene.Labelled();
     const BorderCounts counts = FindSurroundings(labelled, scene.labels).counts.at(1);
-    EXPECT_EQ(counts.At(BorderSide::kBeside, Beyond::kEnd), 30);
+    EXPECT_EQ(counts.At(BorderSide::kElsewhere, Beyond::kEnd), 30);
   }
 }
 
@@ -122,7 +120,7 @@ TEST(Surroundings, WhereTheCameraDoesNotLook) {
   scene.unseen(cv::Rect(0, 0, 30, 120)).setTo(255);
   const LabelledScene labelled = scene.Labelled();
   const BorderCounts counts = FindSurroundings(labelled, scene.labels).counts.at(1);
-  EXPECT_EQ(counts.At(BorderSide::kBeside, Beyond::kEnd), 30);
+  EXPECT_EQ(counts.At(BorderSide::kElsewhere, Beyond::kEnd), 30);
   EXPECT_EQ(counts.Of(Beyond::kEnd), 30);
 }
 
