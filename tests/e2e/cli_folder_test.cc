@@ -2,8 +2,6 @@
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
-#include <chrono>
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -60,61 +58,6 @@ TEST_F(CliTest, SendsNoMoreFramesAtOnceThanTheServerTakes) {
   const Finished info = Execute({FOVEA_CLI, "info", "--server", narrow.address()});
   EXPECT_EQ(nlohmann::json::parse(info.out).at("statistics").at("frames_answered"),
             nlohmann::json({{"OK", "8"}}));
-}
-
-// Each of them tried to connect five times, with pauses: an hour for 10,000 frames.
-TEST_F(CliTest, EndsSoonWhereTheServerHasGone) {
-  WriteFrame("b");
-  for (int i = 0; i < 60; ++i) {
-    for (const char* image : {"_color.png", "_depth.png"}) {
-      fs::create_symlink(At(std::string("b") + image), At("c" + std::to_string(i) + image));
-    }
-  }
-  Process run({FOVEA_CLI, "detect", "--server", server_.address(), "--intrinsics",
-               "30,30,15.5,11.5", "--timeout", "1", "--jobs", "1", "--input", Folder(), "--output",
-               At("out")});
-  EXPECT_THAT(run.ReadLine(), StartsWith("1/62  a"));
-  server_.process().Signal(SIGKILL);
-  server_.process().Wait();
-  const auto gone = std::chrono::steady_clock::now();
-  const Finished finished = run.Wait();
-  EXPECT_LT(std::chrono::steady_clock::now() - gone, std::chrono::seconds(15));
-  EXPECT_EQ(finished.exit_code, 1);
-  EXPECT_THAT(finished.err, HasSubstr("fovea: c59: no server answers at " + server_.address()));
-}
-
-// It takes connections and calls. Each frame waited for its whole time.
-TEST_F(CliTest, GivesUpWhereTheServerHangs) {
-  for (int i = 0; i < 30; ++i) WriteFrame("b" + std::to_string(i));
-  Process run({FOVEA_CLI, "detect", "--server", server_.address(), "--intrinsics",
-               "30,30,15.5,11.5", "--timeout", "1", "--jobs", "1", "--input", Folder(), "--output",
-               At("out")});
-  EXPECT_THAT(run.ReadLine(), StartsWith("1/31  a"));
-  server_.process().Signal(SIGSTOP);
-  const auto stopped = std::chrono::steady_clock::now();
-  const Finished finished = run.Wait();
-  EXPECT_LT(std::chrono::steady_clock::now() - stopped, std::chrono::seconds(20));
-  EXPECT_EQ(finished.exit_code, 1);
-  EXPECT_THAT(finished.err, HasSubstr("fovea: the server hangs: 3 frames in turn had no answer"));
-  EXPECT_THAT(finished.err, HasSubstr("--resume"));
-}
-
-TEST_F(CliTest, GoesOnWhereTheServerHungForAWhile) {
-  for (int i = 0; i < 9; ++i) WriteFrame("b" + std::to_string(i));
-  Process run({FOVEA_CLI, "detect", "--server", server_.address(), "--intrinsics",
-               "30,30,15.5,11.5", "--timeout", "3", "--jobs", "1", "--input", Folder(), "--output",
-               At("out")});
-  EXPECT_THAT(run.ReadLine(), StartsWith("1/10  a"));
-  server_.process().Signal(SIGSTOP);
-  std::string line;
-  for (int failed = 0; failed < 3; failed += line.ends_with(": failed") ? 1 : 0) {
-    line = run.ReadLine();
-    ASSERT_NE(line, "");
-  }
-  server_.process().Signal(SIGCONT);
-  const Finished finished = run.Wait();
-  EXPECT_EQ(finished.exit_code, 1);
-  EXPECT_THAT(finished.out, HasSubstr("3 failed"));
 }
 
 TEST_F(CliTest, ReadsNoPipesAndDevicesOfFolders) {

@@ -7,16 +7,15 @@
 
 #include <filesystem>
 
+#include "tests/client/cli/bag/bag_folder.h"
 #include "tests/client/cli/bag/small_bags.h"
 #include "tests/support/bag_writer.h"
-#include "tests/support/temporary_folder.h"
 
 namespace fovea::cli::small_bags {
 namespace {
 
 using ::testing::HasSubstr;
 using testing::ImageMessage;
-using testing::TemporaryFolder;
 
 std::string McapOfFrame(std::int64_t time_ns) {
   return BagOf("Image", ImageMessage(time_ns, "rgb8", 2, 1, 6, kRgb), "Image",
@@ -26,26 +25,6 @@ std::string McapOfFrame(std::int64_t time_ns) {
 std::string Metadata(const std::string& files) {
   return "rosbag2_bagfile_information:\n  version: 5\n  relative_file_paths:\n" + files;
 }
-
-class BagFolder : public ::testing::Test {
- protected:
-  BagFolder() { std::filesystem::create_directory(folder_.At("walk")); }
-
-  std::string At(const std::string& name) const { return folder_.At("walk/" + name); }
-  void Write(const std::string& name, const std::string& bytes) {
-    folder_.Write("walk/" + name, bytes);
-  }
-  std::string WhyNotOpened() const {
-    try {
-      OpenBag(folder_.At("walk"), {});
-    } catch (const std::runtime_error& error) {
-      return error.what();
-    }
-    return "";
-  }
-
-  const TemporaryFolder folder_;
-};
 
 TEST_F(BagFolder, HasTheFramesOfAllItsFiles) {
   Write("metadata.yaml", Metadata("    - part_a.mcap\n    - part_b.mcap\n"));

@@ -2,13 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
-#include "client/cli/bag/bag_files.h"
+#include "tests/client/cli/bag/bag_folder.h"
 #include "tests/client/cli/bag/small_bags.h"
 #include "tests/client/cli/bag/sqlite_writer.h"
 #include "tests/support/bag_writer.h"
-#include "tests/support/temporary_folder.h"
 
 namespace fovea::cli::small_bags {
 namespace {
@@ -16,7 +13,6 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using testing::ImageMessage;
-using testing::TemporaryFolder;
 
 std::string McapOfFrameAt(int number) {
   const std::int64_t time_ns = kFirst_ns + number * 100 * kMillisecond_ns;
@@ -24,29 +20,13 @@ std::string McapOfFrameAt(int number) {
                ImageMessage(time_ns, "16UC1", 2, 1, 4, kUnits));
 }
 
-class BagSplits : public ::testing::Test {
+class BagSplits : public BagFolder {
  protected:
-  BagSplits() { std::filesystem::create_directory(folder_.At("walk")); }
-
-  std::string At(const std::string& name) const { return folder_.At("walk/" + name); }
-  void Write(const std::string& name, const std::string& bytes) {
-    folder_.Write("walk/" + name, bytes);
-  }
   void WriteMetadata(const std::string& names) {
     Write("metadata.yaml",
           "rosbag2_bagfile_information:\n  relative_file_paths: [" + names + "]\n");
   }
   FrameList Frames() const { return OpenBag(folder_.At("walk"), {}).list; }
-  std::string WhyNotOpened() const {
-    try {
-      OpenBag(folder_.At("walk"), {});
-    } catch (const std::runtime_error& error) {
-      return error.what();
-    }
-    return "";
-  }
-
-  const TemporaryFolder folder_;
 };
 
 TEST_F(BagSplits, OfWhichOneIsMissingAreReadAndSayWhich) {
