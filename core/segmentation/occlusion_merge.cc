@@ -67,6 +67,7 @@ class Evidence {
         points_(points),
         up_(up),
         segments_(Collect(grid, labels, colors, intrinsics, up)),
+        surfaces_(grid, segments_.voxels, kSameSurface),
         image_(LabelImage(grid, labels)),
         min_border_px_(ScaledPx(kMinBorderPx, points.cols, 4)),
         borders_(FindImageBorders(image_, points, ScaledPx(kBorderReachPx, points.cols, 2),
@@ -109,8 +110,7 @@ class Evidence {
     if (segments_.parts[a].color.DistanceTo(segments_.parts[b].color) > kMaxColorDistance) {
       return false;
     }
-    return SharedSurface(grid_, segments_.voxels[a], segments_.voxels[b], kSameSurface) >=
-               options_.min_shared_surface &&
+    return surfaces_.AreOne(a, b, options_.min_shared_surface) &&
            ShareSeenThrough(image_, points_, a, b) <= kMaxSeenThrough;
   }
 
@@ -147,6 +147,7 @@ class Evidence {
   const cv::Mat& points_;
   const Eigen::Vector3f up_;
   const Segments segments_;
+  const SegmentSurfaces surfaces_;
   cv::Mat image_;
   int min_border_px_;
   ImageBorders borders_;

@@ -3,46 +3,70 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
+
+#include "core/types/widest_registers.h"
 
 namespace fovea {
 namespace {
 
 constexpr std::size_t kMaxSamples = 150;
 
-// At most kMaxSamples of the voxels, evenly.
-std::vector<int> Sample(std::span<const int> voxels) {
-  const std::size_t stride = voxels.size() / kMaxSamples + 1;
-  std::vector<int> sample;
-  sample.reserve(kMaxSamples);
-  for (std::size_t i = 0; i < voxels.size(); i += stride) sample.push_back(voxels[i]);
-  return sample;
-}
-
-bool OnOneSurface(const Voxel& a, const Voxel& b, double min_cosine, double max_offset_m) {
-  if (a.normal.dot(b.normal) < min_cosine) return false;
-  const Eigen::Vector3f step = a.mean - b.mean;
-  return std::abs(a.normal.dot(step)) <= max_offset_m &&
-         std::abs(b.normal.dot(step)) <= max_offset_m;
-}
-
-// Share of the voxels of `a` that lie on a surface of `b`.
-double ShareOnSurface(const VoxelGrid& grid, const std::vector<int>& a, const std::vector<int>& b,
-                      const SameSurface& same) {
-  const double min_cosine = std::cos(same.max_angle_deg * std::numbers::pi / 180);
-  const auto shared = std::count_if(a.begin(), a.end(), [&](int v) {
-    return std::any_of(b.begin(), b.end(), [&](int w) {
-      return OnOneSurface(grid.voxels[v], grid.voxels[w], min_cosine, same.max_offset_m);
-    });
-  });
-  return a.empty() ? 0 : static_cast<double>(shared) / static_cast<double>(a.size());
-}
-
 }  // namespace
 
-double SharedSurface(const VoxelGrid& grid, std::span<const int> a, std::span<const int> b,
-                     const SameSurface& same) {
-  const std::vector<int> of_a = Sample(a), of_b = Sample(b);
-  return std::min(ShareOnSurface(grid, of_a, of_b, same), ShareOnSurface(grid, of_b, of_a, same));
+SegmentSurfaces::SegmentSurfaces(const VoxelGrid& grid, const Lists<int>& voxels,
+                                 const SameSurface& same)
+    : min_cosine_(static_cast<float>(std::cos(same.max_angle_deg * std::numbers::pi / 180))),
+      max_offset_m_(static_cast<float>(same.max_offset_m)) {
+  ranges_.reserve(voxels.size());
+  for (std::size_t segment = 0; segment < voxels.size(); ++segment) {
+    const std::span<const int> all = voxels[segment];
+    const std::size_t stride = all.size() / kMaxSamples + 1;
+    const int begin = static_cast<int>(voxels_.x.size());
+    for (std::size_t i = 0; i < all.size(); i += stride) {
+      const Voxel& voxel = grid.voxels[all[i]];
+      voxels_.x.push_back(voxel.mean.x());
+      voxels_.y.push_back(voxel.mean.y());
+      voxels_.z.push_back(voxel.mean.z());
+      voxels_.normal_x.push_back(voxel.normal.x());
+      voxels_.normal_y.push_back(voxel.normal.y());
+      voxels_.normal_z.push_back(voxel.normal.z());
+    }
+    ranges_.push_back({begin, static_cast<int>(voxels_.x.size())});
+  }
+}
+
+FOVEA_INLINE int SegmentSurfaces::CountOnSurface(Range of, Range other) const {
+  const float *x = voxels_.x.data(), *y = voxels_.y.data(), *z = voxels_.z.data(),
+              *nx = voxels_.normal_x.data(), *ny = voxels_.normal_y.data(),
+              *nz = voxels_.normal_z.data();
+  int count = 0;
+  for (int v = of.begin; v < of.end; ++v) {
+    int is_on_one = 0;
+    for (int w = other.begin; w < other.end; ++w) {
+      const float dx = x[v] - x[w], dy = y[v] - y[w], dz = z[v] - z[w];
+      const float cosine = nx[v] * nx[w] + (ny[v] * ny[w] + nz[v] * nz[w]);
+      const float from_v = nx[v] * dx + (ny[v] * dy + nz[v] * dz);
+      const float from_w = nx[w] * dx + (ny[w] * dy + nz[w] * dz);
+      is_on_one |= static_cast<int>(cosine >= min_cosine_) &
+                   static_cast<int>(std::abs(from_v) <= max_offset_m_) &
+                   static_cast<int>(std::abs(from_w) <= max_offset_m_);
+    }
+    count += is_on_one;
+  }
+  return count;
+}
+
+double SegmentSurfaces::ShareOnSurface(Range of, Range other) const {
+  if (of.begin == of.end) return 0;
+  int count = 0;
+  RunInWidestRegisters([&] { count = CountOnSurface(of, other); });
+  return static_cast<double>(count) / (of.end - of.begin);
+}
+
+bool SegmentSurfaces::AreOne(int a, int b, double min_share) const {
+  return ShareOnSurface(ranges_[a], ranges_[b]) >= min_share &&
+         ShareOnSurface(ranges_[b], ranges_[a]) >= min_share;
 }
 
 }  // namespace fovea

@@ -1,9 +1,11 @@
-// Whether two segments that do not touch lie on one surface.
+// Which segments that do not touch lie on one surface.
 #pragma once
 
-#include <span>
+#include <utility>
+#include <vector>
 
 #include "core/segmentation/voxel_grid.h"
+#include "core/types/lists.h"
 
 namespace fovea {
 
@@ -12,9 +14,32 @@ struct SameSurface {
   double max_offset_m = 0;   // of each voxel from the tangent plane of the other
 };
 
-// Of the voxels `a` and of the voxels `b`, the share that lies on the surface of a voxel of the
-// other segment; the smaller of both, 0 … 1. Compares at most some 150 voxels of each, evenly.
-double SharedSurface(const VoxelGrid& grid, std::span<const int> a, std::span<const int> b,
-                     const SameSurface& same);
+// Keeps some 150 voxels of each segment at most, evenly; two segments are compared by all pairs of
+// these.
+class SegmentSurfaces {
+ public:
+  // `voxels`: of each segment.
+  SegmentSurfaces(const VoxelGrid& grid, const Lists<int>& voxels, const SameSurface& same);
+
+  // Whether of each of the two segments at least this share (> 0) of the voxels lies on the surface
+  // of a voxel of the other.
+  bool AreOne(int a, int b, double min_share) const;
+
+ private:
+  // Of all segments: one column each, for several voxels at a time.
+  struct Columns {
+    std::vector<float> x, y, z, normal_x, normal_y, normal_z;
+  };
+  struct Range {
+    int begin = 0, end = 0;
+  };
+
+  double ShareOnSurface(Range of, Range other) const;
+  int CountOnSurface(Range of, Range other) const;
+
+  float min_cosine_, max_offset_m_;
+  Columns voxels_;
+  std::vector<Range> ranges_;  // of each segment
+};
 
 }  // namespace fovea
