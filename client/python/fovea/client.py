@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Generator, Iterable
+from dataclasses import fields
 from types import TracebackType
 from typing import Any
 
@@ -33,6 +34,8 @@ from fovea.servers import Servers
 from fovea.stream import ResumingStream, StreamAnswer
 from fovea.v1 import detection_service_pb2
 
+_OF_FRAME = {field.name for field in fields(Frame)}
+_OF_OPTIONS = {field.name for field in fields(DetectOptions)}
 _NOBODY_THERE = 0.8  # seconds: a server that is being started with its client is up by then
 
 
@@ -162,6 +165,7 @@ class Client:
             server sends traces.
         """
         ids = {"request_id": request_id, "traceparent": traceparent}
+        _require_known(frame)
         whole = Frame(color, depth, intrinsics, **frame)
         return self.detect_frame(whole, options, timeout=timeout, **ids)
 
@@ -232,3 +236,10 @@ class Client:
 
     def _timeout_of(self, timeout: float | None) -> float:
         return self._timeout if timeout is None else timeout_of_call(timeout)
+
+
+def _require_known(frame: dict[str, Any]) -> None:
+    """Python's own error would name Frame.__init__, which nobody called."""
+    for name in (name for name in frame if name not in _OF_FRAME):
+        taken = f"; options=fovea.DetectOptions({name}=...) takes it" if name in _OF_OPTIONS else ""
+        raise TypeError(f"detect() got an unexpected keyword argument {name!r}{taken}")

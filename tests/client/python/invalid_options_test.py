@@ -111,3 +111,14 @@ def test_flags_may_be_of_numpy() -> None:
 def test_a_short_time_budget_is_not_none() -> None:
     assert fovea.DetectOptions(time_budget=1e-12).to_proto().time_budget.nanos == 1
     assert not fovea.DetectOptions().to_proto().HasField("time_budget")
+
+
+def test_names_arguments_that_are_none(scene: Scene) -> None:
+    nobody = fovea.Client("127.0.0.1:1")
+    for unknown, problem in (
+        ({"grippers": []}, "'grippers'; options=fovea.DetectOptions(grippers=...) takes it"),
+        ({"gravty": (0, 1, 0)}, "'gravty'"),
+    ):
+        with pytest.raises(TypeError) as caught:
+            nobody.detect(scene.color, scene.depth, scene.intrinsics, **unknown)
+        assert str(caught.value) == f"detect() got an unexpected keyword argument {problem}"
