@@ -122,6 +122,7 @@ std::vector<Gripper> EvaluationGrippers() {
 GraspRun RunGrasps(const GeneratedFlags& flags, const GraspQuestions& questions) {
   DetectorOptions options = OptionsOf(flags);
   options.grippers = EvaluationGrippers();
+  for (Gripper& gripper : options.grippers) gripper.min_probability = questions.min_probability;
   if (!flags.overlays.empty()) std::filesystem::create_directories(flags.overlays);
   std::vector<GraspRun> runs(NumScenes(flags));
   ForEachGeneratedScene(flags, options, [&](std::size_t i, const GeneratedScene& scene) {

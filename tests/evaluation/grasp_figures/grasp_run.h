@@ -48,6 +48,7 @@ struct GraspRun {
 struct GraspQuestions {
   bool possible = false;    // whether there is a grasp at all: a second for each object and gripper
   bool candidates = false;  // how those end that were judged, up to 400 of each object and gripper
+  float min_probability = Gripper{}.min_probability;  // of what is offered
 };
 
 // Writes pictures to flags.overlays, if any.

@@ -37,6 +37,11 @@ void AddGraspsCommand(CLI::App& app) {
                     "Also search whether there is a grasp from above at all: slow");
   command->add_flag("--candidates", flags->questions.candidates,
                     "Also check every grasp that was judged: tells where grasps are lost");
+  command
+      ->add_option("--min-probability", flags->questions.min_probability,
+                   "Of grasps that are offered: less for who tries several")
+      ->check(CLI::Range(0.0F, 1.0F))
+      ->capture_default_str();
   command->add_option("--overlays", flags->overlays,
                       "Write pictures of the first grasps to this folder: green succeeds");
   command->callback([flags] { Run(*flags); });
