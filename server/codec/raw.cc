@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
@@ -15,6 +14,17 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the wire is little-endian");
 constexpr float kNotMeasured = std::numeric_limits<float>::quiet_NaN();
+
+// Row by row: OpenCV's iterators ask at each pixel whether the row has ended.
+template <typename Unit, typename Convert>
+cv::Mat MetersOf(const cv::Mat& depth, Convert convert) {
+  cv::Mat meters(depth.size(), CV_32FC1);
+  for (int row = 0; row < depth.rows; ++row) {
+    const Unit* units = depth.ptr<Unit>(row);
+    std::transform(units, units + depth.cols, meters.ptr<float>(row), convert);
+  }
+  return meters;
+}
 
 }  // namespace
 
@@ -33,20 +43,15 @@ cv::Mat ImageFromRows(std::string_view bytes, int width, int height, int type, c
 }
 
 cv::Mat MetersFrom16U(const cv::Mat& depth, double unit_m) {
-  cv::Mat meters(depth.size(), CV_32FC1);
-  std::transform(depth.begin<std::uint16_t>(), depth.end<std::uint16_t>(), meters.begin<float>(),
-                 [unit_m](std::uint16_t units) {
-                   return units == 0 ? kNotMeasured : static_cast<float>(units * unit_m);
-                 });
-  return meters;
+  return MetersOf<std::uint16_t>(depth, [unit_m](std::uint16_t units) {
+    return units == 0 ? kNotMeasured : static_cast<float>(units * unit_m);
+  });
 }
 
 cv::Mat MetersFrom32F(const cv::Mat& depth) {
-  cv::Mat meters(depth.size(), CV_32FC1);
-  std::transform(depth.begin<float>(), depth.end<float>(), meters.begin<float>(), [](float value) {
-    return std::isfinite(value) && value > 0 ? value : kNotMeasured;
-  });
-  return meters;
+  constexpr float kLargest = std::numeric_limits<float>::max();
+  return MetersOf<float>(
+      depth, [](float value) { return value > 0 && value <= kLargest ? value : kNotMeasured; });
 }
 
 }  // namespace fovea::server
