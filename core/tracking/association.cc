@@ -94,14 +94,14 @@ struct Matching {
   std::vector<char> is_taken;  // of the tracks
 
   // Matches what is let in and not matched yet.
-  template <typename LetDetection, typename LetTrack>
-  void Pass(const LetDetection& let_detection, const LetTrack& let_track) {
+  template <typename LetDetection>
+  void Pass(const LetDetection& let_detection) {
     Eigen::MatrixXd open = gains;
     for (Eigen::Index d = 0; d < open.rows(); ++d) {
       if (track_of_detection[d] >= 0 || !let_detection(d)) open.row(d).setZero();
     }
     for (Eigen::Index t = 0; t < open.cols(); ++t) {
-      if (is_taken[t] != 0 || !let_track(t)) open.col(t).setZero();
+      if (is_taken[t] != 0) open.col(t).setZero();
     }
     const std::vector<int> columns = MaximumAssignment(open);
     for (std::size_t d = 0; d < columns.size(); ++d) {
@@ -133,9 +133,8 @@ std::vector<int> Associate(const std::vector<Track>& tracks,
   Matching matching{GainsOf(tracks, detections, frame), std::vector<int>(detections.size(), -1),
                     std::vector<char>(tracks.size(), 0)};
   const auto is_confident = [&](Eigen::Index d) { return detections[d].confidence >= kConfident; };
-  matching.Pass(is_confident, [](Eigen::Index) { return true; });
-  matching.Pass([](Eigen::Index) { return true; },
-                [&](Eigen::Index t) { return !tracks[t].was_missed(); });
+  matching.Pass(is_confident);
+  matching.Pass([](Eigen::Index) { return true; });
   return matching.track_of_detection;
 }
 

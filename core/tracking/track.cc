@@ -70,7 +70,6 @@ void Track::OnSeen(const Sighting& sighting, double camera_error_m,
   last_seen_ = at;
   ++times_seen_;
   was_seen_ = true;
-  was_missed_ = false;
   was_gone_ = false;
   seconds_hidden_ = 0;
 }
