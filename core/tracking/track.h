@@ -50,6 +50,9 @@ class Track {
   bool IsWhereItWas(const Sighting& sighting) const;
   // As it was seen last, where it should be now.
   const Sighting& expected() const { return expected_; }
+  // As most of it was seen since it was moved, there too: what comes out from behind something may
+  // show nothing of what went in last.
+  const Sighting& fullest() const { return in_mean_ ? expected_ : fullest_; }
 
   ObjectTrack ToObjectTrack() const;
 
@@ -67,7 +70,7 @@ class Track {
   std::uint32_t times_seen_ = 1;
   bool was_seen_ = true, was_gone_ = false;
   bool left_out_ = false;  // of steadied_, in the last frame that showed it
-  Sighting expected_;
+  Sighting expected_, fullest_;
   std::optional<Sighting> in_mean_;  // the last one of the mean's stretch, where expected_ is not
   SteadiedBox steadied_;
   Spot place_;  // the mean of those that steadied_ is of

@@ -34,7 +34,7 @@ struct FrameContext {
 // known again. It is known where most things are where the guess has them.
 //
 // The same frames give the same tracks, bit for bit. Not thread-safe: one frame after the other.
-// Holds at most kMaxTracks tracks of some 3 KB, or 7 in frames whose place is not known; of more
+// Holds at most kMaxTracks tracks of some 7 KB, or 10 in frames whose place is not known; of more
 // objects the least confident have none, and of more hidden ones those that were seen last stay.
 // With poses or standing some 1 ms, else 15.
 class Tracker {

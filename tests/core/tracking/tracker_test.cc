@@ -169,6 +169,16 @@ TEST(Tracker, KeepsWhatIsHiddenForTwoSeconds) {
   }
 }
 
+// It goes behind something from the right on, and comes out at the right.
+TEST(Tracker, KnowsThePartThatComesOutFromBehindSomething) {
+  Tracker tracker(1);
+  View(0, 1).Add({0, 0, 0.8F}, kRed, 0.2F).TrackBy(tracker, At(0));
+  View(0, 2).Add({-0.05F, 0, 0.8F}).TrackBy(tracker, At(0.1));
+  View(0, 3).Cover({100, 60, 120, 120}, 0.5F).TrackBy(tracker, At(0.2));
+  const Detections after = View(0, 4).Add({0.05F, 0, 0.8F}).TrackBy(tracker, At(0.3));
+  EXPECT_THAT(Ids(after), ElementsAre(1));
+}
+
 TEST(Tracker, LooksForWhatWasThereHoweverLongAgoTheLastFrameIs) {
   Tracker tracker(1);
   View(0, 1).Add({0, 0, 0.8F}).TrackBy(tracker, At(10));
