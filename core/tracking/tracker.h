@@ -29,9 +29,9 @@ struct FrameContext {
 // found is kept, hidden, for kKeptHidden_s by the frames' times (frame_clock.h), and named from its
 // second frame on: the detector finds some things in one frame of three. What was there in the last
 // frame is looked for in the next one however much later that is. What is not in an incomplete
-// answer is not said to be gone. Where the camera's motion is not known, boxes
-// are those of the frame, nothing is said to move or to be gone, and the means go on when it is
-// known again. It is known where most things are where the guess has them.
+// answer is not said to be gone. Where the camera's motion is not known, boxes are those of the
+// frame, nothing is said to move or to be gone, and the means go on when it is known again. It is
+// known where most things are where the guess has them.
 //
 // The same frames give the same tracks, bit for bit. Not thread-safe: one frame after the other.
 // Holds at most kMaxTracks tracks of some 7 KB, or 10 in frames whose place is not known; of more
