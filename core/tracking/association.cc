@@ -67,10 +67,10 @@ double OverlapOf(const Coverage& coverage, const Sighting& track, const Sighting
 //   size and the motion's error,
 // - difference of mean colours, beside kFarColor,
 // - ratio of their sizes, beside kFarSize, on a logarithmic scale.
+// `expected`: of the track, as it was seen last or as most of it was; what is likelier counts.
 // What was taken away comes back in its own colour: another one in its place is something else.
-double CostOf(const Track& track, const Coverage& coverage, const Sighting& detection,
-              const AssociationFrame& frame) {
-  const Sighting& expected = track.expected();
+double CostOf(const Track& track, const Sighting& expected, const Coverage& coverage,
+              const Sighting& detection, const AssociationFrame& frame) {
   const double distance_m = std::min((expected.centroid - detection.centroid).norm(),
                                      (expected.box.center - detection.box.center).norm());
   const double half_size_m = 0.25 * (expected.box.size_m.norm() + detection.box.size_m.norm());
@@ -94,14 +94,14 @@ struct Matching {
   std::vector<char> is_taken;  // of the tracks
 
   // Matches what is let in and not matched yet.
-  template <typename LetDetection, typename LetTrack>
-  void Pass(const LetDetection& let_detection, const LetTrack& let_track) {
+  template <typename LetDetection>
+  void Pass(const LetDetection& let_detection) {
     Eigen::MatrixXd open = gains;
     for (Eigen::Index d = 0; d < open.rows(); ++d) {
       if (track_of_detection[d] >= 0 || !let_detection(d)) open.row(d).setZero();
     }
     for (Eigen::Index t = 0; t < open.cols(); ++t) {
-      if (is_taken[t] != 0 || !let_track(t)) open.col(t).setZero();
+      if (is_taken[t] != 0) open.col(t).setZero();
     }
     const std::vector<int> columns = MaximumAssignment(open);
     for (std::size_t d = 0; d < columns.size(); ++d) {
@@ -115,12 +115,15 @@ struct Matching {
 
 Eigen::MatrixXd GainsOf(const std::vector<Track>& tracks, const std::vector<Sighting>& detections,
                         const AssociationFrame& frame) {
-  Eigen::MatrixXd gains(detections.size(), tracks.size());
+  Eigen::MatrixXd gains = Eigen::MatrixXd::Zero(detections.size(), tracks.size());
   for (Eigen::Index t = 0; t < gains.cols(); ++t) {
     InterruptionPoint();
-    const Coverage coverage = CoverageOf(tracks[t].expected(), frame);
-    for (Eigen::Index d = 0; d < gains.rows(); ++d) {
-      gains(d, t) = kMaxCost - CostOf(tracks[t], coverage, detections[d], frame);
+    for (const Sighting* expected : {&tracks[t].expected(), &tracks[t].fullest()}) {
+      const Coverage coverage = CoverageOf(*expected, frame);
+      for (Eigen::Index d = 0; d < gains.rows(); ++d) {
+        const double cost = CostOf(tracks[t], *expected, coverage, detections[d], frame);
+        gains(d, t) = std::max(gains(d, t), kMaxCost - cost);
+      }
     }
   }
   return gains;
@@ -133,9 +136,8 @@ std::vector<int> Associate(const std::vector<Track>& tracks,
   Matching matching{GainsOf(tracks, detections, frame), std::vector<int>(detections.size(), -1),
                     std::vector<char>(tracks.size(), 0)};
   const auto is_confident = [&](Eigen::Index d) { return detections[d].confidence >= kConfident; };
-  matching.Pass(is_confident, [](Eigen::Index) { return true; });
-  matching.Pass([](Eigen::Index) { return true; },
-                [&](Eigen::Index t) { return !tracks[t].was_missed(); });
+  matching.Pass(is_confident);
+  matching.Pass([](Eigen::Index) { return true; });
   return matching.track_of_detection;
 }
 

@@ -17,9 +17,9 @@ struct AssociationFrame {
   double camera_error_m = 0;  // of the motion since the frame before
 };
 
-// The track of each detection, by index, or -1: the assignment of least cost in two passes, as
-// ByteTrack (Zhang et al. 2022) has it: detections of some confidence first, to all tracks; then
-// the others to what is left of the tracks that were not looked for in vain since they were seen.
+// The track of each detection, by index, or -1: the assignment of least cost in two passes, as in
+// ByteTrack (Zhang et al. 2022): detections of some confidence first, then the others to what is
+// left of the tracks. Unlike there these may be hidden: what is hard to see is found now and then.
 // O(tracks · (points + detections²)).
 std::vector<int> Associate(const std::vector<Track>& tracks,
                            const std::vector<Sighting>& detections, const AssociationFrame& frame);

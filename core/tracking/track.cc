@@ -28,11 +28,13 @@ Track::Track(std::uint64_t id, const Sighting& first, const std::optional<Captur
       first_seen_(at),
       last_seen_(at),
       expected_(first),
+      fullest_(first),
       steadied_(first.box),
       place_(SpotOf(first)) {}
 
 void Track::Advance(const Eigen::Isometry3f& this_from_last, double seconds, double adding_up_m) {
   expected_ = Moved(std::move(expected_), this_from_last);
+  fullest_ = Moved(std::move(fullest_), this_from_last);
   if (in_mean_) in_mean_ = Moved(*std::move(in_mean_), this_from_last);
   steadied_.Transform(this_from_last);
   place_ = Moved(place_, this_from_last);
@@ -47,6 +49,7 @@ void Track::Advance(const Eigen::Isometry3f& this_from_last, double seconds, dou
   if (seconds_hidden_ > kLongestMotion_s) filter_->Stop();
   filter_->Predict(seconds);
   Shift(expected_, filter_->position() - before);
+  Shift(fullest_, filter_->position() - before);
 }
 
 void Track::Enter(std::uint64_t stretch) {
@@ -70,7 +73,6 @@ void Track::OnSeen(const Sighting& sighting, double camera_error_m,
   last_seen_ = at;
   ++times_seen_;
   was_seen_ = true;
-  was_missed_ = false;
   was_gone_ = false;
   seconds_hidden_ = 0;
 }
@@ -83,6 +85,7 @@ bool Track::IsWhereItWas(const Sighting& sighting) const {
 void Track::BeginAgain(const Sighting& sighting) {
   steadied_.StartAnew(sighting.box);
   place_ = SpotOf(sighting);
+  fullest_ = sighting;
   filter_.reset();
   left_out_ = false;
   mean_of_ = seen_in_;
@@ -118,6 +121,7 @@ void Track::StandStill(const Sighting& sighting, const Spot& spot) {
   filter_.reset();
   steadied_.Add(sighting.box);
   Mix(place_, spot, 1.0F / static_cast<float>(steadied_.count()));
+  if (sighting.visible_m2 >= fullest_.visible_m2) fullest_ = sighting;
 }
 
 void Track::StartAnew(const Sighting& sighting, const Spot& spot, bool moves,
@@ -130,6 +134,7 @@ void Track::StartAnew(const Sighting& sighting, const Spot& spot, bool moves,
   }
   if (moves) {
     steadied_ = SteadiedBox(sighting.box);
+    fullest_ = sighting;
   } else {
     steadied_.StartAnew(sighting.box);
   }

@@ -32,19 +32,14 @@ class Track {
   // anew.
   void OnSeen(const Sighting& sighting, double camera_error_m, const std::optional<CaptureTime>& at,
               std::uint64_t stretch = 0);
-  // `was_looked_for`: in all of the frame; else that says nothing of it.
-  void OnMissed(bool was_looked_for = true) {
-    was_seen_ = false;
-    was_missed_ = was_missed_ || was_looked_for;
-  }
+  void OnMissed() { was_seen_ = false; }
   // The camera saw that it is not where it was.
   void OnGone() { was_gone_ = true; }
 
   std::uint64_t id() const { return id_; }
   std::uint32_t times_seen() const { return times_seen_; }
-  bool was_seen() const { return was_seen_; }      // in the last frame
-  bool was_missed() const { return was_missed_; }  // was looked for since then, in vain
-  bool was_gone() const { return was_gone_; }      // since it was seen last
+  bool was_seen() const { return was_seen_; }  // in the last frame
+  bool was_gone() const { return was_gone_; }  // since it was seen last
   double seconds_hidden() const { return seconds_hidden_; }
   const std::optional<CaptureTime>& last_seen() const { return last_seen_; }
   // It was seen in a frame whose place is known beside those of this stretch.
@@ -55,6 +50,9 @@ class Track {
   bool IsWhereItWas(const Sighting& sighting) const;
   // As it was seen last, where it should be now.
   const Sighting& expected() const { return expected_; }
+  // As most of it was seen since it was moved, there too: what comes out from behind something may
+  // show nothing of what went in last.
+  const Sighting& fullest() const { return in_mean_ ? expected_ : fullest_; }
 
   ObjectTrack ToObjectTrack() const;
 
@@ -70,9 +68,9 @@ class Track {
   std::optional<CaptureTime> first_seen_, last_seen_;
   double seconds_hidden_ = 0;  // since it was seen last
   std::uint32_t times_seen_ = 1;
-  bool was_seen_ = true, was_missed_ = false, was_gone_ = false;
+  bool was_seen_ = true, was_gone_ = false;
   bool left_out_ = false;  // of steadied_, in the last frame that showed it
-  Sighting expected_;
+  Sighting expected_, fullest_;
   std::optional<Sighting> in_mean_;  // the last one of the mean's stretch, where expected_ is not
   SteadiedBox steadied_;
   Spot place_;  // the mean of those that steadied_ is of

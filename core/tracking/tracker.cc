@@ -11,9 +11,9 @@ namespace fovea {
 namespace {
 
 // Sums of tenths are not exact.
-bool IsKept(const Track& track) { return track.seconds_hidden() < Tracker::kKeptHidden_s + 1e-6; }
-
-bool IsConfirmed(const Track& track) { return track.times_seen() >= 2; }
+bool IsOver(const Track& track) {
+  return !track.was_seen() && track.seconds_hidden() >= Tracker::kKeptHidden_s + 1e-6;
+}
 
 }  // namespace
 
@@ -27,7 +27,7 @@ void Tracker::Add(const RgbdFrame& frame, const FrameContext& context, Detection
   const double adding_up_m = is_given || place.is_guess() ? 0 : place.error_m;
   for (Track& track : tracks_) track.Advance(this_from_last, seconds, adding_up_m);
   for (Track& track : tracks_) track.Enter(place.stretch);
-  std::erase_if(tracks_, [](const Track& track) { return track.was_missed() && !IsKept(track); });
+  std::erase_if(tracks_, IsOver);
   place = Match(SightingsOf(detections, frame.intrinsics, kMaxTracks), place, frame, context,
                 detections);
   last_stretch_ = place.stretch;
@@ -43,7 +43,7 @@ CameraPath::Place Tracker::Match(const std::vector<Sighting>& sightings, CameraP
   if (place.is_guess() && MostAreWhereTheyWere(sightings, track_of_sighting)) {
     place = path_.TakeGuessForTrue();
   }
-  for (Track& track : tracks_) track.OnMissed(!detections.incomplete);
+  for (Track& track : tracks_) track.OnMissed();
   for (std::size_t i = 0; i < sightings.size(); ++i) {
     const int t = track_of_sighting[i];
     if (t >= 0) {
@@ -73,10 +73,7 @@ bool Tracker::MostAreWhereTheyWere(const std::vector<Sighting>& sightings,
 }
 
 void Tracker::Forget() {
-  std::erase_if(tracks_, [](const Track& track) {
-    const bool is_kept = (IsConfirmed(track) || !track.was_missed()) && IsKept(track);
-    return !track.was_seen() && !is_kept;
-  });
+  std::erase_if(tracks_, IsOver);
   if (tracks_.size() <= kMaxTracks) return;
   std::stable_sort(tracks_.begin(), tracks_.end(), [](const Track& a, const Track& b) {
     return a.seconds_hidden() < b.seconds_hidden();
@@ -94,7 +91,7 @@ std::vector<HiddenTrack> Tracker::Hidden(const RgbdFrame& frame, std::uint64_t s
     HiddenReason reason =
         track.IsOf(stretch) ? ReasonOf(track.expected(), frame) : HiddenReason::kNotDetected;
     if (reason == HiddenReason::kGone) track.OnGone();
-    if (!IsConfirmed(track)) continue;
+    if (track.times_seen() < 2) continue;
     // It may be where nobody looked.
     if (reason == HiddenReason::kGone && incomplete) reason = HiddenReason::kNotDetected;
     hidden.push_back(

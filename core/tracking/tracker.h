@@ -25,16 +25,16 @@ struct FrameContext {
 // (camera_motion.h), what is left is decided in space and colour (association.h). Design after
 // ByteTrack (Zhang et al. 2022), with boxes in the image, which a moving camera confuses, replaced.
 //
-// A new object has an id at once, and times_seen = 1 until a second frame confirms it; what is not
-// confirmed by the next frame is forgotten. Else it is kept, hidden, for kKeptHidden_s by the
-// frames' times (frame_clock.h); what was there in the last frame is looked for in the next one
-// however much later that is. An incomplete answer says nothing of what is not in it: that is kept
-// as long, confirmed or not, and not said to be gone. Where the camera's motion is not known, boxes
-// are those of the frame, nothing is said to move or to be gone, and the means go on when it is
-// known again. It is known where most things are where the guess has them.
+// A new object has an id at once, and times_seen = 1 until a second frame confirms it. What is not
+// found is kept, hidden, for kKeptHidden_s by the frames' times (frame_clock.h), and named from its
+// second frame on: the detector finds some things in one frame of three. What was there in the last
+// frame is looked for in the next one however much later that is. What is not in an incomplete
+// answer is not said to be gone. Where the camera's motion is not known, boxes are those of the
+// frame, nothing is said to move or to be gone, and the means go on when it is known again. It is
+// known where most things are where the guess has them.
 //
 // The same frames give the same tracks, bit for bit. Not thread-safe: one frame after the other.
-// Holds at most kMaxTracks tracks of some 3 KB, or 7 in frames whose place is not known; of more
+// Holds at most kMaxTracks tracks of some 7 KB, or 10 in frames whose place is not known; of more
 // objects the least confident have none, and of more hidden ones those that were seen last stay.
 // With poses or standing some 1 ms, else 15.
 class Tracker {

@@ -15,22 +15,18 @@ using testing::Ids;
 using testing::kBlue;
 using testing::View;
 
-// Of low confidence, too: such things are looked for among those that were seen last.
 TEST(IncompleteAnswers, WhatWasNotLookedAtIsNotForgotten) {
-  for (const float confidence : {0.9F, 0.3F}) {
-    Tracker tracker(1);
-    const Eigen::Vector3f left(-0.1F, 0, 0.8F), right(0.1F, 0, 0.8F);
-    View(0, 1).Add(left).Add(right, kBlue, 0.1F, confidence).TrackBy(tracker, At(0));
-    for (int i = 1; i < 4; ++i) {
-      const Detections half = View(0, i + 1).Add(left).Incomplete().TrackBy(tracker, At(0.1 * i));
-      EXPECT_THAT(Ids(half), ElementsAre(1));
-      EXPECT_THAT(HiddenIds(half), ElementsAre()) << "what was seen once may be a mistake";
-    }
-    const Detections whole =
-        View(0, 5).Add(left).Add(right, kBlue, 0.1F, confidence).TrackBy(tracker, At(9));
-    EXPECT_THAT(Ids(whole), ElementsAre(1, 2)) << confidence;
-    EXPECT_EQ(whole.objects[1].track->times_seen, 2U);
+  Tracker tracker(1);
+  const Eigen::Vector3f left(-0.1F, 0, 0.8F), right(0.1F, 0, 0.8F);
+  View(0, 1).Add(left).Add(right, kBlue).TrackBy(tracker, At(0));
+  for (int i = 1; i < 4; ++i) {
+    const Detections half = View(0, i + 1).Add(left).Incomplete().TrackBy(tracker, At(0.1 * i));
+    EXPECT_THAT(Ids(half), ElementsAre(1));
+    EXPECT_THAT(HiddenIds(half), ElementsAre()) << "what was seen once may be a mistake";
   }
+  const Detections whole = View(0, 5).Add(left).Add(right, kBlue).TrackBy(tracker, At(2));
+  EXPECT_THAT(Ids(whole), ElementsAre(1, 2));
+  EXPECT_EQ(whole.objects[1].track->times_seen, 2U);
 }
 
 TEST(IncompleteAnswers, WhatIsNeverLookedAtIsKeptForTwoSecondsToo) {
@@ -38,14 +34,6 @@ TEST(IncompleteAnswers, WhatIsNeverLookedAtIsKeptForTwoSecondsToo) {
   View(0, 1).Add({0, 0, 0.8F}).TrackBy(tracker, At(0));
   for (int i = 1; i <= 5; ++i) View(0, i + 1).Incomplete().TrackBy(tracker, At(0.5 * i));
   EXPECT_THAT(Ids(View(0, 7).Add({0, 0, 0.8F}).TrackBy(tracker, At(3))), ElementsAre(2));
-}
-
-TEST(IncompleteAnswers, ACompleteAnswerTellsWhatIncompleteOnesDidNot) {
-  Tracker tracker(1);
-  View(0, 1).Add({0, 0, 0.8F}).TrackBy(tracker, At(0));
-  View(0, 2).Incomplete().TrackBy(tracker, At(0.1));
-  View(0, 3).TrackBy(tracker, At(0.2));
-  EXPECT_THAT(Ids(View(0, 4).Add({0, 0, 0.8F}).TrackBy(tracker, At(0.3))), ElementsAre(2));
 }
 
 // Somebody pushed it meanwhile.

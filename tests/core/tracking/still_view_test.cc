@@ -87,6 +87,22 @@ TEST(IsSameView, WhereThingsComeAndGo) {
   EXPECT_FALSE(IsSameView(SmallOf(View()), SmallOf(unknown))) << "a sixth has changed";
 }
 
+// A hand that is no object, darker than a table of little contrast by less than what counts as a
+// change at once.
+TEST(IsSameView, WhereAHandIsLikeTheTable) {
+  const auto seen = [](bool with_hand, double shift_px) {
+    View view;
+    const cv::Mat shift = (cv::Mat_<double>(2, 3) << 1, 0, shift_px, 0, 1, 0);
+    cv::warpAffine(view.frame.color_rgb, view.frame.color_rgb, shift, testing::kSize,
+                   cv::INTER_LINEAR, cv::BORDER_REFLECT);
+    view.frame.color_rgb.convertTo(view.frame.color_rgb, CV_8UC3, 0.2, 100);
+    if (with_hand) view.frame.color_rgb(cv::Rect(40, 0, 30, 140)) -= cv::Scalar::all(20);
+    return SmallOf(view);
+  };
+  EXPECT_TRUE(IsSameView(seen(false, 0), seen(true, 0)));
+  EXPECT_FALSE(IsSameView(seen(false, 0), seen(true, 0.25)));
+}
+
 TEST(IsSameView, TakesAFifthOfTheImageAtLeast) {
   for (const double share : {0.7, 0.85}) {
     View view(0, 1);

@@ -169,6 +169,16 @@ TEST(Tracker, KeepsWhatIsHiddenForTwoSeconds) {
   }
 }
 
+// It goes behind something from the right on, and comes out at the right.
+TEST(Tracker, KnowsThePartThatComesOutFromBehindSomething) {
+  Tracker tracker(1);
+  View(0, 1).Add({0, 0, 0.8F}, kRed, 0.2F).TrackBy(tracker, At(0));
+  View(0, 2).Add({-0.05F, 0, 0.8F}).TrackBy(tracker, At(0.1));
+  View(0, 3).Cover({100, 60, 120, 120}, 0.5F).TrackBy(tracker, At(0.2));
+  const Detections after = View(0, 4).Add({0.05F, 0, 0.8F}).TrackBy(tracker, At(0.3));
+  EXPECT_THAT(Ids(after), ElementsAre(1));
+}
+
 TEST(Tracker, LooksForWhatWasThereHoweverLongAgoTheLastFrameIs) {
   Tracker tracker(1);
   View(0, 1).Add({0, 0, 0.8F}).TrackBy(tracker, At(10));
@@ -190,11 +200,20 @@ TEST(Tracker, ForgetsWhatIsHiddenWhileThereAreNoFrames) {
   }
 }
 
-TEST(Tracker, ForgetsWhatWasSeenOnce) {
-  Tracker tracker(1);
-  View(0, 1).Add({0, 0, 0.8F}).TrackBy(tracker);
-  EXPECT_THAT(HiddenIds(View(0, 2).TrackBy(tracker)), ElementsAre());
-  EXPECT_THAT(Ids(View(0, 3).Add({0, 0, 0.8F}).TrackBy(tracker)), ElementsAre(2));
+// Of any confidence: what is hard to see is found now and then, and may be a mistake until then.
+TEST(Tracker, KnowsWhatIsFoundNowAndThen) {
+  for (const float confidence : {0.9F, 0.3F}) {
+    Tracker tracker(1);
+    for (int i = 0; i < 3; ++i) {
+      const auto time = static_cast<double>(i);
+      const Detections found =
+          View(0, 2 * i + 1).Add({0, 0, 0.8F}, kRed, 0.1F, confidence).TrackBy(tracker, At(time));
+      EXPECT_THAT(Ids(found), ElementsAre(1)) << confidence;
+      EXPECT_EQ(found.objects[0].track->times_seen, i + 1U);
+      const Detections missed = View(0, 2 * i + 2).TrackBy(tracker, At(time + 0.5));
+      EXPECT_EQ(HiddenIds(missed).size(), i == 0 ? 0U : 1U) << i;
+    }
+  }
 }
 
 TEST(Tracker, FollowsWhatAHandMoves) {

@@ -133,4 +133,23 @@ TrackScores ScoreTracks(const std::vector<TrackSequence>& sequences) {
   return scores;
 }
 
+TrackSequence WithTrueIdentities(TrackSequence frames) {
+  Id other = 0;
+  for (const TrackFrame& frame : frames) {
+    for (const Id thing : frame.things) other = std::max(other, thing);
+  }
+  for (TrackFrame& frame : frames) {
+    for (std::size_t j = 0; j < frame.tracks.size(); ++j) {
+      frame.tracks[j] = ++other;
+      // No two things reach a half of one mask.
+      for (std::size_t i = 0; i < frame.things.size(); ++i) {
+        const bool is_its =
+            frame.similarity(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) > kHalf;
+        if (is_its) frame.tracks[j] = frame.things[i];
+      }
+    }
+  }
+  return frames;
+}
+
 }  // namespace fovea::evaluation

@@ -49,4 +49,8 @@ struct TrackScores {
 // thing or track is in two of them.
 TrackScores ScoreTracks(const std::vector<TrackSequence>& sequences);
 
+// The same answers as if identities were known: the mask that is most like a thing, by more than a
+// half, has the thing's number, any other one of its own. What is lost then, the masks lose.
+TrackSequence WithTrueIdentities(TrackSequence frames);
+
 }  // namespace fovea::evaluation

@@ -51,6 +51,19 @@ TEST(ScoreTracks, ASwitch) {
   EXPECT_DOUBLE_EQ(scores.SwitchesPer100(), 25);
 }
 
+// A mask that is like two fifths of a thing is another one in each frame.
+TEST(WithTrueIdentities, WhatIsLeftIsLostByTheMasks) {
+  const TrackSequence switched = {Found({7, 8}), Found({8, 7}), Found({9, 0})};
+  const TrackScores scores = ScoreTracks({WithTrueIdentities(switched)});
+  EXPECT_EQ(scores.NumSwitches(), 0);
+  EXPECT_NEAR(scores.ass_a, (3 + 2 * 2.0 / 3) / 5, 1e-12) << "one is not found once";
+  TrackFrame part = Found({7});
+  part.similarity(0, 0) = 0.4;
+  const TrackSequence parts = WithTrueIdentities({part, part});
+  EXPECT_NE(parts[0].tracks, part.things);
+  EXPECT_NE(parts[0].tracks, parts[1].tracks);
+}
+
 // Two things swap tracks after two of four frames. Of each pair TPA is 2, FNA 2 and FPA 2: 1/3.
 TEST(ScoreTracks, ASwap) {
   const TrackScores scores =

@@ -68,9 +68,9 @@ void AddTrackingCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "tracking",
       "Identities in generated streams of ten frames a second, with the camera's poses and "
-      "without: "
-      "HOTA, AssA (AssAfnd: of the frames in which a thing was found), IDF1, switches per 100 "
-      "object frames, share of frames that keep an identity, identities after a cover");
+      "without: HOTA, AssA (most: with these masks if identities were known; AssAfnd: of the "
+      "frames in which a thing was found), IDF1, switches per 100 object frames, share of frames "
+      "that keep an identity, identities after a cover");
   command->add_option("--motions", flags->motions, "still, circle, shake, moved, covered")
       ->delimiter(',')
       ->check(CLI::IsMember(StreamMotions()));
