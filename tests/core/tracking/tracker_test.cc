@@ -278,8 +278,8 @@ TEST(Tracker, KeepsThoseThatWereSeenLast) {
   for (int i = 0; i < 6; ++i) {
     View view(0, i + 1);
     for (int k = 0; k < 60; ++k) {
-      const int row = k / 20, col = k % 20;
-      const float y = 0.2F * static_cast<float>(i / 2) + 0.05F * static_cast<float>(row);
+      const int group = i / 2, row = k / 20, col = k % 20;
+      const float y = 0.2F * static_cast<float>(group) + 0.05F * static_cast<float>(row);
       view.Add({0.03F * static_cast<float>(col) - 0.3F, y - 0.25F, 0.8F}, kRed, 0.02F);
     }
     hidden = HiddenIds(view.TrackBy(tracker));

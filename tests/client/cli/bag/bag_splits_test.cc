@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 using testing::ImageMessage;
 
 std::string McapOfFrameAt(int number) {
-  const std::int64_t time_ns = kFirst_ns + number * 100 * kMillisecond_ns;
+  const std::int64_t time_ns = kFirst_ns + std::int64_t{number} * 100 * kMillisecond_ns;
   return BagOf("Image", ImageMessage(time_ns, "rgb8", 2, 1, 6, kRgb), "Image",
                ImageMessage(time_ns, "16UC1", 2, 1, 4, kUnits));
 }
