@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <span>
 
@@ -19,6 +20,11 @@ SegmentSurfaces::SegmentSurfaces(const VoxelGrid& grid, const Lists<int>& voxels
     : min_cosine_(static_cast<float>(std::cos(same.max_angle_deg * std::numbers::pi / 180))),
       max_offset_m_(static_cast<float>(same.max_offset_m)) {
   ranges_.reserve(voxels.size());
+  const std::size_t most = std::min(grid.voxels.size(), kMaxSamples * voxels.size());
+  for (std::vector<float>* column : {&voxels_.x, &voxels_.y, &voxels_.z, &voxels_.normal_x,
+                                     &voxels_.normal_y, &voxels_.normal_z}) {
+    column->reserve(most);
+  }
   for (std::size_t segment = 0; segment < voxels.size(); ++segment) {
     const std::span<const int> all = voxels[segment];
     const std::size_t stride = all.size() / kMaxSamples + 1;

@@ -1,7 +1,6 @@
 // Which segments that do not touch lie on one surface.
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "core/segmentation/voxel_grid.h"

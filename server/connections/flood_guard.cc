@@ -11,17 +11,13 @@
 namespace fovea::server {
 namespace {
 
-// Between looks while few calls come: gRPC tells its count as JSON, which takes a third of a
-// millisecond.
-constexpr std::chrono::milliseconds kBetweenLooks{50};
-
 // Of the whole server: a thousand robots do not make as many, and the event loop takes more.
 constexpr double kCalls_s = 5000;
 constexpr double kMaxBudget = 2 * kCalls_s, kMinBudget = -kCalls_s;
 // Of a connection, before and after that is too much. A robot may have all of its calls end and
 // begin again when its deadlines pass, be these of some milliseconds.
 constexpr std::uint64_t kMaxCalls_s = 4000, kMaxCallsInFlood_s = 500;
-// What is less is not looked at by connection, and looked at again later.
+// What is less is not looked at by connection.
 constexpr double kQuiet_s = 1000, kFew = 32;
 
 }  // namespace
@@ -33,7 +29,6 @@ FloodGuard::FloodGuard(ConnectionTable& connections)
       budget_(kMaxBudget) {}
 
 void FloodGuard::Inspect(Clock::time_point now) {
-  if (now < next_look_) return;
   try {
     const std::uint64_t begun = NumBegunCalls();
     const auto more = static_cast<double>(begun - std::min(begun, begun_));
@@ -41,7 +36,6 @@ void FloodGuard::Inspect(Clock::time_point now) {
     begun_ = begun;
     looked_ = now;
     budget_ = std::clamp(budget_ + seconds * kCalls_s - more, kMinBudget, kMaxBudget);
-    if (more <= kFew) next_look_ = now + kBetweenLooks;
     if (more > std::max(seconds * kQuiet_s, kFew)) {
       connections_.OnBegunCalls(BegunCallsByConnection(),
                                 IsFlooded() ? kMaxCallsInFlood_s : kMaxCalls_s);

@@ -15,8 +15,8 @@ class FloodGuard {
 
   explicit FloodGuard(ConnectionTable& connections);
 
-  // Looks at what was begun since the last time, unless few were and that is not long ago, and has
-  // the table end connections that began too many. What comes between two looks is not bounded.
+  // Looks at what was begun since the last time, and has the table end connections that began too
+  // many. What comes between two looks is not bounded.
   void Inspect(Clock::time_point now);
 
   // More came than can be looked at: nobody should be let in before that has passed, a second or
@@ -25,7 +25,7 @@ class FloodGuard {
 
  private:
   ConnectionTable& connections_;
-  Clock::time_point looked_, next_look_;
+  Clock::time_point looked_;
   std::uint64_t begun_;  // by then
   double budget_;        // calls that may come now
 };

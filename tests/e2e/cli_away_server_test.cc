@@ -16,17 +16,25 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
+class AwayServerTest : public CliTest {
+ protected:
+  // One frame after the other.
+  Process DetectFolder(const std::string& timeout_s) {
+    return Process({FOVEA_CLI, "detect", "--server", server_.address(), "--intrinsics",
+                    "30,30,15.5,11.5", "--timeout", timeout_s, "--jobs", "1", "--input", Folder(),
+                    "--output", At("out")});
+  }
+};
+
 // Each of them tried to connect five times, with pauses: an hour for 10,000 frames.
-TEST_F(CliTest, EndsSoonWhereTheServerHasGone) {
+TEST_F(AwayServerTest, EndsSoonWhereTheServerHasGone) {
   WriteFrame("b");
   for (int i = 0; i < 60; ++i) {
     for (const char* image : {"_color.png", "_depth.png"}) {
       fs::create_symlink(At(std::string("b") + image), At("c" + std::to_string(i) + image));
     }
   }
-  Process run({FOVEA_CLI, "detect", "--server", server_.address(), "--intrinsics",
-               "30,30,15.5,11.5", "--timeout", "1", "--jobs", "1", "--input", Folder(), "--output",
-               At("out")});
+  Process run = DetectFolder("1");
   EXPECT_THAT(run.ReadLine(), StartsWith("1/62  a"));
   server_.process().Signal(SIGKILL);
   server_.process().Wait();
@@ -38,11 +46,9 @@ TEST_F(CliTest, EndsSoonWhereTheServerHasGone) {
 }
 
 // It takes connections and calls. Each frame waited for its whole time.
-TEST_F(CliTest, GivesUpWhereTheServerHangs) {
+TEST_F(AwayServerTest, GivesUpWhereTheServerHangs) {
   for (int i = 0; i < 30; ++i) WriteFrame("b" + std::to_string(i));
-  Process run({FOVEA_CLI, "detect", "--server", server_.address(), "--intrinsics",
-               "30,30,15.5,11.5", "--timeout", "1", "--jobs", "1", "--input", Folder(), "--output",
-               At("out")});
+  Process run = DetectFolder("1");
   EXPECT_THAT(run.ReadLine(), StartsWith("1/31  a"));
   server_.process().Signal(SIGSTOP);
   const Finished finished = run.Wait();
@@ -52,11 +58,9 @@ TEST_F(CliTest, GivesUpWhereTheServerHangs) {
   EXPECT_THAT(finished.err, HasSubstr("--resume"));
 }
 
-TEST_F(CliTest, GoesOnWhereTheServerHungForAWhile) {
+TEST_F(AwayServerTest, GoesOnWhereTheServerHungForAWhile) {
   for (int i = 0; i < 9; ++i) WriteFrame("b" + std::to_string(i));
-  Process run({FOVEA_CLI, "detect", "--server", server_.address(), "--intrinsics",
-               "30,30,15.5,11.5", "--timeout", "3", "--jobs", "1", "--input", Folder(), "--output",
-               At("out")});
+  Process run = DetectFolder("3");
   EXPECT_THAT(run.ReadLine(), StartsWith("1/10  a"));
   server_.process().Signal(SIGSTOP);
   std::string line;
