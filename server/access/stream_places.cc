@@ -1,6 +1,7 @@
 #include "server/access/stream_places.h"
 
 #include <chrono>
+#include <utility>
 
 #include "server/scheduling/refusal_reasons.h"
 #include "server/scheduling/scheduler.h"
@@ -27,7 +28,8 @@ void CountDown(std::map<Key, int>& counts, const Key& key) {
 }  // namespace
 
 StreamPlaces::Place StreamPlaces::Take(const RobotId& robot) {
-  const std::lock_guard lock(mutex_);
+  auto give_back = [robot = robot](StreamPlaces* places) { places->GiveBack(robot); };
+  std::unique_lock lock(mutex_);
   if (num_streams_ >= limits_.max_streams) {
     throw Overloaded(kStreamLimit,
                      "all " + std::to_string(limits_.max_streams) + " streams are open",
@@ -35,10 +37,14 @@ StreamPlaces::Place StreamPlaces::Take(const RobotId& robot) {
   }
   RequireFewer(by_robot_, robot, limits_.max_per_robot, kRobotStreamLimit, "this robot");
   RequireFewer(by_group_, robot.group, limits_.max_per_host, kHostStreamLimit, "this host");
+  // Both before anything is counted.
+  int& of_group = by_group_[robot.group];
+  int& of_robot = by_robot_[robot];
   ++num_streams_;
-  ++by_group_[robot.group];
-  ++by_robot_[robot];
-  return {this, [robot](StreamPlaces* places) { places->GiveBack(robot); }};
+  ++of_group;
+  ++of_robot;
+  lock.unlock();  // where there is no memory for it, it is given back at once
+  return {this, std::move(give_back)};
 }
 
 void StreamPlaces::GiveBack(const RobotId& robot) {

@@ -28,16 +28,20 @@ void PickBoard::Settle(Pending& pending, State state) {
 }
 
 PickBoard::Listening PickBoard::Listen(const std::string& robot) {
-  const std::lock_guard lock(mutex_);
-  ++robots_[robot].num_streams;
-  return {this, [robot](PickBoard* board) {
-            const std::lock_guard inner(board->mutex_);
-            const auto found = board->robots_.find(robot);
-            if (--found->second.num_streams > 0) return;
-            if (found->second.pending) found->second.pending->state = State::kNobody;
-            board->robots_.erase(found);
-            board->changed_.notify_all();
-          }};
+  auto end = [robot = robot](PickBoard* board) {
+    const std::lock_guard lock(board->mutex_);
+    const auto found = board->robots_.find(robot);
+    if (--found->second.num_streams > 0) return;
+    if (found->second.pending) found->second.pending->state = State::kNobody;
+    board->robots_.erase(found);
+    board->changed_.notify_all();
+  };
+  {
+    const std::lock_guard lock(mutex_);
+    ++robots_[robot].num_streams;
+  }
+  // Without the lock: where there is no memory for it, it ends at once.
+  return {this, std::move(end)};
 }
 
 PickBoard::TakenPtr PickBoard::Take(const std::string& robot) {

@@ -6,22 +6,29 @@
 namespace fovea::server {
 
 LiveCalls::Token LiveCalls::Enter() {
-  const std::lock_guard lock(mutex_);
-  ++num_entered_;
+  {
+    const std::lock_guard lock(mutex_);
+    ++num_entered_;
+  }
+  // Without the lock: where there is no memory for it, it ends at once.
   return {this, [](LiveCalls* calls) {
-            const std::lock_guard inner(calls->mutex_);
+            const std::lock_guard lock(calls->mutex_);
             --calls->num_entered_;
             calls->changed_.notify_all();
           }};
 }
 
 LiveCalls::Token LiveCalls::Begin(std::function<void()> on_stop, std::function<void()> on_check) {
-  const std::lock_guard lock(mutex_);
-  if (stopping_) return nullptr;
-  const std::uint64_t id = ++last_id_;
-  begun_.emplace(id, Begun{std::move(on_stop), std::move(on_check)});
+  std::uint64_t id = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    if (stopping_) return nullptr;
+    id = ++last_id_;
+    begun_.emplace(id, Begun{std::move(on_stop), std::move(on_check)});
+  }
+  // Without the lock, as above.
   return {this, [id](LiveCalls* calls) {
-            const std::lock_guard inner(calls->mutex_);
+            const std::lock_guard lock(calls->mutex_);
             calls->begun_.erase(id);
             calls->changed_.notify_all();
           }};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <string>
@@ -11,16 +12,26 @@
 namespace fovea::server {
 
 // Round robin between keys, first come first served within one. Not thread-safe. Holds nothing of
-// keys that wait for nothing.
+// keys that wait for nothing. Taking something out needs no memory, and what finds none to be put
+// in changes nothing.
 template <typename T>
 class FairQueue {
  public:
   bool empty() const { return turns_.empty(); }
 
   void Push(const std::string& key, T item) {
-    std::deque<T>& items = waiting_[key];
-    if (items.empty()) turns_.push_back(key);
-    items.push_back(std::move(item));
+    if (const auto waiting = waiting_.find(key); waiting != waiting_.end()) {
+      waiting->second.push_back(std::move(item));
+      return;
+    }
+    turns_.push_back(key);
+    try {
+      waiting_[key].push_back(std::move(item));
+    } catch (...) {
+      waiting_.erase(key);
+      turns_.pop_back();
+      throw;
+    }
   }
 
   // Of the first key in turn that `may` says yes to; those before it stay where they are. Nothing
@@ -29,15 +40,15 @@ class FairQueue {
   std::optional<T> Pop(Predicate may) {
     const auto turn = std::find_if(turns_.begin(), turns_.end(), may);
     if (turn == turns_.end()) return std::nullopt;
-    const std::string key = std::move(*turn);
-    turns_.erase(turn);
-    std::deque<T>& items = waiting_.at(key);
+    const auto waiting = waiting_.find(*turn);
+    std::deque<T>& items = waiting->second;
     std::optional<T> item = std::move(items.front());
     items.pop_front();
     if (items.empty()) {
-      waiting_.erase(key);
+      waiting_.erase(waiting);
+      turns_.erase(turn);
     } else {
-      turns_.push_back(key);
+      std::rotate(turn, std::next(turn), turns_.end());
     }
     return item;
   }

@@ -43,15 +43,20 @@ void Scheduler::Stop() {
 }
 
 Scheduler::Upload Scheduler::Enter(const RobotId& robot, IfFull if_full) {
-  const std::lock_guard lock(mutex_);
-  OnSeen(robot);
-  FindRoom(robot, if_full);
-  turned_away_.Prolong(robot, Clock::now() + kLongestUpload);
-  places_.Change(robot, &Holding::uploading, +1);
-  return {this, [robot](Scheduler* scheduler) {
-            const std::lock_guard inner(scheduler->mutex_);
-            scheduler->places_.Change(robot, &Holding::uploading, -1);
-          }};
+  // Not const, so that it can be moved, which needs no memory.
+  auto give_back = [robot = robot](Scheduler* scheduler) {
+    const std::lock_guard lock(scheduler->mutex_);
+    scheduler->places_.Change(robot, &Holding::uploading, -1);
+  };
+  {
+    const std::lock_guard lock(mutex_);
+    OnSeen(robot);
+    FindRoom(robot, if_full);
+    turned_away_.Prolong(robot, Clock::now() + kLongestUpload);
+    places_.Change(robot, &Holding::uploading, +1);
+  }
+  // Without the lock: where there is no memory for it, it is given back at once.
+  return {this, std::move(give_back)};
 }
 
 Scheduler::Ticket Scheduler::Submit(const RobotId& robot, Work work) {
@@ -59,12 +64,14 @@ Scheduler::Ticket Scheduler::Submit(const RobotId& robot, Work work) {
   std::unique_lock lock(mutex_);
   OnSeen(robot);
   FindRoom(robot);
-  turned_away_.Leave(robot);
-  displaced = Displace(robot);
-  const Ticket ticket = Enqueue(robot, std::move(work), /*counted=*/true);
+  const std::optional<RobotId> other = WhoMakesRoom(robot);
   const std::size_t others = static_cast<std::size_t>(limits_.max_waiting);
   const Overloaded why(kDisplaced, "a robot that holds fewer places took that of this frame",
                        RetryAfter(others));
+  const Ticket ticket = Enqueue(robot, std::move(work), /*counted=*/true);
+  // None of this needs memory, so that both frames have their ends.
+  turned_away_.Leave(robot);
+  if (other) displaced = Displace(*other);
   lock.unlock();
   if (displaced) Call([&] { displaced->work.displaced(why); });
   return ticket;
@@ -130,13 +137,15 @@ void Scheduler::FindRoom(const RobotId& robot, IfFull if_full) {
 }
 
 // Where all places are taken; then FindRoom() has seen that there is somebody.
-std::optional<Scheduler::Job> Scheduler::Displace(const RobotId& robot) {
+std::optional<RobotId> Scheduler::WhoMakesRoom(const RobotId& robot) const {
   if (places_.num_taken() < limits_.num_threads + limits_.max_waiting) return std::nullopt;
-  const std::optional<RobotId> other = places_.FirstDisplaced(robot);
-  if (!other) return std::nullopt;
-  std::optional<Job> job = queue_.RemoveLast(*other, [](const Job& one) { return one.counted; });
+  return places_.FirstDisplaced(robot);
+}
+
+std::optional<Scheduler::Job> Scheduler::Displace(const RobotId& robot) {
+  std::optional<Job> job = queue_.RemoveLast(robot, [](const Job& one) { return one.counted; });
   --num_waiting_;
-  places_.Change(*other, &Holding::waiting, -1);
+  places_.Change(robot, &Holding::waiting, -1);
   return job;
 }
 
@@ -147,8 +156,13 @@ std::chrono::milliseconds Scheduler::RetryAfter(std::size_t ahead) const {
 }
 
 Scheduler::Ticket Scheduler::Enqueue(const RobotId& robot, Work work, bool counted) {
-  queue_.Push(robot, {++last_ticket_, robot, std::move(work), counted});
   places_.Change(robot, WaitingOf(counted), +1);
+  try {
+    queue_.Push(robot, {++last_ticket_, robot, std::move(work), counted});
+  } catch (...) {
+    places_.Change(robot, WaitingOf(counted), -1);
+    throw;
+  }
   ++num_waiting_;
   changed_.notify_one();
   return last_ticket_;

@@ -85,8 +85,8 @@ class Scheduler {
   // thread has nothing to do. `this` must outlive what is returned.
   Upload Enter(const RobotId& robot, IfFull if_full = IfFull::kKeepPlace);
 
-  // Has `work` done when it is the robot's turn, or throws as Enter() does. What this displaces is
-  // told so before it returns.
+  // Has `work` done when it is the robot's turn, or throws as Enter() does, or for want of memory;
+  // then it is never done. What this displaces is told so before it returns.
   Ticket Submit(const RobotId& robot, Work work);
 
   // The same without limits, for those who have only one piece of work waiting at any time.
@@ -113,6 +113,7 @@ class Scheduler {
   void Stop();
   void OnSeen(const RobotId& robot);
   void FindRoom(const RobotId& robot, IfFull if_full = IfFull::kKeepPlace);
+  std::optional<RobotId> WhoMakesRoom(const RobotId& robot) const;
   std::optional<Job> Displace(const RobotId& robot);
   std::chrono::milliseconds RetryAfter(std::size_t ahead) const;
   Ticket Enqueue(const RobotId& robot, Work work, bool counted);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <string>
@@ -13,30 +14,43 @@
 
 namespace fovea::server {
 
-// Not thread-safe. Holds nothing of groups that wait for nothing.
+// Not thread-safe. Holds nothing of groups that wait for nothing. Without memory it is as
+// FairQueue.
 template <typename T>
 class TurnQueue {
  public:
   bool empty() const { return turns_.empty(); }
 
   void Push(const RobotId& robot, T item) {
-    FairQueue<T>& queue = groups_[robot.group];
-    if (queue.empty()) turns_.push_back(robot.group);
-    queue.Push(robot.name, std::move(item));
+    if (const auto group = groups_.find(robot.group); group != groups_.end()) {
+      group->second.Push(robot.name, std::move(item));
+      return;
+    }
+    turns_.push_back(robot.group);
+    try {
+      groups_[robot.group].Push(robot.name, std::move(item));
+    } catch (...) {
+      groups_.erase(robot.group);
+      turns_.pop_back();
+      throw;
+    }
   }
 
   // Of the first robot in turn that `may` says yes to; nothing where there is none.
   template <typename Predicate>
   std::optional<T> Pop(Predicate may) {
     for (auto turn = turns_.begin(); turn != turns_.end(); ++turn) {
-      const std::string group = *turn;
-      std::optional<T> item = groups_.at(group).Pop([&](const std::string& name) {
-        return may(RobotId{group, name});
+      const auto group = groups_.find(*turn);
+      std::optional<T> item = group->second.Pop([&](const std::string& name) {
+        return may(RobotId{group->first, name});
       });
       if (!item) continue;
-      turns_.erase(turn);
-      turns_.push_back(group);
-      ForgetIfEmpty(group);
+      if (group->second.empty()) {
+        groups_.erase(group);
+        turns_.erase(turn);
+      } else {
+        std::rotate(turn, std::next(turn), turns_.end());
+      }
       return item;
     }
     return std::nullopt;
@@ -58,14 +72,11 @@ class TurnQueue {
     const auto queue = groups_.find(group);
     if (queue == groups_.end()) return std::nullopt;
     std::optional<T> item = remove(queue->second);
-    ForgetIfEmpty(group);
+    if (queue->second.empty()) {
+      groups_.erase(queue);
+      turns_.erase(std::find(turns_.begin(), turns_.end(), group));
+    }
     return item;
-  }
-
-  void ForgetIfEmpty(const std::string& group) {
-    if (!groups_.at(group).empty()) return;
-    groups_.erase(group);
-    turns_.erase(std::find(turns_.begin(), turns_.end(), group));
   }
 
   std::map<std::string, FairQueue<T>> groups_;
