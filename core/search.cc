@@ -94,7 +94,11 @@ Search SearchInBlocks(const RgbdFrame& frame, const CameraIntrinsics& camera,
                                 CoverOf(scene, options.cover));
   counts.num_seeds = search.seeds.size();
   counts.num_voxels = scene.grid.voxels.size();
-  search.found.objects.resize(scene.grid.voxels.size(), 0);
+  // As if all were background, until something has been looked at.
+  for (std::vector<int>* of_voxels :
+       {&search.found.objects, &search.found.labels, &search.found.segments}) {
+    of_voxels->resize(scene.grid.voxels.size(), 0);
+  }
   const auto look_at = [&](const std::vector<char>& is_background) {
     clock.Begin("energy");
     const auto [energy, clusters] =

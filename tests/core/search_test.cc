@@ -80,6 +80,17 @@ TEST(Search, OfPortionsGivesEachObjectItsNumber) {
   ExpectANumberForEachObject(all.found);
 }
 
+// Traces tell of each voxel, also where the time ends before anything has been looked at.
+TEST(Search, LabelsAllVoxelsAsBackgroundWhereTheTimeEndsBeforeTheFirstPortion) {
+  const Searched all = SearchWith(kLittle, 0);
+  const Searched none = SearchWith(kLittle, all.asked - kAskedInAPortion + 1);
+  EXPECT_TRUE(none.incomplete);
+  const std::vector<int> background(all.found.labels.size(), 0);
+  EXPECT_EQ(none.found.labels, background);
+  EXPECT_EQ(none.found.segments, background);
+  EXPECT_EQ(none.found.objects, background);
+}
+
 TEST(Search, HasWhatItFoundInTimeInTheFirstPortions) {
   const Searched all = SearchWith(kHalf, 0);
   const std::vector<float>& of_all = all.found.confidences;
