@@ -81,11 +81,11 @@ void RefitToPixels(const PixelPoints& points, const PixelBlocks& blocks,
   result.support = supports.front().surface;
 }
 
-// The first stage of `clock` has begun.
+// `frame`: its depth as of MeasuredDepth. The first stage of `clock` has begun.
 ObjectSurroundings FindObjects(const RgbdFrame& frame, const DetectorOptions& options, Trace* trace,
                                TimeBudget& budget, StageClock& clock, Detections& result) {
   Diagnostics& counts = result.diagnostics;
-  const cv::Mat measured = MeasuredDepth(frame.depth_m);
+  const cv::Mat& measured = frame.depth_m;
   const cv::Mat depth = RemoveFlyingPixels(measured, frame.intrinsics.fx_px, frame.intrinsics.fy_px,
                                            options.flying_pixels);
   InterruptionPoint();
@@ -210,10 +210,12 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
   StageClock clock("depth");
   try {
     const bool in_time = budget.Suffices([&] {
+      RgbdFrame measured = frame;  // what no camera measures is none to all stages
+      measured.depth_m = MeasuredDepth(frame.depth_m);
       const ObjectSurroundings around =
-          options.paper ? paper::FindObjects(frame, *options.paper, trace, clock, result)
-                        : FindObjects(frame, options, trace, budget, clock, result);
-      AnswerRobot(frame, around, options, trace, clock, result);
+          options.paper ? paper::FindObjects(measured, *options.paper, trace, clock, result)
+                        : FindObjects(measured, options, trace, budget, clock, result);
+      AnswerRobot(measured, around, options, trace, clock, result);
     });
     if (!in_time) result = NothingYet(frame);
   } catch (Cancelled& cancelled) {

@@ -27,8 +27,7 @@ cv::Mat DepthWithin(const cv::Mat& depth_m, float nearest_m, float farthest_m) {
 }  // namespace
 
 cv::Mat MeasuredDepth(const cv::Mat& depth_m) {
-  constexpr float kNearest_m = 1e-3F, kFarthest_m = 1e4F;
-  return DepthWithin(depth_m, kNearest_m, kFarthest_m);
+  return DepthWithin(depth_m, kNearestMeasured_m, kFarthestMeasured_m);
 }
 
 cv::Mat DepthUpTo(const cv::Mat& depth_m, double limit_m) {

@@ -6,8 +6,13 @@
 
 namespace fovea {
 
-// A copy in which every value that no camera measures (below 1 mm, beyond 10 km, infinite) is NaN.
-// `depth_m`: CV_32FC1, metres.
+// What is nearer or farther no camera measures.
+inline constexpr float kNearestMeasured_m = 1e-3F, kFarthestMeasured_m = 1e4F;
+inline bool IsMeasured(float depth_m) {
+  return depth_m >= kNearestMeasured_m && depth_m <= kFarthestMeasured_m;
+}
+
+// A copy in which every value that is not measured is NaN. `depth_m`: CV_32FC1, metres.
 cv::Mat MeasuredDepth(const cv::Mat& depth_m);
 
 // Number of values that are not NaN. `depth_m`: CV_32FC1.

@@ -20,7 +20,7 @@ ObjectSurroundings FindObjects(const RgbdFrame& frame, const PaperOptions& optio
   Diagnostics& counts = result.diagnostics;
 
   // Section 1: the smoothed depth image and the point cloud.
-  const cv::Mat measured = MeasuredDepth(frame.depth_m);
+  const cv::Mat& measured = frame.depth_m;
   const cv::Mat depth = FillDepthHoles(measured, options.depth_fill);
   const cv::Mat points = BackProject(depth, frame.intrinsics, options.max_depth_m);
   counts.num_pixels = measured.total();

@@ -10,9 +10,9 @@
 
 namespace fovea::paper {
 
-// Fills `result` with the objects of a valid frame, and `trace`, if given, with the steps between
-// (paper sections 3.1 to 3.3). Returns what the objects stand in. The first stage of `clock` has
-// begun. Errors as of fovea::Detect.
+// Fills `result` with the objects of a valid frame, of depth as of MeasuredDepth, and `trace`, if
+// given, with the steps between (paper sections 3.1 to 3.3). Returns what the objects stand in. The
+// first stage of `clock` has begun. Errors as of fovea::Detect.
 ObjectSurroundings FindObjects(const RgbdFrame& frame, const PaperOptions& options, Trace* trace,
                                StageClock& clock, Detections& result);
 

@@ -5,6 +5,7 @@
 #include <opencv2/features2d.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "core/depth/measured_depth.h"
 #include "core/types/interruption.h"
 
 namespace fovea {
@@ -36,6 +37,7 @@ float SteadyDepth(const cv::Mat& depth_m, int x, int y) {
   const cv::Rect around(x - kReach_px, y - kReach_px, 2 * kReach_px + 1, 2 * kReach_px + 1);
   if ((around & cv::Rect({0, 0}, depth_m.size())) != around) return std::nanf("");
   const float depth = depth_m.at<float>(y, x);
+  if (!IsMeasured(depth)) return std::nanf("");
   for (int row = around.y; row < around.br().y; ++row) {
     for (int column = around.x; column < around.br().x; ++column) {
       const float other = depth_m.at<float>(row, column);

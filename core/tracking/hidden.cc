@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <opencv2/core.hpp>
 
+#include "core/depth/measured_depth.h"
 #include "core/types/projection.h"
 
 namespace fovea {
@@ -19,8 +20,9 @@ HiddenReason ReasonOf(const Sighting& expected, const RgbdFrame& frame) {
       ++outside;
       continue;
     }
-    const float behind_m =
-        frame.depth_m.at<float>(cvRound(pixel.y), cvRound(pixel.x)) - point.z();  // or NaN
+    const float seen_m = frame.depth_m.at<float>(cvRound(pixel.y), cvRound(pixel.x));
+    if (!IsMeasured(seen_m)) continue;
+    const float behind_m = seen_m - point.z();
     const float margin_m = kLeast_m + kOfDepth * point.z();
     if (behind_m < -margin_m) ++covered;
     if (behind_m > margin_m) ++gone;

@@ -107,6 +107,21 @@ double HighestCell(const RgbdFrame& frame, const DetectorOptions& options, Detec
   return highest;
 }
 
+TEST(Detect, TakesWhatNoCameraMeasuresForMissingDepth) {
+  constexpr float kInfinite = std::numeric_limits<float>::infinity();
+  DetectorOptions options = OptionsOfProfile("default");
+  options.choice.min_probability = 0;
+  for (const float none : {std::nanf(""), 0.0F, -1.0F, 1e-4F, 2e4F, kInfinite}) {
+    RgbdFrame frame = Table();
+    const cv::Rect mat(120, 90, 80, 50);
+    frame.color_rgb(mat).setTo(cv::Scalar::all(20));
+    frame.depth_m(mat).setTo(none);
+    const auto objects = Detect(frame, options).objects;
+    ASSERT_THAT(objects, SizeIs(1)) << none;
+    EXPECT_TRUE(objects[0].depth_missing) << none;
+  }
+}
+
 // Whether it is taken for a thing or not decides what planners are told of it.
 TEST(Detect, HeightMapsHaveWhatStandsInForMissingDepthOnlyWhereItIsAnObject) {
   RgbdFrame frame = Table();

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "tests/core/tracking/table_view.h"
@@ -123,6 +124,17 @@ TEST(Tracker, NothingIsGoneWhereTheCameraIsNotKnown) {
     ASSERT_THAT(HiddenIds(after), ElementsAre(1));
     EXPECT_EQ(after.tracking->hidden[0].reason,
               lost ? HiddenReason::kNotDetected : HiddenReason::kGone);
+  }
+}
+
+TEST(Tracker, NothingIsGoneOrCoveredWhereNothingIsMeasured) {
+  for (const float none : {std::nanf(""), 0.0F, 1e-4F, 2e4F}) {
+    Tracker tracker(1);
+    for (int i = 0; i < 2; ++i) View(0, i + 1).Add({0, 0, 0.8F}).TrackBy(tracker, PosedAt(0));
+    const Detections after =
+        View(0, 3).Cover({100, 60, 120, 120}, none).TrackBy(tracker, PosedAt(0));
+    ASSERT_THAT(HiddenIds(after), ElementsAre(1));
+    EXPECT_EQ(after.tracking->hidden[0].reason, HiddenReason::kNotDetected) << none;
   }
 }
 
