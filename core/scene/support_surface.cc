@@ -111,11 +111,13 @@ double MinArea_m2(const std::vector<Support>& supports, const std::vector<Eigen:
                                                            : options.min_area_m2;
 }
 
-// None if too little of the surface is seen.
+// None if too little of the surface is seen; or nothing, where most heights lie beside its
+// tolerance.
 std::optional<Support> SupportOn(const SupportSurface& surface,
                                  const std::vector<Eigen::Vector3f>& inliers, const cv::Mat& points,
                                  const std::vector<Support>& others,
                                  const SupportOptions& options) {
+  if (inliers.empty()) return std::nullopt;
   const double min_area_m2 = MinArea_m2(others, inliers, options);
   if (Footprint::LargestAreaM2(inliers, surface) < min_area_m2) return std::nullopt;
   const float tolerance_share = ToleranceShare(inliers, surface, options);

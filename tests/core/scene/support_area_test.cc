@@ -30,6 +30,22 @@ TEST(FindSupports, LeavesOutWhatIsTooSmallToCarry) {
   EXPECT_EQ(SupportsIn(cloud, options).size(), 3U);
 }
 
+// Close to the camera, where the tolerance is less than the interval of heights.
+TEST(FindSupports, LeavesOutWhatNoPointLiesOn) {
+  Cloud cloud;
+  cloud.AddRectangle(0.7F, -0.3F, 0.3F, 60, 30);
+  // Between two things most points have heights next to that of one, which is not in its middle.
+  cloud.AddRectangle(0.305F, -0.1F, 0.3F, 5, 4);
+  cloud.AddRectangle(0.2903F, 0, 0.3F, 1, 1);
+  cloud.AddRectangle(0.285F, 0.1F, 0.3F, 5, 4);
+  const auto supports = SupportsIn(cloud, {.tolerance_m = 0.004,
+                                           .tolerance_per_m = 0.006,
+                                           .max_surfaces = 4,
+                                           .footprint_margin_m = 0.1});
+  EXPECT_EQ(supports.size(), 3U);
+  for (const Support& support : supports) EXPECT_GT(support.surface.num_points, 0U);
+}
+
 // Side by side, boxes have tops as large as a small shelf.
 TEST(FindSupports, TopsInTheHeightOfObjectsMustBeLargerToCarry) {
   const auto count = [](float height_m, int depth_cm) {
