@@ -30,7 +30,7 @@ class PickBoard {
     std::string reason = {};  // why not
   };
 
-  // A pick that a stream has taken; told with `sent` what became of it, or that its stream ended.
+  // A pick that a stream has taken; told by OnSent() that it was sent, else its stream has ended.
   class Taken;
   using TakenPtr = std::unique_ptr<Taken>;
 
