@@ -213,6 +213,43 @@ TEST(Detect, TellsWhatItRejectedAndWhy) {
   EXPECT_THAT(found.diagnostics.messages, testing::Contains(testing::HasSubstr("considered")));
 }
 
+// Whose blocks are of several pixels.
+TEST(Detect, TellsWhereInPixelsItIsThatItRejected) {
+  DetectorOptions options = OptionsOfProfile("default");
+  options.voxels.size_m = 0.02;
+  const RgbdFrame frame = TabletopTruth().frame;
+  const auto objects = Detect(frame, options).objects;
+  ASSERT_FALSE(objects.empty());
+  options.choice.min_probability = 1;
+  const auto rejected = Detect(frame, options).rejected;
+  const cv::Rect& found = objects.front().bounds_px;
+  EXPECT_TRUE(std::any_of(rejected.begin(), rejected.end(), [&](const RejectedObject& other) {
+    return 2 * (other.bounds_px & found).area() > (other.bounds_px | found).area();
+  })) << found;
+}
+
+TEST(Detect, SaysThatAnImageOfOneColorShowsNothing) {
+  RgbdFrame frame = Tabletop();
+  frame.color_rgb.setTo(cv::Scalar(90, 60, 30));
+  const Detections found = Detect(frame, OptionsOfProfile("default"));
+  EXPECT_THAT(found.diagnostics.messages, Contains(HasSubstr("image shows nothing")));
+}
+
+TEST(Detect, WhatCarriesIsBlockedByWhatStandsOnIt) {
+  const RgbdFrame frame =
+      scenes::MakeFrame(scenes::RandomScene("stacked", 1), scenes::SensorKind::kIdeal, 1).frame;
+  const auto objects = Detect(frame, OptionsOfProfile("default")).objects;
+  int num_carried = 0;
+  for (const DetectedObject& object : objects) {
+    for (const int label : object.stands_on) {
+      if (label == 0) continue;
+      ++num_carried;
+      EXPECT_THAT(objects[static_cast<std::size_t>(label) - 1].blocked_by, Contains(object.label));
+    }
+  }
+  EXPECT_GT(num_carried, 0);
+}
+
 TEST_P(Detector, StopsBetweenStages) {
   int asked = 0;
   try {
