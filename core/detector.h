@@ -23,8 +23,10 @@ namespace fovea {
 // of noise in every pixel; the first call of a process takes some 100 for OpenCV's tables of
 // colours).
 //
-// Throws std::invalid_argument for a frame or options that do not validate, Cancelled, which
-// names the stage and what those took so far, when stopped. Cost: see docs/performance.md.
+// Throws std::invalid_argument for a frame or options that do not validate, TooComplex
+// (core/types/too_complex.h) for one with more segments or hypotheses than the method holds, and
+// Cancelled, which names the stage and what those took so far, when stopped. Cost: see
+// docs/performance.md.
 Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace* trace = nullptr,
                   const std::function<bool()>& should_stop = {});
 
