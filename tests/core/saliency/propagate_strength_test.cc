@@ -36,7 +36,7 @@ struct Pattern {
   friend void PrintTo(const Pattern& pattern, std::ostream* out) { *out << pattern.name; }
 };
 
-class StrengthOfPattern : public testing::TestWithParam<Pattern> {};
+class StrengthOfPattern : public ::testing::TestWithParam<Pattern> {};
 
 TEST_P(StrengthOfPattern, HasTheBitsOfTheLiteralIteration) {
   const std::vector<cv::Size> sizes{{1, 1},  {1, 9},   {9, 1},   {2, 2},   {3, 3},
@@ -46,7 +46,7 @@ TEST_P(StrengthOfPattern, HasTheBitsOfTheLiteralIteration) {
   for (const cv::Size& size : sizes) {
     const cv::Mat channel = GetParam().generate(size, random);
     for (int scale = 1; scale <= 4; ++scale) {
-      SCOPED_TRACE(testing::Message() << size << " scale " << scale);
+      SCOPED_TRACE(::testing::Message() << size << " scale " << scale);
       ExpectSameBits(PropagateStrength(channel, scale), LiteralStrength(channel, scale));
     }
   }
@@ -59,10 +59,10 @@ TEST_P(StrengthOfPattern, HasTheBitsOfTheLiteralIterationAtTheLargestScale) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Patterns, StrengthOfPattern,
-                         testing::Values(Pattern{"Noise", testing::Noise},
-                                         Pattern{"Gradient", testing::Gradient},
-                                         Pattern{"Plateaus", testing::Plateaus},
-                                         Pattern{"Spiral", testing::Spiral}),
+                         ::testing::Values(Pattern{"Noise", testing::Noise},
+                                           Pattern{"Gradient", testing::Gradient},
+                                           Pattern{"Plateaus", testing::Plateaus},
+                                           Pattern{"Spiral", testing::Spiral}),
                          [](const auto& instance) { return instance.param.name; });
 
 TEST(PropagateStrength, IsOneEverywhereOnAConstantChannel) {
@@ -73,7 +73,7 @@ TEST(PropagateStrength, IsOneEverywhereOnAConstantChannel) {
 TEST(PropagateStrength, FallsByTheContrastOfAStep) {
   const cv::Rect patch(6, 6, 8, 8);
   for (int contrast = 0; contrast <= 255; ++contrast) {
-    SCOPED_TRACE(testing::Message() << "contrast " << contrast);
+    SCOPED_TRACE(::testing::Message() << "contrast " << contrast);
     cv::Mat channel = cv::Mat::zeros(20, 20, CV_8U);
     channel(patch) = contrast;
     cv::Mat expected = cv::Mat::ones(20, 20, CV_32F);

@@ -15,7 +15,7 @@ namespace {
 
 using testing::LiteralSaliency;
 
-class SaliencyOfImage : public testing::TestWithParam<std::string> {};
+class SaliencyOfImage : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(SaliencyOfImage, IsTheNormalizedSumOverScalesAndChannels) {
   const auto rgb = testing::ReadColor(GetParam());
@@ -28,8 +28,8 @@ TEST_P(SaliencyOfImage, IsTheNormalizedSumOverScalesAndChannels) {
 }
 
 INSTANTIATE_TEST_SUITE_P(RealImages, SaliencyOfImage,
-                         testing::Values("osd/learn0_color.png", "osd/learn33_color.png",
-                                         "osd/test56_color.png", "floor/floor1_color.png"),
+                         ::testing::Values("osd/learn0_color.png", "osd/learn33_color.png",
+                                           "osd/test56_color.png", "floor/floor1_color.png"),
                          [](const auto& instance) {
                            const std::string& name = instance.param;
                            return name.substr(name.find('/') + 1,
