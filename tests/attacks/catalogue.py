@@ -32,8 +32,8 @@ def be_an_attacker() -> None:
 LONGEST = 45.0  # seconds; one attacker among many may get no processor for a while
 
 
-def run_attack(name: str, target: Target, seconds: float) -> Tally:
-    """For so long, and on until it was an attack."""
+def run_attack(name: str, target: Target, seconds: float, must: tuple[str, ...] = ()) -> Tally:
+    """For so long, and on until it was an attack, and what `must` names has come of it, too."""
     attack = CATALOGUE[name]
     network = 1 + list(CATALOGUE).index(name)
     give_up = time.monotonic() + max(seconds, LONGEST)
@@ -41,5 +41,5 @@ def run_attack(name: str, target: Target, seconds: float) -> Tally:
     while True:
         until = time.monotonic() + seconds
         tally.update(attack.run(replace(target, until=until, network=network)))
-        if all(tally[what] for what in attack.must) or time.monotonic() >= give_up:
+        if all(tally[what] for what in (*attack.must, *must)) or time.monotonic() >= give_up:
             return tally

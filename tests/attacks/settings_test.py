@@ -26,8 +26,8 @@ def siege(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Siege]:
     made.close()
 
 
-def hold(siege: Siege, server: Besieged, attack: str, seconds: float) -> Tally:
-    outcome = siege.lay(server, [CATALOGUE[attack]], seconds)
+def hold(siege: Siege, server: Besieged, attack: str, seconds: float, *must: str) -> Tally:
+    outcome = siege.lay(server, [CATALOGUE[attack]], seconds, must)
     print(outcome)
     assert not outcome.faults
     assert server.stop() == 0
@@ -37,12 +37,12 @@ def hold(siege: Siege, server: Besieged, attack: str, seconds: float) -> Tally:
 def test_frames_that_cost_too_much_are_cut_off(siege: Siege, tmp_path: Path) -> None:
     # Some forty times what the good robot's frame takes, and a fraction of what the attack's do.
     with Besieged(SERVER, "open", tmp_path, "--max-compute-ms", "1000") as server:
-        assert hold(siege, server, "extreme-options", 20)["cut off"] > 0
+        assert hold(siege, server, "extreme-options", 8, "cut off")["cut off"] > 0
 
 
 def test_options_that_are_not_allowed_are_refused(siege: Siege, tmp_path: Path) -> None:
     with Besieged(SERVER, "open", tmp_path, "--client-options", "safe") as server:
-        tally = hold(siege, server, "extreme-options", 10)
+        tally = hold(siege, server, "extreme-options", 5, "not allowed")
     assert tally["not allowed"] > 0
     assert tally["cut off"] == 0
 

@@ -60,15 +60,22 @@ class Siege:
         self._attackers.shutdown(cancel_futures=True)
         self._robot.shutdown(cancel_futures=True)
 
-    def lay(self, server: Besieged, attacks: Sequence[Attack], seconds: float) -> Outcome:
-        """Runs the attacks at once for so long, beside a good robot, and looks at what is left."""
+    def lay(
+        self,
+        server: Besieged,
+        attacks: Sequence[Attack],
+        seconds: float,
+        must: tuple[str, ...] = (),
+    ) -> Outcome:
+        """Runs the attacks at once for so long, and until `must`, beside a good robot, and looks at
+        what is left."""
         if server not in self._warm:  # gRPC has made its threads
             self._serve(server, 0)
             self._warm.append(server)
         before, log_before = server.usage(), server.log_bytes
         target = server.target(self._request)
         running = {
-            each.name: self._attackers.submit(run_attack, each.name, target, seconds)
+            each.name: self._attackers.submit(run_attack, each.name, target, seconds, must)
             for each in attacks
         }
         report = self._serve(server, seconds)

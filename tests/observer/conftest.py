@@ -176,7 +176,7 @@ class Sending:
         self._thread = threading.Thread(target=self._run, args=(robots, robot, frame))
 
     def _run(self, robots: Robots, robot: str, frame: fovea.Frame) -> None:
-        while not self._stop.wait(0.05):
+        while not self._stop.wait(0.2):
             robots.detect(robot, frame)
 
     def __enter__(self) -> Sending:
