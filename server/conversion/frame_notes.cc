@@ -182,9 +182,12 @@ std::optional<std::string> OddCameraPose(const v1::Frame& frame, const Detection
 }
 
 std::optional<std::string> OddDepth(const cv::Mat& depth_m, const v1::DepthImage& depth) {
-  constexpr double kNear_m = 0.1, kMaxNear = 0.5;
+  constexpr double kNear_m = 0.1, kMaxNear = 0.5, kAll = 0.99;
   const DepthClasses classes(depth_m);
-  if (const auto lone = classes.LoneValue()) {
+  const double near = classes.ShareBelow(kNear_m);
+  // Metres in integers have a few values, all of them alone.
+  const auto lone = near > kAll ? std::nullopt : classes.LoneValue();
+  if (lone) {
     return fmt::format(
         "{:.0f} % of the pixels have a depth of exactly {:g} m, and hardly any one near it: if "
         "that "
@@ -195,7 +198,7 @@ std::optional<std::string> OddDepth(const cv::Mat& depth_m, const v1::DepthImage
     return "the largest value of depth is 255, as if it had been a picture of 8 bits: depth must "
            "have 16 bits, in units of frame.depth.unit_m";
   }
-  if (classes.ShareBelow(kNear_m) > kMaxNear) {
+  if (near > kMaxNear) {
     return fmt::format(
         "more than half of the measured depth is nearer than {:g} m, where hardly any camera "
         "measures: check the depth unit, and that it is depth, not disparity",

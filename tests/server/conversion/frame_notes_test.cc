@@ -153,6 +153,12 @@ TEST(FrameNotes, DepthThatIsTooNear) {
   EXPECT_THAT(NotesOf(frame), IsEmpty());
 }
 
+TEST(FrameNotes, MetresInIntegers) {
+  cv::Mat depth;
+  Floor().convertTo(depth, CV_16UC1, 0.001);  // 1 and 2
+  EXPECT_THAT(NotesOf(depth), ElementsAre(HasSubstr("nearer than 0.1 m")));
+}
+
 // Camera to a frame whose z axis is up, of a camera that is turned to the left by `yaw_rad` and
 // looks down by `pitch_rad`.
 Eigen::Quaterniond UprightPose(double yaw_rad, double pitch_rad) {
