@@ -222,7 +222,8 @@ Detections Detect(const RgbdFrame& frame, const DetectorOptions& options, Trace*
     cancelled.stage_times = clock.TimesUntilNow();
     throw;
   }
-  result.diagnostics.messages = ExplainLosses(result, region != RegionOptions());
+  result.diagnostics.messages = ExplainLosses(
+      result, {.region = region != RegionOptions(), .place = options.place.has_value()});
   result.grippers = options.grippers;
   result.stage_times = clock.TimesUntilNow();
   return result;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace fovea {
@@ -16,7 +18,7 @@ std::string DepthLoss(const Diagnostics& d) {
     return "no pixel has depth: check that depth is sent, its encoding and its unit";
   }
   if (d.num_too_far == d.num_measured) {
-    return "every measured depth is beyond max_depth_m: check the depth unit";
+    return "every measured depth is beyond max_depth_m: check the depth unit, or raise it";
   }
   if (2 * d.num_points < d.num_measured) {
     if (2 * d.num_too_far > d.num_measured) {
@@ -29,6 +31,33 @@ std::string DepthLoss(const Diagnostics& d) {
   const double measured = Percent(d.num_measured, d.num_pixels);
   if (measured < 20) return fmt::format("only {:.1f} % of the pixels have depth", measured);
   return "";
+}
+
+// An estimate begins at cameras that are rolled by 30 degrees at most; of one that looks straight
+// down or up there is no roll.
+std::string OddGravity(const Gravity& gravity) {
+  constexpr double kMinLevel = 0.35, kMaxRoll_deg = 45;
+  const double x = gravity.direction.x(), y = gravity.direction.y();
+  if (gravity.source != Gravity::Source::kEstimated || std::hypot(x, y) < kMinLevel) return "";
+  const double roll_deg = std::abs(std::atan2(x, y)) * 180 / std::numbers::pi;
+  if (roll_deg <= kMaxRoll_deg) return "";
+  return fmt::format(
+      "gravity as it was estimated has the camera rolled by {:.0f} degrees, where estimates are "
+      "unreliable: give frame.gravity; if the camera is upright, check that depth is not "
+      "disparity, "
+      "upside down or of another frame",
+      roll_deg);
+}
+
+std::string NoSupport(const Gravity& gravity) {
+  const char* const of_gravity =
+      gravity.source == Gravity::Source::kGiven
+          ? "frame.gravity does not point down in the camera frame (x right, y down, z forward)"
+          : "gravity was estimated wrongly (frame.gravity says it)";
+  return fmt::format(
+      "no support surface was found: no level surface is large enough, or {}, or the depth unit or "
+      "the intrinsics are wrong",
+      of_gravity);
 }
 
 std::string SeedLoss(const Diagnostics& d, bool has_region) {
@@ -71,7 +100,7 @@ std::vector<std::string> SegmentLosses(const Diagnostics& d) {
 
 }  // namespace
 
-std::vector<std::string> ExplainLosses(const Detections& detections, bool has_region) {
+std::vector<std::string> ExplainLosses(const Detections& detections, const Asked& asked) {
   if (detections.incomplete) {
     return {
         "the time budget ended before all of the frame was looked at, what is most salient first: "
@@ -88,17 +117,19 @@ std::vector<std::string> ExplainLosses(const Detections& detections, bool has_re
     say("the colour image shows nothing (too dark, or of one colour): objects are told apart by "
         "their depth alone");
   }
-  if (!detections.support) {
-    say("no support surface was found: no level surface is large enough, or gravity or the depth "
-        "unit is wrong");
-  }
-  say(SeedLoss(d, has_region));
+  say(OddGravity(detections.gravity));
+  if (!detections.support) say(NoSupport(detections.gravity));
+  say(SeedLoss(d, asked.region));
   if (d.objects_less_salient > 0) {
     say(fmt::format("{} less salient objects were left out, as objects.max_objects asks for",
                     d.objects_less_salient));
   }
   if (d.num_seeds > 0 && detections.objects.empty()) {
     for (std::string& loss : SegmentLosses(d)) say(std::move(loss));
+  }
+  if (asked.place && detections.support && detections.free_places.empty()) {
+    say("there is no free place of the size that was asked for, with its margin, on what was seen "
+        "of the support surfaces");
   }
   return messages;
 }

@@ -8,9 +8,14 @@
 
 namespace fovea {
 
+// What was asked for beside the objects.
+struct Asked {
+  bool region = false;  // only a part of the scene is looked at
+  bool place = false;   // to put something down
+};
+
 // One sentence for each step that left little or nothing, the most telling first; empty where
-// nothing is unusual. Looks at everything in `detections` but the messages. `has_region`: only a
-// part of the scene was to be looked at.
-std::vector<std::string> ExplainLosses(const Detections& detections, bool has_region = false);
+// nothing is unusual. Looks at everything in `detections` but the messages.
+std::vector<std::string> ExplainLosses(const Detections& detections, const Asked& asked = {});
 
 }  // namespace fovea

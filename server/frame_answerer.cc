@@ -13,6 +13,7 @@
 #include "server/conversion/detections.h"
 #include "server/conversion/field_error.h"
 #include "server/conversion/frame.h"
+#include "server/conversion/frame_notes.h"
 #include "server/conversion/options.h"
 #include "server/conversion/trace.h"
 #include "server/log_exception.h"
@@ -237,6 +238,7 @@ Detections FrameAnswerer::Compute(const FrameRequest& request, const Asker& aske
     whole.emplace(nullptr);  // what the next ones' tracks hold was answered
     request.tracker->Add(*request.frame, request.options->tracking(), frame, detections, times);
   }
+  if (const auto note = OddCameraPose(*request.frame, detections)) losses.push_back(*note);
   EnterStage("lens");
   if (lens) DistortAnswer(*lens, detections, *trace);
   std::vector<std::string>& messages = detections.diagnostics.messages;

@@ -15,9 +15,11 @@
 #include "client/cli/batch.h"
 #include "client/cli/bundled_frames.h"
 #include "client/cli/explain.h"
+#include "client/cli/files.h"
 #include "client/cli/intrinsics_flag.h"
 #include "client/cli/output_check.h"
 #include "client/cli/progress.h"
+#include "client/cli/registration_check.h"
 #include "client/cli/report.h"
 #include "client/client.h"
 
@@ -104,6 +106,24 @@ std::string NameOf(const std::string& color_path) {
   return end == std::string::npos || end == 0 ? stem : stem.substr(0, end);
 }
 
+// Said beside the answer, which does not show it: masks lie on what depth shows.
+void NoteShift(const v1::DetectRequest& request, const FrameFiles& files) {
+  const v1::Frame& frame = request.frame();
+  if (frame.has_color_from_depth()) return;
+  std::optional<cv::Point> shift;
+  try {
+    shift = ShiftOfDepth(DecodeColor(frame.color().data(), files.color_path),
+                         DecodeDepth(frame.depth().data(), files.depth_path));
+  } catch (const std::exception&) {
+    return;  // the server could read them, and has answered
+  }
+  if (!shift) return;
+  PrintNote(fmt::format(
+      "depth seems to lie {} px to the {} of colour: if it is not registered to colour, "
+      "--depth-intrinsics with --color-from-depth have it registered",
+      std::abs(shift->x), shift->x > 0 ? "right" : "left"));
+}
+
 int DetectOne(const DetectFlags& flags, const client::Client& client) {
   FrameSettings settings = SettingsOf(flags);
   settings.depth_unit_m = flags.depth_unit_m.value_or(kMillimetre);
@@ -133,6 +153,7 @@ int DetectOne(const DetectFlags& flags, const client::Client& client) {
   const bool to_stdout = outputs.json == kStandardOutput;
   (to_stdout ? std::cerr : std::cout)
       << files.id << ": " << Report(response.detections(), took.count());
+  NoteShift(request, files);
   if (to_stdout) std::cout << JsonLine(outputs, request, response.detections());
   WriteOutputs(outputs, files, settings, request, response.detections());
   return EXIT_SUCCESS;

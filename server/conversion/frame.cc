@@ -10,6 +10,7 @@
 #include "core/lens/undistortion.h"
 #include "server/conversion/depth_camera.h"
 #include "server/conversion/field_error.h"
+#include "server/conversion/frame_notes.h"
 #include "server/conversion/geometry.h"
 #include "server/conversion/image.h"
 #include "server/conversion/intrinsics.h"
@@ -63,15 +64,8 @@ void RequireSameSize(const cv::Mat& color, const cv::Mat& depth) {
                    "frame.depth_intrinsics and frame.color_from_depth are needed");
 }
 
-// Parts of a larger image may have theirs outside; who mixed up the order has it there as well.
-void NoteOddCenter(const CameraIntrinsics& k, const cv::Size& size,
-                   std::vector<std::string>* messages) {
-  const bool is_inside =
-      k.cx_px >= 0 && k.cy_px >= 0 && k.cx_px <= size.width && k.cy_px <= size.height;
-  if (is_inside) return;
-  messages->emplace_back(
-      "the optical axis (cx, cy of frame.intrinsics) meets the image outside of it: unless it is a "
-      "part of a larger one, check the order of fx, fy, cx, cy, and for which size they are");
+void Say(const std::optional<std::string>& note, std::vector<std::string>* messages) {
+  if (note && messages != nullptr) messages->push_back(*note);
 }
 
 }  // namespace
@@ -88,11 +82,14 @@ RgbdFrame FromProto(const v1::Frame& frame, std::uint64_t max_pixels,
 
   result.color_rgb = ColorFromProto(frame.color(), max_pixels);
   RequirePlausible(result.intrinsics, result.color_rgb.size(), "frame.intrinsics");
-  if (messages != nullptr) NoteOddCenter(result.intrinsics, result.color_rgb.size(), messages);
+  Say(OddIntrinsics(result.intrinsics, result.color_rgb.size(), "frame.intrinsics"), messages);
   const std::optional<Lens> of_color =
       LensFromProto(frame.intrinsics(), result.color_rgb.size(), "frame.intrinsics");
   result.depth_m = DepthFromProto(frame.depth(), max_pixels);
+  Say(OddDepth(result.depth_m, frame.depth()), messages);
   if (depth_camera) {
+    Say(OddIntrinsics(depth_camera->intrinsics, result.depth_m.size(), "frame.depth_intrinsics"),
+        messages);
     RegisteredDepth registered = Register(result.depth_m, *depth_camera, result.intrinsics,
                                           result.color_rgb.size(), messages);
     result.depth_m = std::move(registered.depth_m);

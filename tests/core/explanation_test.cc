@@ -6,6 +6,7 @@
 namespace fovea {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -43,7 +44,9 @@ TEST(ExplainLosses, AllTooFarExplainsAllElse) {
   detections.diagnostics.num_pixels = 1000;
   detections.diagnostics.num_measured = 800;
   detections.diagnostics.num_too_far = 800;
-  EXPECT_THAT(ExplainLosses(detections), ElementsAre(HasSubstr("every measured depth is beyond")));
+  EXPECT_THAT(
+      ExplainLosses(detections),
+      ElementsAre(AllOf(HasSubstr("every measured depth is beyond"), HasSubstr("or raise it"))));
 }
 
 TEST(ExplainLosses, MostlyTooFarIsNotCalledUnmeasured) {
@@ -65,12 +68,14 @@ TEST(ExplainLosses, WhatIsLeftOutAsNoiseIsNotCalledTooFar) {
 TEST(ExplainLosses, WhereNothingIsASeedTheRegionIsNamed) {
   Detections detections = Usual();
   detections.diagnostics.num_seeds = 0;
-  EXPECT_THAT(ExplainLosses(detections, false), ElementsAre(Not(HasSubstr("region"))));
-  EXPECT_THAT(ExplainLosses(detections, true), ElementsAre(HasSubstr("outside of region.*")));
+  EXPECT_THAT(ExplainLosses(detections), ElementsAre(Not(HasSubstr("region"))));
+  EXPECT_THAT(ExplainLosses(detections, {.region = true}),
+              ElementsAre(HasSubstr("outside of region.*")));
   detections.diagnostics.seeds_from_color = 0;
   detections.diagnostics.seeds_from_depth = 0;
-  EXPECT_THAT(ExplainLosses(detections, false), ElementsAre(Not(HasSubstr("region"))));
-  EXPECT_THAT(ExplainLosses(detections, true), ElementsAre(HasSubstr("within region.*")));
+  EXPECT_THAT(ExplainLosses(detections), ElementsAre(Not(HasSubstr("region"))));
+  EXPECT_THAT(ExplainLosses(detections, {.region = true}),
+              ElementsAre(HasSubstr("within region.*")));
 }
 
 TEST(ExplainLosses, SeedsMayComeFromElsewhere) {
@@ -98,6 +103,47 @@ TEST(ExplainLosses, NoSupport) {
   Detections detections = Usual();
   detections.support.reset();
   EXPECT_THAT(ExplainLosses(detections), ElementsAre(HasSubstr("no support surface was found")));
+}
+
+TEST(ExplainLosses, NoSupportNamesWhatMayBeWrong) {
+  Detections detections = Usual();
+  detections.support.reset();
+  EXPECT_THAT(ExplainLosses(detections),
+              ElementsAre(AllOf(HasSubstr("gravity was estimated wrongly (frame.gravity says it)"),
+                                HasSubstr("the depth unit or the intrinsics"))));
+  detections.gravity.source = Gravity::Source::kGiven;
+  EXPECT_THAT(ExplainLosses(detections),
+              ElementsAre(HasSubstr("frame.gravity does not point down in the camera frame")));
+}
+
+TEST(ExplainLosses, GravityOfAnUprightCameraIsNotDoubted) {
+  Detections detections = Usual();
+  for (const Eigen::Vector3f& down :
+       {Eigen::Vector3f(0, 1, 0), Eigen::Vector3f(0.55F, 0.8F, 0.2F), Eigen::Vector3f(0, 0, 1),
+        Eigen::Vector3f(0.2F, -0.2F, 0.96F), Eigen::Vector3f(-0.5F, 0.6F, -0.6F)}) {
+    detections.gravity.direction = down.normalized();
+    EXPECT_THAT(ExplainLosses(detections), IsEmpty()) << down.transpose();
+  }
+}
+
+TEST(ExplainLosses, GravityThatWasEstimatedToOneSideIsDoubted) {
+  Detections detections = Usual();
+  detections.gravity.direction = Eigen::Vector3f(0, -0.67F, 0.74F).normalized();
+  EXPECT_THAT(ExplainLosses(detections), ElementsAre(HasSubstr("rolled by 180 degrees")));
+  detections.gravity.direction = Eigen::Vector3f(-0.8F, 0, 0.6F);
+  EXPECT_THAT(ExplainLosses(detections), ElementsAre(AllOf(HasSubstr("rolled by 90 degrees"),
+                                                           HasSubstr("give frame.gravity"))));
+  detections.gravity.source = Gravity::Source::kGiven;
+  EXPECT_THAT(ExplainLosses(detections), IsEmpty());
+}
+
+TEST(ExplainLosses, NoFreePlaceIsSaidToWhoAskedForOne) {
+  Detections detections = Usual();
+  EXPECT_THAT(ExplainLosses(detections), IsEmpty());
+  EXPECT_THAT(ExplainLosses(detections, {.place = true}),
+              ElementsAre(HasSubstr("there is no free place of the size")));
+  detections.free_places.resize(1);
+  EXPECT_THAT(ExplainLosses(detections, {.place = true}), IsEmpty());
 }
 
 TEST(ExplainLosses, NothingStandsOut) {

@@ -43,9 +43,9 @@ def make_depth_image(
     depth: Any, encoding: str = "raw", unit_m: float | None = None
 ) -> frame_pb2.DepthImage:
     """HxW uint16 in units of `unit_m` metres (None: 0.001) with 0 = not measured, or any integers
-    that fit into it (Pillow 9 reads 16-bit PNG files as int32); or HxW float32 in metres, where NaN
-    or <= 0 = not measured, without `unit_m`; or the bytes of a 16-bit PNG file, which are sent as
-    they are. What a masked array masks is not measured.
+    that fit into it (Pillow 9 reads 16-bit PNG files as int32; of 8 bits only with `unit_m`); or
+    HxW float32 in metres, where NaN or <= 0 = not measured, without `unit_m`; or the bytes of a
+    16-bit PNG file, which are sent as they are. What a masked array masks is not measured.
 
     encoding: "raw", "zstd" or "png" (uint16 only). All are lossless.
     """
@@ -54,6 +54,7 @@ def make_depth_image(
     if isinstance(depth, np.ma.MaskedArray):
         depth = _filled(depth)
     if isinstance(depth, np.ndarray) and np.issubdtype(depth.dtype, np.integer):
+        _require_16_bits(depth, unit_m)
         depth = _as_uint16(depth)
     _require_array(depth, _DEPTH, ("uint16", "float32"), "HxW uint16 or float32")
     if depth.ndim != 2:
@@ -100,6 +101,16 @@ def _filled(depth: Any) -> Any:
     if depth.dtype.kind not in "iuf":
         return depth  # and is refused
     return depth.filled(np.nan if depth.dtype.kind == "f" else 0)
+
+
+def _require_16_bits(depth: Any, unit_m: float | None) -> None:
+    """Pictures of depth have 8 bits; whoever has depth of 8 bits knows its unit."""
+    if depth.dtype.itemsize == 1 and depth.ndim == 2 and unit_m is None:
+        raise InvalidArgument(
+            _DEPTH,
+            f"is an array of {depth.dtype.name}, in millimetres nothing beyond 0.255 m: a picture "
+            "of depth? Give uint16 or float32, or depth_unit_m with it",
+        )
 
 
 def _as_uint16(depth: Any) -> Any:

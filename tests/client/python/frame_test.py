@@ -81,6 +81,12 @@ def test_takes_depth_of_other_integers(client: fovea.Client, scene: Scene) -> No
         assert_same(client.detect_frame(scene.frame(depth=scene.depth.astype(kind))), wanted)
 
 
+def test_takes_depth_of_8_bits_whose_unit_is_said(scene: Scene) -> None:
+    coarse = (scene.depth // 20).astype(np.uint8)
+    frame = scene.frame(depth=coarse, depth_unit_m=0.02)
+    assert frame.to_proto().depth.data == coarse.astype("<u2").tobytes()
+
+
 @pytest.mark.parametrize(
     ("kind", "encoding"),
     [(np.uint16, "raw"), (np.uint16, "png"), (np.int32, "raw"), (np.float32, "raw")],
