@@ -44,8 +44,7 @@ std::string OddGravity(const Gravity& gravity) {
   return fmt::format(
       "gravity as it was estimated has the camera rolled by {:.0f} degrees, where estimates are "
       "unreliable: give frame.gravity; if the camera is upright, check that depth is not "
-      "disparity, "
-      "upside down or of another frame",
+      "disparity, upside down or of another frame",
       roll_deg);
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/lens/undistortion.h"
 #include "server/conversion/depth_camera.h"
+#include "server/conversion/depth_notes.h"
 #include "server/conversion/field_error.h"
 #include "server/conversion/frame_notes.h"
 #include "server/conversion/geometry.h"

@@ -1,7 +1,8 @@
 // What is odd about a frame and may be right all the same: people are told, nothing is refused.
+// What is odd about its depth: depth_notes.h.
 #pragma once
 
-#include <opencv2/core/mat.hpp>
+#include <opencv2/core/types.hpp>
 #include <optional>
 #include <string>
 
@@ -15,10 +16,6 @@ namespace fovea::server {
 // another order or unit. `path`: of the field, "frame.intrinsics".
 std::optional<std::string> OddIntrinsics(const CameraIntrinsics& intrinsics, const cv::Size& size,
                                          const std::string& path);
-
-// That hardly any camera measures such depth: in another unit, of 8 bits, or with a number for
-// "not measured". `depth_m`: `depth` in metres, as it was sent; NaN = not measured.
-std::optional<std::string> OddDepth(const cv::Mat& depth_m, const v1::DepthImage& depth);
 
 // That the pose of the camera is in another convention: with it gravity is askew in the frame that
 // it is given in, and is not if it is read another way.
