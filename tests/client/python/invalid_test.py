@@ -48,7 +48,11 @@ LOCAL: list[tuple[dict[str, Any], str, str]] = [
     ({"depth": np.zeros((240, 320))}, "frame.depth", "float64, not HxW uint16 or float32"),
     ({"depth": np.full((240, 320), -1, np.int32)}, "frame.depth", "values from -1 to -1, which"),
     ({"depth": np.full((240, 320), 65536)}, "frame.depth", "int64 with values from 65536 to 65536"),
-    ({"depth": np.ones((240, 320), np.uint8)}, "frame.depth", "uint8, in millimetres nothing beyond"),
+    (
+        {"depth": np.ones((240, 320), np.uint8)},
+        "frame.depth",
+        "uint8, in millimetres nothing beyond",
+    ),
     ({"depth": np.zeros((320, 240), np.uint16)}, "frame.depth", "is 240x320, colour is 320x240"),
     ({"depth": None}, "frame.depth", "is NoneType"),
     ({"depth": b"\xff\xd8\xff"}, "frame.depth.data", "not a PNG"),
