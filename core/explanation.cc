@@ -36,11 +36,11 @@ std::string DepthLoss(const Diagnostics& d) {
 // An estimate begins at cameras that are rolled by 30 degrees at most; of one that looks straight
 // down or up there is no roll.
 std::string OddGravity(const Gravity& gravity) {
-  constexpr double kMinLevel = 0.35, kMaxRoll_deg = 45;
+  constexpr double kMinLevel = 0.35, kMaxRollDeg = 45;
   const double x = gravity.direction.x(), y = gravity.direction.y();
   if (gravity.source != Gravity::Source::kEstimated || std::hypot(x, y) < kMinLevel) return "";
   const double roll_deg = std::abs(std::atan2(x, y)) * 180 / std::numbers::pi;
-  if (roll_deg <= kMaxRoll_deg) return "";
+  if (roll_deg <= kMaxRollDeg) return "";
   return fmt::format(
       "gravity as it was estimated has the camera rolled by {:.0f} degrees, where estimates are "
       "unreliable: give frame.gravity; if the camera is upright, check that depth is not "

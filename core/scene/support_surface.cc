@@ -48,7 +48,7 @@ std::vector<Eigen::Vector3f> PointsAbove(const cv::Mat& points, const SupportSur
   constexpr int kStep_px = 4;
   const auto max_height_m = static_cast<float>(options.max_height_m);
   std::vector<Eigen::Vector3f> above;
-  above.reserve(points.total() / (kStep_px * kStep_px));
+  above.reserve(points.total() / kStep_px / kStep_px);
   for (int row = 0; row < points.rows; row += kStep_px) {
     InterruptionPoint();
     for (int col = 0; col < points.cols; col += kStep_px) {

@@ -12,6 +12,7 @@ struct RobotId {
   std::string group;
   std::string name;
 
+  // NOLINTNEXTLINE(modernize-use-nullptr): of the 0 that comparisons are made with
   auto operator<=>(const RobotId&) const = default;
 };
 
