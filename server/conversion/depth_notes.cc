@@ -19,10 +19,11 @@ namespace {
 class DepthClasses {
  public:
   explicit DepthClasses(const cv::Mat& depth_m) {
-    constexpr int kStep = 2;  // a quarter of the pixels tells as much
-    for (int row = 0; row < depth_m.rows; row += kStep) {
+    constexpr int kColumns = 320;  // tell as much as all of a larger image
+    const int step = std::max(2, depth_m.cols / kColumns);
+    for (int row = 0; row < depth_m.rows; row += step) {
       const float* depth = depth_m.ptr<float>(row);
-      for (int col = 0; col < depth_m.cols; col += kStep) Add(depth[col]);
+      for (int col = 0; col < depth_m.cols; col += step) Add(depth[col]);
     }
   }
 
