@@ -46,8 +46,8 @@ cv::Mat EdgesOfColor(const cv::Mat& color) {
   cv::Mat change = cv::max(cv::max(changes[0], changes[1]), changes[2]);
   cv::Mat counts, ranks(1, 256, CV_8UC1);
   cv::calcHist(std::vector{change}, {0}, {}, counts, {256}, {0, 256});
-  // With half of those that are equal, which OpenCV's equalizeHist leaves out: shifts of images that
-  // are flat for the most part were missed so.
+  // With half of those that are equal, which OpenCV's equalizeHist leaves out: shifts of images
+  // that are flat for the most part were missed so.
   double sum = 0;
   for (int i = 0; i < 256; ++i) {
     const double own = counts.at<float>(i);
